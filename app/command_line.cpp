@@ -1,0 +1,92 @@
+#include "app/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <new>
+
+#include "app/commands.hpp"
+#include "core/error.hpp"
+
+namespace momentscope {
+
+namespace {
+
+constexpr const char* ABOUT = "Momentscope: an oscilloscope for moment-based order-independent transparency.";
+
+void add_explore_options(CLI::App& command, Options& options) {
+    add_scene_options(command, options);
+    command.add_option("--ray", options.ray, "JSON file of a view ray, instead of a scene");
+    command.add_option("--technique", options.techniques, "id of a technique (momentscope list techniques)");
+    command.add_option("--pixel", options.pixel, "picked pixel of the scene's picture, as 320,200");
+    command.add_flag("--headless", options.headless, "draw without a display");
+    command.add_option("--screenshot", options.screenshot, "with --headless: where to write the window as .png");
+    add_parameter_options(command, options);
+}
+
+void add_commands(CLI::App& app, Options& options, std::string& what) {
+    add_explore_options(app, options);
+    CLI::App* explore = app.add_subcommand("explore", "open the window (the default)");
+    add_explore_options(*explore, options);
+
+    CLI::App* render = app.add_subcommand("render", "draw a scene to a picture");
+    add_scene_options(*render, options);
+    render->add_option("--technique", options.techniques, "id of a technique");
+    render->add_option("-o,--output", options.output, ".exr (linear floats) or .png")->required();
+    add_parameter_options(*render, options);
+
+    CLI::App* inspect = app.add_subcommand("inspect", "print the functions behind a pixel or along a ray");
+    add_scene_options(*inspect, options);
+    inspect->add_option("--ray", options.ray, "JSON file of a view ray, instead of a scene");
+    inspect->add_option("--pixel", options.pixel, "pixel of the picture, as 320,200; the scene's own if left out");
+    inspect->add_option("--technique", options.techniques, "ids of techniques, separated by commas or repeated");
+    inspect->add_option("--samples", options.samples, "how many depths from -1 to 1")->capture_default_str();
+    inspect->add_option("--depths", options.depths, "depths instead of --samples, as -0.5,0,0.25");
+    inspect->add_option("--format", options.format, "json, csv or table [json]");
+    inspect->add_option("-o,--output", options.output, "file to write instead of standard output");
+    add_parameter_options(*inspect, options);
+
+    CLI::App* list = app.add_subcommand("list", "print a registry");
+    list->add_option("what", what, "techniques, scenes or parameters")->required();
+    list->add_option("--format", options.format, "table or json [table]");
+    app.require_subcommand(0, 1);
+}
+
+void run(const CLI::App& app, const Options& options, const std::string& what) {
+    if (app.got_subcommand("render")) return run_render(options);
+    if (app.got_subcommand("inspect")) return run_inspect(options);
+    if (app.got_subcommand("list")) return run_list(what, options.format.empty() ? "table" : options.format);
+    run_explore(options);
+}
+
+int fail(const std::string& sentence) {
+    std::fputs(fmt::format("momentscope: {}\n", sentence).c_str(), stderr);
+    return 1;
+}
+
+}  // namespace
+
+int run_command_line(int argc, const char* const* argv) {
+    CLI::App app(ABOUT, "momentscope");
+    Options options;
+    std::string what;
+    add_commands(app, options, what);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& help) {
+        return app.exit(help);
+    } catch (const CLI::ParseError& error) {
+        return fail(fmt::format("{}; momentscope --help lists what there is.", error.what()));
+    }
+    try {
+        run(app, options, what);
+        return 0;
+    } catch (const Error& error) {
+        return fail(error.what());
+    } catch (const std::bad_alloc&) {
+        return fail("Memory ran out; try a smaller --size or a smaller scene.");
+    }
+}
+
+}  // namespace momentscope

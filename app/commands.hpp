@@ -1,0 +1,12 @@
+// commands.hpp -- one function per command; all throw Error.
+#pragma once
+#include "app/options.hpp"
+
+namespace momentscope {
+
+void run_explore(const Options& options);
+void run_render(const Options& options);
+void run_inspect(const Options& options);
+void run_list(const std::string& what, const std::string& format);
+
+}  // namespace momentscope

@@ -1,0 +1,28 @@
+// gl_context.hpp -- the two ways to get an OpenGL context, chosen by name.
+#pragma once
+#include <glm/glm.hpp>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+struct GLFWwindow;
+
+namespace momentscope {
+
+/// A current OpenGL 4.5 core context with loaded functions; it stays current until it dies.
+class GlContext {
+public:
+    virtual ~GlContext() = default;
+
+    /// The window, or null when there is none.
+    virtual GLFWwindow* window() const { return nullptr; }
+};
+
+/// "glfw": a window of that size. "osmesa": software rendering without a display; the default framebuffer has that size.
+/// Throws Error that says what to do.
+std::unique_ptr<GlContext> make_gl_context(std::string_view name, glm::ivec2 size);
+
+/// The default framebuffer as sRGB RGBA bytes, row by row from the top.
+std::vector<unsigned char> read_framebuffer(glm::ivec2 size);
+
+}  // namespace momentscope

@@ -1,0 +1,50 @@
+#include "app/gui_session.hpp"
+
+#include <glad/gl.h>
+
+#include <imgui.h>
+#include <imgui_impl_glfw.h>
+#include <imgui_impl_opengl3.h>
+
+#include "ui/theme.hpp"
+
+namespace momentscope {
+
+GuiSession::GuiSession(GLFWwindow* window, float ui_scale) : window_(window) {
+    ImGui::CreateContext();
+    ui::apply_theme(ui_scale);
+    if (window_ != nullptr)
+        ImGui_ImplGlfw_InitForOpenGL(window_, true);
+    else   // the keys by their own numbers, as GLFW would map them
+        for (int key = 0; key < ImGuiKey_COUNT; ++key) ImGui::GetIO().KeyMap[key] = key;
+    ImGui_ImplOpenGL3_Init("#version 450 core");
+}
+
+GuiSession::~GuiSession() {
+    ImGui_ImplOpenGL3_Shutdown();
+    if (window_ != nullptr) ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+}
+
+void GuiSession::begin_frame(glm::ivec2 size) {
+    ImGui_ImplOpenGL3_NewFrame();
+    if (window_ != nullptr) {
+        ImGui_ImplGlfw_NewFrame();
+    } else {
+        ImGuiIO& io = ImGui::GetIO();
+        io.DisplaySize = {static_cast<float>(size.x), static_cast<float>(size.y)};
+        io.DeltaTime = 1.0F / 60.0F;
+    }
+    ImGui::NewFrame();
+}
+
+void GuiSession::end_frame(glm::ivec2 size) {
+    ImGui::Render();
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, size.x, size.y);
+    glClearColor(0, 0, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+}  // namespace momentscope

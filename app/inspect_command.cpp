@@ -1,0 +1,58 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "app/commands.hpp"
+#include "app/gl_context.hpp"
+#include "core/error.hpp"
+#include "core/inspect/curve_output.hpp"
+#include "core/ray/ray_json.hpp"
+#include "core/render/renderer.hpp"
+#include "core/scene/camera.hpp"
+#include "core/text_file.hpp"
+
+namespace momentscope {
+
+namespace {
+
+constexpr int MAX_SAMPLES = 1'000'000;
+
+ViewRay capture_scene_pixel(const Options& options, const ParameterValues& parameters, const Technique& technique) {
+    const glm::ivec2 size = parse_size(options.size.empty() ? "960x540" : options.size);
+    std::optional<glm::ivec2> pixel;
+    if (!options.pixel.empty()) pixel = parse_pixel(options.pixel, size);
+    const Scene scene = load_scene_option(options, parameters);
+    const auto context = make_gl_context("osmesa", {16, 16});
+    Renderer renderer;
+    renderer.set_scene(scene);
+    renderer.render({scene.camera, size, &technique, parameters});
+    return renderer.capture_pixel(pixel.value_or(picked_pixel(scene, size))).ray;
+}
+
+}  // namespace
+
+void run_inspect(const Options& options) {
+    const std::string format = options.format.empty() ? "json" : options.format;
+    if (format != "json" && format != "csv" && format != "table")
+        throw Error(fmt::format("There is no format '{}'; use json, csv or table.", format));
+    const ParameterValues parameters = parse_parameters(options);
+    const auto techniques = parse_techniques(options, "power6-32");
+    const std::vector<float> depths =
+        options.depths.empty()
+            ? even_depths(static_cast<std::size_t>(parse_count(options.samples, "number of samples", 2, MAX_SAMPLES)))
+            : parse_depths(options.depths);
+    if (!options.output.empty()) require_writable(options.output);
+    const ViewRay ray = options.ray.empty() ? capture_scene_pixel(options, parameters, *techniques.front())
+                                            : read_ray_file(options.ray);
+    std::vector<Curve> curves;
+    for (const Technique* technique : techniques) curves.push_back(sample_curve(ray, *technique, parameters, depths));
+    const std::string text = format == "json"  ? curves_to_json(ray, curves)
+                             : format == "csv" ? curves_to_csv(curves)
+                                               : curves_to_table(ray, curves);
+    if (options.output.empty())
+        std::fputs(text.c_str(), stdout);
+    else
+        write_text_file(text, options.output);
+}
+
+}  // namespace momentscope

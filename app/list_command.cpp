@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.hpp"
+#include "core/error.hpp"
+
+namespace momentscope {
+
+namespace {
+
+using nlohmann::json;
+
+json list_techniques() {
+    json rows = json::array();
+    for (const Technique& t : techniques()) {
+        json keys = json::array();
+        for (const ParameterId id : t.parameters) keys.push_back(parameter(id).key);
+        rows.push_back({{"id", t.id},
+                        {"name", t.name},
+                        {"bits_per_pixel", t.bits_per_pixel > 0 ? json(t.bits_per_pixel) : json("unbounded")},
+                        {"geometry_passes", t.geometry_passes},
+                        {"order_dependent", t.order_dependent},
+                        {"has_bounds", t.has_bounds},
+                        {"recommended_bias", t.kernel != nullptr ? json(t.recommended_bias) : json()},
+                        {"parameters", keys},
+                        {"source", t.source},
+                        {"description", t.description}});
+    }
+    return rows;
+}
+
+json list_scenes() {
+    json rows = json::array();
+    for (const SceneEntry& entry : scene_entries())
+        rows.push_back({{"id", entry.id}, {"description", entry.description}});
+    return rows;
+}
+
+json list_parameters() {
+    json rows = json::array();
+    for (const Parameter& p : parameters())
+        rows.push_back({{"key", p.key},
+                        {"symbol", p.symbol},
+                        {"name", p.name},
+                        {"unit", p.unit},
+                        {"minimum", p.minimum},
+                        {"maximum", p.maximum},
+                        {"default", p.standard ? json(*p.standard) : json("auto")},
+                        {"help", p.help},
+                        {"source", p.source}});
+    return rows;
+}
+
+std::string cell(const json& value) {
+    if (value.is_string()) return value.get<std::string>();
+    if (value.is_number_float()) return fmt::format("{:g}", value.get<double>());
+    if (value.is_null()) return "-";
+    if (!value.is_array()) return value.dump();
+    std::string joined;
+    for (const json& entry : value) joined += (joined.empty() ? "" : " ") + entry.get<std::string>();
+    return joined.empty() ? "-" : joined;
+}
+
+// What a byte string takes on the screen; symbols are Greek.
+std::size_t width_of(const std::string& text) {
+    return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+void print_table(const json& rows, const std::vector<std::string>& columns) {
+    for (const json& row : rows) {
+        std::string line;
+        for (const std::string& column : columns) {
+            std::size_t widest = 0;
+            for (const json& other : rows) widest = std::max(widest, width_of(cell(other[column])));
+            const std::string text = cell(row[column]);
+            line += text;
+            if (column != columns.back()) line += std::string(widest - width_of(text) + 2, ' ');
+        }
+        std::puts(line.c_str());
+    }
+}
+
+}  // namespace
+
+void run_list(const std::string& what, const std::string& format) {
+    if (format != "table" && format != "json")
+        throw Error(fmt::format("There is no format '{}'; use table or json.", format));
+    json rows;
+    std::vector<std::string> columns;
+    if (what == "techniques") {
+        rows = list_techniques();
+        columns = {"id", "bits_per_pixel", "geometry_passes", "name", "source"};
+    } else if (what == "scenes") {
+        rows = list_scenes();
+        columns = {"id", "description"};
+    } else if (what == "parameters") {
+        rows = list_parameters();
+        columns = {"key", "symbol", "minimum", "maximum", "default", "name"};
+    } else {
+        throw Error(fmt::format("There is no list '{}'; use techniques, scenes or parameters.", what));
+    }
+    if (format == "json")
+        std::puts(rows.dump(2).c_str());
+    else
+        print_table(rows, columns);
+}
+
+}  // namespace momentscope

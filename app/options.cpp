@@ -1,0 +1,108 @@
+#include "app/options.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace momentscope {
+
+namespace {
+
+template <typename T>
+std::optional<T> number(std::string_view text) {
+    T value{};
+    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (status != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+    std::vector<std::string_view> parts;
+    for (std::size_t begin = 0;;) {
+        const std::size_t end = text.find(separator, begin);
+        parts.push_back(text.substr(begin, end - begin));
+        if (end == std::string_view::npos) return parts;
+        begin = end + 1;
+    }
+}
+
+}  // namespace
+
+void add_scene_options(CLI::App& command, Options& options) {
+    command.add_option("--scene", options.scene, "id of a scene, or the path of a mesh file")->capture_default_str();
+    command.add_option("--size", options.size, "width and height in pixels, as 960x540");
+}
+
+void add_parameter_options(CLI::App& command, Options& options) {
+    for (const Parameter& row : parameters()) {
+        const std::string standard = row.standard ? fmt::format("{:g}", *row.standard) : "auto";
+        command.add_option(fmt::format("--{}", row.key), options.parameters[row.key],
+                           fmt::format("{} {}, {:g} to {:g}{}{} [{}]", row.name, row.symbol, row.minimum, row.maximum,
+                                       *row.unit != '\0' ? " " : "", row.unit, standard));
+    }
+}
+
+glm::ivec2 parse_size(const std::string& text) {
+    const auto parts = split(text, 'x');
+    const auto width = parts.size() == 2 ? number<int>(parts[0]) : std::nullopt;
+    const auto height = parts.size() == 2 ? number<int>(parts[1]) : std::nullopt;
+    if (!width || !height || std::min(*width, *height) < 1 || std::max(*width, *height) > MAX_PICTURE_SIDE)
+        throw Error(fmt::format("The size '{}' is no WIDTHxHEIGHT from 1x1 to {}x{}; give one such as 960x540.", text,
+                                MAX_PICTURE_SIDE, MAX_PICTURE_SIDE));
+    return {*width, *height};
+}
+
+glm::ivec2 parse_pixel(const std::string& text, glm::ivec2 size) {
+    const auto parts = split(text, ',');
+    const auto x = parts.size() == 2 ? number<int>(parts[0]) : std::nullopt;
+    const auto y = parts.size() == 2 ? number<int>(parts[1]) : std::nullopt;
+    if (!x || !y || *x < 0 || *y < 0 || *x >= size.x || *y >= size.y)
+        throw Error(fmt::format("The pixel '{}' is no X,Y from 0,0 to {},{}; give one within the picture.", text,
+                                size.x - 1, size.y - 1));
+    return {*x, *y};
+}
+
+std::vector<float> parse_depths(const std::string& text) {
+    std::vector<float> depths;
+    for (const std::string_view part : split(text, ',')) {
+        const auto depth = number<float>(part);
+        if (!depth || !(*depth >= -1 && *depth <= 1))
+            throw Error(fmt::format("The depth '{}' is no number from -1 to 1; give --depths as -0.5,0,0.25.", part));
+        depths.push_back(*depth);
+    }
+    return depths;
+}
+
+int parse_count(const std::string& text, const char* what, int least, int most) {
+    const auto count = number<int>(text);
+    if (!count || *count < least || *count > most)
+        throw Error(fmt::format("'{}' is no {}; give a whole number from {} to {}.", text, what, least, most));
+    return *count;
+}
+
+ParameterValues parse_parameters(const Options& options) {
+    ParameterValues values;
+    for (const auto& [key, text] : options.parameters) {
+        if (text.empty()) continue;
+        const Parameter& row = *find_parameter(key);
+        values.set(row.id, parse_parameter(row, text));
+    }
+    return values;
+}
+
+std::vector<const Technique*> parse_techniques(const Options& options, const char* standard) {
+    std::vector<const Technique*> techniques;
+    for (const std::string& list : options.techniques)
+        for (const std::string_view id : split(list, ',')) techniques.push_back(&require_technique(id));
+    if (techniques.empty()) techniques.push_back(&require_technique(standard));
+    return techniques;
+}
+
+Scene load_scene_option(const Options& options, const ParameterValues& parameters) {
+    return load_scene(options.scene, *parameters[ParameterId::opacity]);
+}
+
+}  // namespace momentscope

@@ -1,0 +1,50 @@
+// options.hpp -- options that several commands share.
+#pragma once
+#include <CLI/CLI.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/render/view.hpp"
+#include "core/scene/scenes.hpp"
+
+namespace momentscope {
+
+/// What was typed, as text; the functions below turn it into values or throw Error.
+struct Options {
+    std::string scene = "teapots";
+    std::string ray;
+    std::vector<std::string> techniques;
+    std::string pixel;
+    std::string size;
+    std::string output;
+    std::string format;
+    std::string depths;
+    std::string samples = "512";
+    bool headless = false;
+    std::string screenshot;
+    std::map<std::string, std::string> parameters;   // by registry key
+};
+
+void add_scene_options(CLI::App& command, Options& options);
+void add_parameter_options(CLI::App& command, Options& options);   // one for each row of the registry
+
+/// "WxH", each from 1 to MAX_PICTURE_SIDE.
+glm::ivec2 parse_size(const std::string& text);
+
+/// "X,Y" within a picture of that size.
+glm::ivec2 parse_pixel(const std::string& text, glm::ivec2 size);
+
+/// "z1,z2,...", each in [-1, 1].
+std::vector<float> parse_depths(const std::string& text);
+
+/// A whole number from `least` to `most`; `what` names it in the error.
+int parse_count(const std::string& text, const char* what, int least, int most);
+
+ParameterValues parse_parameters(const Options& options);
+std::vector<const Technique*> parse_techniques(const Options& options, const char* standard);
+
+/// The scene, with the opacity parameter applied to a mesh file.
+Scene load_scene_option(const Options& options, const ParameterValues& parameters);
+
+}  // namespace momentscope

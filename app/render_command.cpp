@@ -1,0 +1,24 @@
+#include "app/commands.hpp"
+#include "app/gl_context.hpp"
+#include "core/error.hpp"
+#include "core/render/renderer.hpp"
+
+namespace momentscope {
+
+void run_render(const Options& options) {
+    const glm::ivec2 size = parse_size(options.size.empty() ? "960x540" : options.size);
+    const ParameterValues parameters = parse_parameters(options);
+    const auto techniques = parse_techniques(options, "power6-32");
+    if (techniques.size() != 1) throw Error("A picture is drawn by one technique; give a single --technique.");
+    const std::string extension = std::filesystem::path(options.output).extension();
+    if (extension != ".png" && extension != ".exr") throw Error("A picture ends in .png or .exr; give -o such a name.");
+    require_writable(options.output);   // before the work, not after
+    const Scene scene = load_scene_option(options, parameters);
+    const auto context = make_gl_context("osmesa", {16, 16});
+    Renderer renderer;
+    renderer.set_scene(scene);
+    renderer.render({scene.camera, size, techniques.front(), parameters});
+    write_image(renderer.read_picture(), options.output);
+}
+
+}  // namespace momentscope

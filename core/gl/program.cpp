@@ -1,0 +1,112 @@
+#include "core/gl/program.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "core/error.hpp"
+#include "core/gl/shader_sources.hpp"
+
+namespace momentscope {
+
+namespace {
+
+std::string_view source_of(std::string_view path) {
+    const auto& sources = shader_sources();
+    const auto found = sources.find(path);
+    if (found == sources.end()) throw Error(fmt::format("There is no shader '{}' in shaders/.", path));
+    return found->second;
+}
+
+// The path that an #include line names: "technique" is the variant's (nothing if it has none), any other is relative to the including file's
+// folder or to shaders/.
+std::string included_path(std::string_view line, std::string_view includer, const ShaderVariant& variant) {
+    const std::size_t open = line.find('"');
+    const std::size_t close = line.rfind('"');
+    const std::string name(line.substr(open + 1, close - open - 1));
+    if (name == "technique") return variant.technique;
+    const std::string beside = std::string(includer.substr(0, includer.rfind('/') + 1)) + name;
+    return shader_sources().contains(beside) ? beside : name;
+}
+
+void append_file(std::string& text, std::string_view path, const ShaderVariant& variant,
+                 std::vector<std::string>& files) {
+    const std::size_t number = files.size();
+    files.emplace_back(path);
+    text += fmt::format("#line 1 {}\n", number);
+    std::istringstream lines{std::string(source_of(path))};
+    std::string line;
+    for (int at = 1; std::getline(lines, line); ++at) {
+        if (line.starts_with("#include ")) {
+            const std::string included = included_path(line, path, variant);
+            if (!included.empty()) append_file(text, included, variant, files);
+            text += fmt::format("#line {} {}\n", at + 1, number);
+        } else {
+            text += line + "\n";
+        }
+    }
+}
+
+GlShader compile(GLenum kind, std::string_view path, const ShaderVariant& variant) {
+    std::vector<std::string> files;
+    const std::string text = expand_shader(path, variant, &files);
+    GlShader shader(glCreateShader(kind));
+    const char* begin = text.c_str();
+    glShaderSource(shader, 1, &begin, nullptr);
+    glCompileShader(shader);
+    GLint compiled = 0;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+    if (compiled == 0) {
+        std::string log(4096, '\0');
+        GLsizei length = 0;
+        glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), &length, log.data());
+        log.resize(static_cast<std::size_t>(length));
+        std::string numbered;
+        for (std::size_t i = 0; i < files.size(); ++i) numbered += fmt::format(" {} = {}", i, files[i]);
+        throw Error(fmt::format("This GL does not compile {}: {} (files:{})", path, log.substr(0, log.find('\n')),
+                                numbered));
+    }
+    return shader;
+}
+
+GlProgram link(std::span<const GlShader> shaders, std::string_view name) {
+    GlProgram program(glCreateProgram());
+    for (const GlShader& shader : shaders) glAttachShader(program, shader);
+    glLinkProgram(program);
+    GLint linked = 0;
+    glGetProgramiv(program, GL_LINK_STATUS, &linked);
+    if (linked == 0) {
+        std::string log(4096, '\0');
+        glGetProgramInfoLog(program, static_cast<GLsizei>(log.size()), nullptr, log.data());
+        throw Error(fmt::format("This GL does not link {}: {}", name, log.substr(0, log.find('\n'))));
+    }
+    return program;
+}
+
+}  // namespace
+
+std::string expand_shader(std::string_view path, const ShaderVariant& variant, std::vector<std::string>* files) {
+    std::vector<std::string> numbered;
+    std::string text = "#version 450 core\n";
+    for (const auto& [name, value] : variant.defines) text += fmt::format("#define {} {}\n", name, value);
+    append_file(text, "prelude.glsl", variant, numbered);
+    append_file(text, path, variant, numbered);
+    if (files != nullptr) *files = numbered;
+    return text;
+}
+
+GlProgram link_program(std::string_view vertex, std::string_view fragment, const ShaderVariant& variant) {
+    std::vector<GlShader> shaders;
+    shaders.push_back(compile(GL_VERTEX_SHADER, vertex, variant));
+    shaders.push_back(compile(GL_FRAGMENT_SHADER, fragment, variant));
+    return link(shaders, fragment);
+}
+
+GlProgram link_compute_program(std::string_view path, const ShaderVariant& variant) {
+    std::vector<GlShader> shaders;
+    shaders.push_back(compile(GL_COMPUTE_SHADER, path, variant));
+    return link(shaders, path);
+}
+
+}  // namespace momentscope

@@ -1,0 +1,22 @@
+// texture.hpp -- render targets.
+#pragma once
+#include <glm/glm.hpp>
+#include <initializer_list>
+#include <string>
+
+#include "core/gl/handle.hpp"
+
+namespace momentscope {
+
+/// A texture of one level without filtering, contents undefined. format is sized, as GL_RGBA32F.
+GlTexture make_texture(GLenum format, glm::ivec2 size);
+
+/// A framebuffer that draws to the colour textures in their order, and tests depth if depth != 0. Throws Error when
+/// this GL cannot render to them.
+GlFramebuffer make_framebuffer(std::initializer_list<GLuint> colors, GLuint depth);
+GlFramebuffer make_framebuffer(const GLuint* colors, int count, GLuint depth);
+
+/// Throws Error when GL reported an error since the last call; `doing` completes "... failed while <doing>".
+void check_gl(const std::string& doing);
+
+}  // namespace momentscope

@@ -1,0 +1,44 @@
+// image.hpp -- pictures in memory and in files.
+#pragma once
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace momentscope {
+
+/// Linear RGBA floats, row by row from the upper left corner.
+struct Image {
+    Image() = default;
+    Image(int width_, int height_)
+        : width(width_), height(height_), pixels(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_)) {}
+
+    glm::vec4& at(int x, int y) { return pixels[index(x, y)]; }
+    const glm::vec4& at(int x, int y) const { return pixels[index(x, y)]; }
+    void flip_rows();
+
+    int width = 0;
+    int height = 0;
+    std::vector<glm::vec4> pixels;
+
+private:
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+    }
+};
+
+/// sRGB value in [0, 1] of a linear one (IEC 61966-2-1); clamps.
+float srgb_from_linear(float linear);
+
+/// Writes .exr (linear floats) or .png (8-bit sRGB), to a temporary file that is then renamed. Throws Error.
+void write_image(const Image& image, const std::filesystem::path& path);
+
+/// Writes 8-bit sRGB RGBA bytes, row by row from the top, as .png.
+void write_png(const std::vector<unsigned char>& rgba, int width, int height, const std::filesystem::path& path);
+
+/// Throws Error with the reason when a file could not be written there: a missing folder, no permission, a folder.
+void require_writable(const std::filesystem::path& path);
+
+/// Root mean square of the difference of the RGB channels. Images of equal size.
+double rms_difference(const Image& a, const Image& b);
+
+}  // namespace momentscope

@@ -1,0 +1,40 @@
+#include "core/inspect/curve.hpp"
+
+namespace momentscope {
+
+std::vector<float> even_depths(std::size_t samples) {
+    std::vector<float> depths(samples);
+    for (std::size_t i = 0; i < samples; ++i)
+        depths[i] = 2.0F * static_cast<float>(i) / static_cast<float>(samples - 1) - 1.0F;
+    return depths;
+}
+
+MomentVector sum_moments(const ViewRay& ray, const Technique& technique, const ResolvedParameters& parameters) {
+    MomentVector sum;
+    for (const Fragment& fragment : ray.fragments)
+        technique.kernel->add_fragment(sum, fragment.depth, fragment_absorbance(fragment.opacity), parameters.theta);
+    return sum;
+}
+
+Curve sample_curve(const ViewRay& ray, const Technique& technique, const ParameterValues& values,
+                   std::span<const float> depths) {
+    Curve curve;
+    curve.technique = &technique;
+    curve.parameters = resolve(values, technique);
+    curve.total_absorbance = total_absorbance(ray);
+    curve.depth.assign(depths.begin(), depths.end());
+    curve.truth = true_absorbance(ray, depths);
+    if (technique.kernel == nullptr) {   // the ground truth reconstructs itself
+        curve.reconstructed.assign(curve.truth.begin(), curve.truth.end());
+        return curve;
+    }
+    curve.moments = sum_moments(ray, technique, curve.parameters);
+    curve.reconstructed.resize(depths.size());
+    curve.beta0.resize(depths.size());
+    curve.beta1.resize(depths.size());
+    const ReconstructionSettings settings = {curve.parameters.beta, curve.parameters.theta, curve.parameters.alpha};
+    technique.kernel->evaluate(curve.moments, settings, depths, {curve.reconstructed, curve.beta0, curve.beta1});
+    return curve;
+}
+
+}  // namespace momentscope

@@ -1,0 +1,93 @@
+#include "core/inspect/curve_output.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "core/ray/ray_json.hpp"
+
+namespace momentscope {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json moments_json(const Curve& curve) {
+    if (curve.technique->kernel == nullptr) return nullptr;
+    ordered_json moments = {curve.moments.b0};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(curve.technique->kernel->moment_floats); ++i)
+        moments.push_back(curve.moments.b[i]);
+    return moments;
+}
+
+ordered_json parameters_json(const Curve& curve) {
+    ordered_json values = ordered_json::object();
+    if (curve.technique->uses(ParameterId::beta)) values["beta"] = curve.parameters.beta;
+    if (curve.technique->uses(ParameterId::theta)) values["theta"] = curve.parameters.theta;
+    if (curve.technique->uses(ParameterId::alpha)) values["alpha"] = curve.parameters.alpha;
+    return values;
+}
+
+ordered_json curve_json(const Curve& curve) {
+    const auto or_null = [](bool there, const std::vector<float>& values) {
+        return there && !values.empty() ? ordered_json(values) : ordered_json();
+    };
+    const bool bounds = curve.technique->has_bounds;
+    ordered_json json = {{"technique", curve.technique->id}, {"parameters", parameters_json(curve)},
+                         {"moments", moments_json(curve)},   {"depth", curve.depth},
+                         {"true", curve.truth},              {"reconstructed", curve.reconstructed},
+                         {"lower", or_null(bounds, curve.beta0)},
+                         {"upper", or_null(bounds, curve.beta1)}};
+    if (!bounds && !curve.beta0.empty()) {
+        json["beta0"] = curve.beta0;
+        json["beta1"] = curve.beta1;
+    }
+    return json;
+}
+
+}  // namespace
+
+std::string curves_to_json(const ViewRay& ray, const std::vector<Curve>& curves) {
+    ordered_json root;
+    root["ray"] = ray_to_json(ray);
+    root["ray"]["total_absorbance"] = total_absorbance(ray);
+    root["curves"] = ordered_json::array();
+    for (const Curve& curve : curves) root["curves"].push_back(curve_json(curve));
+    return root.dump(1) + "\n";
+}
+
+std::string curves_to_csv(const std::vector<Curve>& curves) {
+    std::string text = "technique,depth,true,reconstructed,beta0,beta1\n";
+    for (const Curve& curve : curves)
+        for (std::size_t i = 0; i < curve.depth.size(); ++i) {
+            fmt::format_to(std::back_inserter(text), "{},{},{},{},", curve.technique->id, curve.depth[i], curve.truth[i],
+                           curve.reconstructed[i]);
+            if (curve.beta0.empty())
+                text += ",\n";
+            else
+                fmt::format_to(std::back_inserter(text), "{},{}\n", curve.beta0[i], curve.beta1[i]);
+        }
+    return text;
+}
+
+std::string curves_to_table(const ViewRay& ray, const std::vector<Curve>& curves) {
+    std::string text = fmt::format("{} fragments, total absorbance {:.6g}\n", ray.fragments.size(), total_absorbance(ray));
+    for (const Curve& curve : curves) {
+        const char* low = curve.technique->has_bounds ? "lower" : "beta = 0";
+        const char* high = curve.technique->has_bounds ? "upper" : "beta = 1";
+        fmt::format_to(std::back_inserter(text), "\n{}\n{:>12}{:>12}{:>15}{:>12}{:>12}\n", curve.technique->id, "depth",
+                       "true", "reconstructed", low, high);
+        for (std::size_t i = 0; i < curve.depth.size(); ++i) {
+            fmt::format_to(std::back_inserter(text), "{:>12.6f}{:>12.6f}{:>15.6f}", curve.depth[i], curve.truth[i],
+                           curve.reconstructed[i]);
+            if (!curve.beta0.empty())
+                fmt::format_to(std::back_inserter(text), "{:>12.6f}{:>12.6f}", curve.beta0[i], curve.beta1[i]);
+            text += "\n";
+        }
+    }
+    return text;
+}
+
+}  // namespace momentscope

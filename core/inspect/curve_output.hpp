@@ -1,0 +1,19 @@
+// curve_output.hpp -- curves as text.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/inspect/curve.hpp"
+
+namespace momentscope {
+
+/// The form of `inspect --format json`: ray and curves; null where a technique has no such value, never NaN.
+std::string curves_to_json(const ViewRay& ray, const std::vector<Curve>& curves);
+
+/// One row per technique and depth, with a header row.
+std::string curves_to_csv(const std::vector<Curve>& curves);
+
+/// For reading: aligned columns.
+std::string curves_to_table(const ViewRay& ray, const std::vector<Curve>& curves);
+
+}  // namespace momentscope

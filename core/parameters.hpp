@@ -1,0 +1,63 @@
+// parameters.hpp -- the one registry of parameters: sliders, options, JSON keys, docs and cache invalidation follow
+// from it.
+#pragma once
+#include <array>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace momentscope {
+
+/// The way of the data. A change invalidates its stage and all later ones.
+enum class Stage { scene, opaque, moments, color, composite, nothing };
+
+enum class ParameterId : std::size_t { beta, theta, alpha, renormalize, opacity };
+constexpr std::size_t PARAMETER_COUNT = 5;
+
+/// How a slider maps its way to a value; decides nothing but the looks.
+enum class Scale { linear, logarithmic, toggle };
+
+/// One row: everything that is said about a parameter anywhere.
+struct Parameter {
+    ParameterId id;
+    const char* key;      // option and JSON key
+    const char* symbol;   // the papers' symbol
+    const char* name;
+    const char* unit;     // "" for a plain number
+    float minimum;
+    float maximum;
+    std::optional<float> standard;   // nullopt: `auto`, the technique recommends a value
+    Scale scale;
+    Stage invalidates;    // the first stage that a change makes stale
+    const char* help;     // one or two sentences: what it does and when to change it
+    const char* source;   // paper and section
+};
+
+/// All parameters, in the order of ParameterId.
+std::span<const Parameter> parameters();
+const Parameter& parameter(ParameterId id);
+const Parameter* find_parameter(std::string_view key);   // nullptr when there is none
+
+/// A value for every parameter; nullopt means `auto` and is allowed where Parameter::standard is nullopt.
+class ParameterValues {
+public:
+    ParameterValues();   // all at their standard
+
+    std::optional<float> operator[](ParameterId id) const { return values_[static_cast<std::size_t>(id)]; }
+
+    /// Throws Error when the value is not a number within the row's range, or `auto` where there is none.
+    void set(ParameterId id, std::optional<float> value);
+
+    friend bool operator==(const ParameterValues&, const ParameterValues&) = default;
+
+private:
+    std::array<std::optional<float>, PARAMETER_COUNT> values_;
+};
+
+/// The value that a text on the command line or in a file means: a number or `auto`. Throws Error.
+std::optional<float> parse_parameter(const Parameter& row, std::string_view text);
+
+/// The first stage at which a picture made with `before` is stale for `after`.
+Stage first_stale_stage(const ParameterValues& before, const ParameterValues& after);
+
+}  // namespace momentscope

@@ -1,0 +1,138 @@
+#include "core/ray/ray_json.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+
+namespace momentscope {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr int MAX_NESTING = 16;   // a ray needs 4; deeper is refused before it costs memory
+
+json parse_bounded(const std::string& text) {
+    if (text.size() > MAX_RAY_FILE_BYTES)
+        throw Error(fmt::format("The view ray is larger than {} MiB; give fewer fragments.", MAX_RAY_FILE_BYTES >> 20));
+    const auto too_deep = [](int depth, json::parse_event_t, json&) -> bool {
+        if (depth > MAX_NESTING) throw Error("The view ray is nested too deeply; see the README for its form.");
+        return true;
+    };
+    try {
+        return json::parse(text, too_deep);
+    } catch (const json::parse_error& error) {
+        throw Error(fmt::format("The view ray is not valid JSON at byte {}; correct it there.", error.byte));
+    } catch (const json::exception&) {   // a number beyond a double, for instance
+        throw Error("The view ray holds a value that JSON cannot carry; give finite numbers.");
+    }
+}
+
+float number(const json& object, const char* key, const std::string& where) {
+    const auto found = object.find(key);
+    if (found == object.end() || !found->is_number())
+        throw Error(fmt::format("The view ray's {} needs a number \"{}\".", where, key));
+    const auto value = found->get<double>();
+    if (!std::isfinite(static_cast<float>(value)))
+        throw Error(fmt::format("The view ray's {} has a \"{}\" that is no finite number.", where, key));
+    return static_cast<float>(value);
+}
+
+DepthWarp warp_from(const json& root) {
+    DepthWarp warp;
+    const auto found = root.find("warp");
+    if (found == root.end() || found->is_null()) return warp;
+    if (!found->is_object() || !found->contains("kind") || !(*found)["kind"].is_string())
+        throw Error("The view ray's warp needs a \"kind\": \"none\" or \"log\".");
+    const auto kind = (*found)["kind"].get<std::string>();
+    if (kind == "none") return warp;
+    if (kind != "log") throw Error(fmt::format("The view ray's warp kind is '{}'; use \"none\" or \"log\".", kind));
+    warp = {true, number(*found, "z_min", "warp"), number(*found, "z_max", "warp")};
+    if (!(warp.z_min >= 1e-30F && warp.z_max > warp.z_min))
+        throw Error("The view ray's warp needs 0 < z_min < z_max.");
+    return warp;
+}
+
+glm::vec3 color_from(const json& entry, const std::string& where) {
+    const auto found = entry.find("color");
+    if (found == entry.end()) return glm::vec3(1);
+    glm::vec3 color;
+    const bool triple = found->is_array() && found->size() == 3;
+    for (int c = 0; c < 3; ++c) {
+        const double value = triple && (*found)[static_cast<std::size_t>(c)].is_number()
+                                 ? (*found)[static_cast<std::size_t>(c)].get<double>()
+                                 : -1.0;
+        if (!(value >= 0 && value <= 65504))
+            throw Error(fmt::format("The view ray's {} needs a \"color\" of three numbers from 0 to 65504.", where));
+        color[c] = static_cast<float>(value);
+    }
+    return color;
+}
+
+Fragment fragment_from(const json& entry, std::size_t index, const DepthWarp& warp) {
+    const std::string where = fmt::format("fragment {}", index);
+    if (!entry.is_object()) throw Error(fmt::format("The view ray's {} must be an object.", where));
+    Fragment fragment;
+    fragment.view_depth = number(entry, "depth", where);
+    fragment.opacity = number(entry, "opacity", where);
+    fragment.color = color_from(entry, where);
+    fragment.draw = static_cast<std::uint32_t>(index);
+    if (!(fragment.opacity >= 0 && fragment.opacity <= 1))
+        throw Error(fmt::format("The view ray's {} has opacity {}; give one from 0 to 1.", where, fragment.opacity));
+    const float low = warp.logarithmic ? warp.z_min : -1.0F;
+    const float high = warp.logarithmic ? warp.z_max : 1.0F;
+    if (!(fragment.view_depth >= low && fragment.view_depth <= high))
+        throw Error(fmt::format("The view ray's {} has depth {}; give one from {} to {}.", where, fragment.view_depth,
+                                low, high));
+    fragment.depth = to_depth(fragment.view_depth, warp);
+    return fragment;
+}
+
+}  // namespace
+
+json ray_to_json(const ViewRay& ray) {
+    json fragments = json::array();
+    for (const Fragment& f : ray.fragments)
+        fragments.push_back({{"depth", ray.warp.logarithmic ? f.view_depth : f.depth},
+                             {"opacity", f.opacity},
+                             {"color", {f.color.r, f.color.g, f.color.b}}});
+    json warp = {{"kind", ray.warp.logarithmic ? "log" : "none"}};
+    if (ray.warp.logarithmic) warp.update({{"z_min", ray.warp.z_min}, {"z_max", ray.warp.z_max}});
+    json root = {{"fragments", fragments}, {"warp", warp}};
+    if (ray.far_plane > 0) root.update({{"near", ray.near_plane}, {"far", ray.far_plane}});
+    return root;
+}
+
+ViewRay ray_from_json(const std::string& text) {
+    const json root = parse_bounded(text);
+    if (!root.is_object() || !root.contains("fragments") || !root["fragments"].is_array())
+        throw Error("The view ray needs a list \"fragments\"; see the README for its form.");
+    const json& entries = root["fragments"];
+    if (entries.size() > MAX_RAY_FRAGMENTS)
+        throw Error(fmt::format("The view ray has {} fragments; at most {} are read.", entries.size(),
+                                MAX_RAY_FRAGMENTS));
+    ViewRay ray;
+    ray.warp = warp_from(root);
+    if (root.contains("near")) ray.near_plane = number(root, "near", "top level");
+    if (root.contains("far")) ray.far_plane = number(root, "far", "top level");
+    for (std::size_t i = 0; i < entries.size(); ++i) ray.fragments.push_back(fragment_from(entries[i], i, ray.warp));
+    return ray;
+}
+
+ViewRay read_ray_file(const std::filesystem::path& path) {
+    std::error_code status;
+    if (!std::filesystem::is_regular_file(path, status))
+        throw Error(fmt::format("There is no view ray file '{}'; give the path of a JSON file.", path.string()));
+    if (std::filesystem::file_size(path, status) > MAX_RAY_FILE_BYTES)
+        throw Error(fmt::format("The view ray file '{}' is larger than {} MiB; give fewer fragments.", path.string(),
+                                MAX_RAY_FILE_BYTES >> 20));
+    std::ifstream file(path, std::ios::binary);
+    const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    if (!file) throw Error(fmt::format("The view ray file '{}' cannot be read.", path.string()));
+    return ray_from_json(text);
+}
+
+}  // namespace momentscope

@@ -1,0 +1,68 @@
+#include "core/ray/view_ray.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/glsl.hpp"
+
+namespace momentscope {
+
+namespace glsl::fragment {
+#include "shaders/shared/portable_math.glsl"
+// portable_math first: fragment.glsl builds on it
+#include "shaders/shared/fragment.glsl"
+}  // namespace glsl::fragment
+
+float fragment_absorbance(float opacity) { return glsl::fragment::absorbance_of_opacity(opacity); }
+
+float to_depth(float view_depth, const DepthWarp& warp) {
+    if (!warp.logarithmic) return std::clamp(view_depth, -1.0F, 1.0F);
+    return glsl::fragment::warped_depth(view_depth, glsl::fragment::depth_warp_factors(warp.z_min, warp.z_max));
+}
+
+float to_view_depth(float depth, const DepthWarp& warp) {
+    if (!warp.logarithmic) return depth;
+    return glsl::fragment::unwarped_depth(depth, glsl::fragment::depth_warp_factors(warp.z_min, warp.z_max));
+}
+
+glm::vec2 depth_warp_factors(const DepthWarp& warp) {
+    const auto factors = glsl::fragment::depth_warp_factors(warp.z_min, warp.z_max);
+    return {factors.log_z_min, factors.scale};
+}
+
+double total_absorbance(const ViewRay& ray) {
+    double sum = 0;
+    for (const Fragment& fragment : ray.fragments) sum += static_cast<double>(fragment_absorbance(fragment.opacity));
+    return sum;
+}
+
+std::vector<double> true_absorbance(const ViewRay& ray, std::span<const float> depths) {
+    const std::vector<std::size_t> order = front_to_back(ray);
+    std::vector<float> steps;     // depths of the fragments, ascending
+    std::vector<double> before;   // absorbance in front of each, and in the end the total
+    double sum = 0;
+    for (const std::size_t i : order) {
+        steps.push_back(ray.fragments[i].depth);
+        before.push_back(sum);
+        sum += static_cast<double>(fragment_absorbance(ray.fragments[i].opacity));
+    }
+    before.push_back(sum);
+    std::vector<double> result;
+    result.reserve(depths.size());
+    for (const float depth : depths) {
+        const auto in_front = std::ranges::lower_bound(steps, depth) - steps.begin();   // z_l < depth, strictly
+        result.push_back(before[static_cast<std::size_t>(in_front)]);
+    }
+    return result;
+}
+
+std::vector<std::size_t> front_to_back(const ViewRay& ray) {
+    std::vector<std::size_t> order(ray.fragments.size());
+    std::iota(order.rbegin(), order.rend(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) {
+        return std::pair(ray.fragments[i].depth, ray.fragments[i].view_depth);
+    });
+    return order;
+}
+
+}  // namespace momentscope

@@ -1,0 +1,54 @@
+// view_ray.hpp -- the fragments along one view ray, and the true functions of depth that they make.
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+namespace momentscope {
+
+/// One transparent fragment of a pixel.
+struct Fragment {
+    float depth = 0;               // warped, [-1, 1]
+    float view_depth = 0;          // distance from the camera plane in scene units, > 0; equals depth without a warp
+    float opacity = 0;             // alpha_l in [0, 1]
+    glm::vec3 color{0};            // linear RGB, shaded, >= 0
+    std::uint32_t draw = 0;        // index of the draw call
+    std::uint32_t primitive = 0;   // index of the triangle within it
+};
+
+/// How view depth became depth (Section 3.3). Without a warp they are the same.
+struct DepthWarp {
+    bool logarithmic = false;
+    float z_min = -1;   // view depths that map to -1 and 1; 0 < z_min < z_max when logarithmic
+    float z_max = 1;
+};
+
+/// All fragments of a ray in submission order, which is the order in which moments are summed.
+struct ViewRay {
+    std::vector<Fragment> fragments;
+    DepthWarp warp;
+    float near_plane = 0;   // of the camera, 0 when unknown
+    float far_plane = 0;
+};
+
+/// Absorbance -ln(1 - alpha_l) as the shaders compute it, in [0, 10].
+float fragment_absorbance(float opacity);
+
+/// Depth in [-1, 1] of a view depth as the shaders compute it, and its inverse.
+float to_depth(float view_depth, const DepthWarp& warp);
+float to_view_depth(float depth, const DepthWarp& warp);
+
+/// log_z_min and scale of shaders/shared/fragment.glsl for a logarithmic warp.
+glm::vec2 depth_warp_factors(const DepthWarp& warp);
+
+/// Sum of all absorbances: b0.
+double total_absorbance(const ViewRay& ray);
+
+/// A(z), the sum of the absorbances of all fragments with z_l < z, at each depth; `depths` in any order.
+std::vector<double> true_absorbance(const ViewRay& ray, std::span<const float> depths);
+
+/// Indices of the fragments from front to back. Of a tie, what was submitted later lies in front, as in sorted.frag.
+std::vector<std::size_t> front_to_back(const ViewRay& ray);
+
+}  // namespace momentscope

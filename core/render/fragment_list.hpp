@@ -1,0 +1,45 @@
+// fragment_list.hpp -- captures all transparent fragments of a region of the picture.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "core/gl/program.hpp"
+#include "core/render/transparency.hpp"
+
+namespace momentscope {
+
+/// shaders/passes/fragment_list.glsl in C++ (std430).
+struct FragmentNode {
+    glm::vec4 color_opacity;
+    float view_depth;
+    float depth;
+    float transmittance;
+    std::uint32_t draw;
+    std::uint32_t primitive;
+    std::uint32_t next;
+    std::uint32_t padding[2];
+};
+static_assert(sizeof(FragmentNode) == 48);
+
+/// A bounded list of fragments on the GPU, with one list head per pixel.
+class FragmentList {
+public:
+    /// capacity: how many fragments fit; cut to what this GL allows in one buffer.
+    FragmentList(glm::ivec2 size, std::size_t capacity, GLuint depth);
+
+    /// Captures the rows [y, y + height) from column x to x + width, in GL pixels, with `program` (capture.frag).
+    /// Returns how many fragments there are; only the first capacity() of them are stored.
+    std::size_t capture(const PassInput& input, GLuint program, glm::ivec2 corner, glm::ivec2 extent);
+
+    void bind() const;
+    std::size_t capacity() const { return capacity_; }
+    std::vector<FragmentNode> read(std::size_t count) const;
+
+private:
+    std::size_t capacity_;
+    GlTexture heads_;
+    GlBuffer nodes_;
+    GlFramebuffer target_;   // tests depth, draws no colour
+};
+
+}  // namespace momentscope

@@ -1,0 +1,187 @@
+#include "core/render/renderer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "core/gl/texture.hpp"
+#include "core/render/moment_passes.hpp"
+#include "core/render/uniform_blocks.hpp"
+#include "core/scene/camera.hpp"
+
+namespace momentscope {
+
+namespace {
+
+constexpr std::size_t PIXEL_LIST_CAPACITY = 65'536;
+
+void require_gl_4_5() {
+    GLint major = 0;
+    GLint minor = 0;
+    glGetIntegerv(GL_MAJOR_VERSION, &major);
+    glGetIntegerv(GL_MINOR_VERSION, &minor);
+    if (major * 10 + minor < 45)
+        throw Error(fmt::format("This GL is version {}.{}; Momentscope needs OpenGL 4.5. Update the driver, or use "
+                                "--headless, which renders in software.",
+                                major, minor));
+}
+
+}  // namespace
+
+Renderer::Renderer() {
+    require_gl_4_5();
+    GLuint name = 0;
+    glCreateBuffers(1, &name);
+    frame_block_ = GlBuffer(name);
+    glNamedBufferStorage(frame_block_, sizeof(FrameBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    opaque_program_ = link_program("passes/scene.vert", "passes/opaque.frag");
+    display_program_ = link_program("passes/fullscreen.vert", "passes/display.frag");
+}
+
+Renderer::~Renderer() = default;
+
+void Renderer::set_scene(const Scene& scene) {
+    bounds_ = transparent_bounds(scene);
+    buffers_ = std::make_unique<SceneBuffers>(scene);
+    scene_ = scene;
+    scene_.meshes.clear();
+    view_.technique = nullptr;   // everything is stale
+}
+
+void Renderer::render(const View& view) {
+    const Stage stage = first_stale_stage(view_, view);
+    if (stage == Stage::nothing) return;
+    view_.technique = nullptr;   // until all went well
+    if (view.size != view_.size) resize(view.size);
+    const bool technique_changed = transparency_of_ != view.technique;
+    if (technique_changed || transparency_ == nullptr) {
+        transparency_.reset();   // free its memory before the next takes its own
+        transparency_ = make_transparency(*view.technique, view.size, depth_);
+        transparency_of_ = view.technique;
+    }
+    view_ = view;
+    update_frame_block(view);
+    try {
+        run_from(stage);
+        check_gl("drawing the scene");
+    } catch (...) {
+        view_.technique = nullptr;
+        throw;
+    }
+}
+
+void Renderer::resize(glm::ivec2 size) {
+    if (std::min(size.x, size.y) < 1 || std::max(size.x, size.y) > MAX_PICTURE_SIDE)
+        throw Error(fmt::format("A picture of {}x{} pixels cannot be drawn; give a size from 1x1 to {}x{}.", size.x,
+                                size.y, MAX_PICTURE_SIDE, MAX_PICTURE_SIDE));
+    transparency_.reset();
+    pixel_list_.reset();
+    opaque_color_ = make_texture(GL_RGBA16F, size);
+    depth_ = make_texture(GL_DEPTH_COMPONENT32F, size);
+    picture_ = make_texture(GL_RGBA32F, size);
+    display_color_ = make_texture(GL_RGBA8, size);
+    opaque_target_ = make_framebuffer({opaque_color_}, depth_);
+    picture_target_ = make_framebuffer({picture_}, 0);
+    display_target_ = make_framebuffer({display_color_}, 0);
+    pixel_list_ = std::make_unique<FragmentList>(size, PIXEL_LIST_CAPACITY, depth_);
+    check_gl(fmt::format("making textures of {}x{} pixels", size.x, size.y));
+}
+
+void Renderer::update_frame_block(const View& view) {
+    warp_ = depth_warp(view.camera, bounds_);
+    const ResolvedParameters p = resolve(view.parameters, *view.technique);
+    const glm::vec2 warp = depth_warp_factors(warp_);
+    const float aspect = static_cast<float>(view.size.x) / static_cast<float>(view.size.y);
+    const FrameBlock block = {view_matrix(view.camera), projection_matrix(view.camera, aspect),
+                              glm::vec4(warp, 0, 0),
+                              glm::vec4(p.beta, p.theta, p.alpha, p.renormalize ? 1 : 0)};
+    glNamedBufferSubData(frame_block_, 0, sizeof(block), &block);
+}
+
+PassInput Renderer::pass_input() const { return {*buffers_, view_.size, opaque_color_, depth_}; }
+
+void Renderer::draw_opaque() {
+    const float background[4] = {scene_.background.r, scene_.background.g, scene_.background.b, 1};
+    const float far = 1;
+    glClearNamedFramebufferfv(opaque_target_, GL_COLOR, 0, background);
+    glClearNamedFramebufferfv(opaque_target_, GL_DEPTH, 0, &far);
+    glBindFramebuffer(GL_FRAMEBUFFER, opaque_target_);
+    glEnable(GL_DEPTH_TEST);
+    glUseProgram(opaque_program_);
+    buffers_->draw(Surfaces::opaque);
+    glDisable(GL_DEPTH_TEST);
+}
+
+void Renderer::run_from(Stage stage) {
+    glViewport(0, 0, view_.size.x, view_.size.y);
+    glDisable(GL_BLEND);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_SCISSOR_TEST);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_block_);
+    const PassInput input = pass_input();
+    if (stage <= Stage::opaque) {
+        draw_opaque();
+        ++counts_.opaque;
+    }
+    if (stage <= Stage::moments) {
+        transparency_->draw_moments(input);
+        ++counts_.moments;
+    }
+    if (stage <= Stage::color) {
+        transparency_->draw_color(input);
+        ++counts_.color;
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, picture_target_);
+    transparency_->draw_composite(input);
+    ++counts_.composite;
+    glBindFramebuffer(GL_FRAMEBUFFER, display_target_);
+    glUseProgram(display_program_);
+    glBindTextureUnit(0, picture_);
+    draw_fullscreen();
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+Image Renderer::read_picture() const {
+    Image image(view_.size.x, view_.size.y);
+    glGetTextureImage(picture_, 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(image.pixels.size() * sizeof(glm::vec4)),
+                      image.pixels.data());
+    check_gl("reading the picture");
+    image.flip_rows();
+    return image;
+}
+
+PixelCapture Renderer::capture_pixel(glm::ivec2 pixel) {
+    const bool has_transmittance = transparency_->bind_for_capture();
+    const std::string key = has_transmittance ? view_.technique->id : "";
+    auto program = capture_programs_.find(key);
+    if (program == capture_programs_.end()) {
+        ShaderVariant variant;
+        if (has_transmittance) {
+            variant = moment_variant(*view_.technique);
+            variant.defines["WITH_TRANSMITTANCE"] = "1";
+        }
+        program = capture_programs_.emplace(key, link_program("passes/scene.vert", "passes/capture.frag", variant)).first;
+    }
+    glViewport(0, 0, view_.size.x, view_.size.y);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_block_);
+    const glm::ivec2 corner(pixel.x, view_.size.y - 1 - pixel.y);
+    const std::size_t count = pixel_list_->capture(pass_input(), program->second, corner, {1, 1});
+    std::vector<FragmentNode> nodes = pixel_list_->read(count);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    check_gl("capturing a pixel");
+    // The order in which nodes were appended is not the order of submission.
+    std::ranges::sort(nodes, {}, [](const FragmentNode& node) { return std::pair(node.draw, node.primitive); });
+    PixelCapture capture;
+    capture.ray.warp = warp_;
+    capture.ray.near_plane = NEAR_PLANE;
+    capture.ray.far_plane = FAR_PLANE;
+    for (const FragmentNode& node : nodes) {
+        capture.ray.fragments.push_back({node.depth, node.view_depth, node.color_opacity.a,
+                                         glm::vec3(node.color_opacity), node.draw, node.primitive});
+        if (has_transmittance) capture.transmittance.push_back(node.transmittance);
+    }
+    return capture;
+}
+
+}  // namespace momentscope

@@ -1,0 +1,75 @@
+// renderer.hpp -- pictures of a scene by any technique, and the exact fragments of a pixel.
+#pragma once
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/image/image.hpp"
+#include "core/ray/view_ray.hpp"
+#include "core/render/fragment_list.hpp"
+#include "core/render/view.hpp"
+
+namespace momentscope {
+
+/// How often each stage ran since the renderer was made.
+struct PassCounts {
+    int opaque = 0, moments = 0, color = 0, composite = 0;
+};
+
+/// A pixel as the GL computed it. Vectors run parallel to ray.fragments.
+struct PixelCapture {
+    ViewRay ray;
+    std::vector<float> transmittance;   // of the second pass at each fragment; empty when the technique has none
+};
+
+/// Draws into its own textures; needs a current OpenGL 4.5 context as long as it lives. Pixels count from the upper left
+/// corner.
+class Renderer {
+public:
+    /// Throws Error when the GL is older than 4.5.
+    Renderer();
+    ~Renderer();
+
+    void set_scene(const Scene& scene);
+
+    /// Runs the stages that the change since the last picture made stale, and no others. Throws Error when GL fails; the
+    /// next call starts afresh.
+    void render(const View& view);
+
+    /// The picture in sRGB, as a texture of the view's size with the first row at the bottom.
+    GLuint display_texture() const { return display_color_; }
+
+    /// The picture in linear RGBA floats.
+    Image read_picture() const;
+
+    /// All transparent fragments that cover a pixel of the last picture and are not behind opaque surfaces.
+    PixelCapture capture_pixel(glm::ivec2 pixel);
+
+    const PassCounts& pass_counts() const { return counts_; }
+
+private:
+    void resize(glm::ivec2 size);
+    void update_frame_block(const View& view);
+    void draw_opaque();
+    void run_from(Stage stage);
+    PassInput pass_input() const;
+
+    Scene scene_;   // without its meshes: camera, background, objects for the bounds
+    Sphere bounds_;
+    std::unique_ptr<SceneBuffers> buffers_;
+    View view_;
+    DepthWarp warp_;
+    PassCounts counts_;
+
+    GlBuffer frame_block_;
+    GlTexture opaque_color_, depth_, picture_, display_color_;
+    GlFramebuffer opaque_target_, picture_target_, display_target_;
+    GlProgram opaque_program_, display_program_;
+    std::unique_ptr<Transparency> transparency_;
+    const Technique* transparency_of_ = nullptr;
+    std::unique_ptr<FragmentList> pixel_list_;
+    std::map<std::string, GlProgram> capture_programs_;   // by technique id
+};
+
+}  // namespace momentscope

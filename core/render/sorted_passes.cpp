@@ -1,0 +1,47 @@
+#include "core/render/sorted_passes.hpp"
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+
+namespace momentscope {
+
+namespace {
+
+constexpr std::size_t LIST_CAPACITY = 2'500'000;   // 120 MB; fits into what OpenGL guarantees for one buffer
+
+}  // namespace
+
+SortedPasses::SortedPasses(glm::ivec2 size, GLuint depth)
+    : list_(size, LIST_CAPACITY, depth),
+      capture_program_(link_program("passes/scene.vert", "passes/capture.frag")),
+      sort_program_(link_program("passes/fullscreen.vert", "passes/sorted.frag")) {}
+
+void SortedPasses::draw_composite(const PassInput& input) {
+    GLint target = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
+    int rows = input.size.y;
+    for (int y = 0; y < input.size.y;) {
+        rows = std::min(rows, input.size.y - y);
+        const std::size_t count = list_.capture(input, capture_program_, {0, y}, {input.size.x, rows});
+        if (count > list_.capacity()) {
+            if (rows == 1)
+                throw Error(fmt::format("One row of the picture has {} transparent fragments, more than the {} that "
+                                        "sorted can hold; use a smaller --size.",
+                                        count, list_.capacity()));
+            rows = (rows + 1) / 2;
+            continue;
+        }
+        glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(target));
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(0, y, input.size.x, rows);
+        glUseProgram(sort_program_);
+        glBindTextureUnit(0, input.opaque_color);
+        list_.bind();
+        draw_fullscreen();
+        glDisable(GL_SCISSOR_TEST);
+        y += rows;
+    }
+}
+
+}  // namespace momentscope

@@ -1,0 +1,22 @@
+// sorted_passes.hpp -- ground truth: all fragments of each pixel, sorted.
+#pragma once
+#include "core/render/fragment_list.hpp"
+
+namespace momentscope {
+
+class SortedPasses : public Transparency {
+public:
+    SortedPasses(glm::ivec2 size, GLuint depth);
+    void draw_moments(const PassInput&) override {}
+    void draw_color(const PassInput&) override {}
+
+    /// Captures and composites band by band, as many rows at a time as the list holds, so that memory is bounded however
+    /// many fragments there are.
+    void draw_composite(const PassInput& input) override;
+
+private:
+    FragmentList list_;
+    GlProgram capture_program_, sort_program_;
+};
+
+}  // namespace momentscope

@@ -1,0 +1,25 @@
+#include "core/render/transparency.hpp"
+
+#include "core/render/moment_passes.hpp"
+#include "core/render/sorted_passes.hpp"
+
+namespace momentscope {
+
+std::unique_ptr<Transparency> make_transparency(const Technique& technique, glm::ivec2 size, GLuint depth) {
+    switch (technique.path) {
+        case RenderPath::sorted: return std::make_unique<SortedPasses>(size, depth);
+        case RenderPath::moments: break;
+    }
+    return std::make_unique<MomentPasses>(technique, size, depth);
+}
+
+void draw_fullscreen() {
+    // Core profile draws nothing without a vertex array, even where no attribute is read.
+    GLuint name = 0;
+    glCreateVertexArrays(1, &name);
+    const GlVertexArray empty(name);
+    glBindVertexArray(empty);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+}  // namespace momentscope

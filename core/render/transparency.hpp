@@ -1,0 +1,46 @@
+// transparency.hpp -- what the renderer asks of every technique, and what it gives.
+#pragma once
+#include <glm/glm.hpp>
+#include <memory>
+
+#include "core/gl/handle.hpp"
+#include "core/render/scene_buffers.hpp"
+#include "core/techniques/technique.hpp"
+
+namespace momentscope {
+
+/// What all passes of one picture share. The Frame block is bound, the viewport covers the size.
+struct PassInput {
+    const SceneBuffers& scene;
+    glm::ivec2 size;
+    GLuint opaque_color;
+    GLuint depth;   // of the opaque surfaces; tested, never written
+};
+
+/// The passes of one technique at one picture size. Each function draws one stage and leaves no GL state behind but
+/// bindings; the renderer calls a stage again only when its input changed.
+class Transparency {
+public:
+    virtual ~Transparency() = default;
+
+    /// First pass: what the technique must know before it can weigh colours.
+    virtual void draw_moments(const PassInput& input) = 0;
+
+    /// Second pass: weighted colours.
+    virtual void draw_color(const PassInput& input) = 0;
+
+    /// Transparent over opaque, into the bound framebuffer of one RGBA target.
+    virtual void draw_composite(const PassInput& input) = 0;
+
+    /// Binds what capture.frag WITH_TRANSMITTANCE reads. False when the technique has no such thing.
+    virtual bool bind_for_capture() const { return false; }
+};
+
+/// The passes of a technique; `depth` is the texture that its framebuffers test. Throws Error when GL lacks what it
+/// needs.
+std::unique_ptr<Transparency> make_transparency(const Technique& technique, glm::ivec2 size, GLuint depth);
+
+/// Draws fullscreen.vert's triangle with the program in use.
+void draw_fullscreen();
+
+}  // namespace momentscope

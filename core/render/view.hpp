@@ -1,0 +1,25 @@
+// view.hpp -- a picture as a value: what it shows and how, and from which stage a change must be redone.
+#pragma once
+#include <glm/glm.hpp>
+
+#include "core/parameters.hpp"
+#include "core/scene/scene.hpp"
+#include "core/techniques/technique.hpp"
+
+namespace momentscope {
+
+/// Everything beside the scene that a picture depends on.
+struct View {
+    Camera camera;
+    glm::ivec2 size{0};
+    const Technique* technique = nullptr;
+    ParameterValues parameters;
+};
+
+constexpr int MAX_PICTURE_SIDE = 8192;
+
+/// The first stage that must run again for `after` when `before` was drawn last. Parameters that the technique does not
+/// read make nothing stale.
+Stage first_stale_stage(const View& before, const View& after);
+
+}  // namespace momentscope

@@ -1,0 +1,17 @@
+// mesh_file.hpp -- reads any triangle mesh that Assimp knows.
+#pragma once
+#include "core/scene/scene.hpp"
+
+#include <filesystem>
+
+namespace momentscope {
+
+constexpr std::size_t MAX_MESH_FILE_BYTES = std::size_t{1} << 30;   // larger files are refused
+constexpr std::size_t MAX_MESH_TRIANGLES = 20'000'000;
+
+/// All triangles of a file in one mesh, in file order, scaled and moved so that its bounding box is
+/// centred at the origin with a half diagonal of 1. Missing normals are made smooth.
+/// Throws Error for a folder, a file that is missing, too large, broken or without triangles.
+Mesh read_mesh_file(const std::filesystem::path& path);
+
+}  // namespace momentscope

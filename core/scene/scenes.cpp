@@ -1,0 +1,65 @@
+// scenes.cpp -- the registry of scenes, and a scene around a mesh file.
+#include "core/scene/scenes.hpp"
+
+#include "core/error.hpp"
+#include "core/scene/builtin_scenes.hpp"
+#include "core/scene/mesh_file.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <system_error>
+#include <utility>
+
+namespace momentscope {
+namespace {
+
+constexpr SceneEntry ENTRIES[] = {
+    {"planes", "Four parallel sheets of which a pixel sees none to all four: ideal cases as in Fig. 3.",
+     build_planes},
+    {"spheres", "Three spheres that intersect, in a depth range of more than ten radii, as in Fig. 8.",
+     build_spheres},
+    {"teapots", "Seventeen Utah teapots in a row behind transparent curtains, as in Fig. 6.", build_teapots},
+};
+
+std::string scene_ids() {
+    std::string ids;
+    for (const SceneEntry& entry : ENTRIES) ids += (ids.empty() ? "" : ", ") + std::string(entry.id);
+    return ids;
+}
+
+/// The mesh alone above an opaque ground, seen obliquely from a height.
+Scene scene_of_mesh(const std::string& path, float opacity) {
+    if (!(opacity >= 0.0f && opacity < 1.0f))  // also when it is no number
+        throw Error("The opacity of a mesh must be at least 0 and less than 1, such as 0.5.");
+    Scene scene;
+    scene.id = path;
+    Mesh mesh = read_mesh_file(path);
+    float lowest = std::numeric_limits<float>::infinity();
+    for (const glm::vec3& position : mesh.positions) lowest = std::min(lowest, position.y);
+    const std::uint32_t index = add_mesh(scene, std::move(mesh));
+    scene.objects.push_back({index, glm::mat4(1.0f), linear_color(0x3E8ED0), opacity});
+    add_ground(scene, 12.0f, lowest - 1e-3f);  // a hair lower: a flat base must not fight with it
+    // The mesh fills a unit sphere, which touches the picture's edges from 1 / sin(0.8 / 2) = 2.57.
+    scene.camera = {glm::vec3(0.0f), 2.7f, 0.5f, 0.3f, 0.8f};
+    return scene;
+}
+
+}  // namespace
+
+std::span<const SceneEntry> scene_entries() {
+    return ENTRIES;
+}
+
+Scene load_scene(const std::string& id_or_path, float opacity) {
+    for (const SceneEntry& entry : ENTRIES) {
+        if (id_or_path == entry.id) return entry.build();
+    }
+    std::error_code code;  // a path that cannot even be looked up is no scene either
+    if (!std::filesystem::exists(id_or_path, code))
+        throw Error("There is no scene '" + id_or_path + "'; use one of " + scene_ids() +
+                    ", or the path of a mesh file.");
+    return scene_of_mesh(id_or_path, opacity);
+}
+
+}  // namespace momentscope

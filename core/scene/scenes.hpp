@@ -1,0 +1,24 @@
+// scenes.hpp -- the built-in scenes by id, and scenes made of a mesh file.
+#pragma once
+#include "core/scene/scene.hpp"
+
+#include <span>
+#include <string>
+
+namespace momentscope {
+
+/// One row of the registry of scenes.
+struct SceneEntry {
+    const char* id;
+    const char* description;   // one sentence: what it shows, and which figure it follows
+    Scene (*build)();
+};
+
+/// All built-in scenes, in the order in which they are listed.
+std::span<const SceneEntry> scene_entries();
+
+/// The built-in scene of that id, or the mesh file at that path as one transparent object of
+/// the given opacity in [0, 1). Throws Error when it is neither, or the file cannot be used.
+Scene load_scene(const std::string& id_or_path, float opacity);
+
+}  // namespace momentscope

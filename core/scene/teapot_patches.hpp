@@ -1,0 +1,20 @@
+// teapot_patches.hpp -- the Utah teapot as Martin Newell measured it in 1975: control points and patches.
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+
+namespace momentscope {
+
+constexpr int TEAPOT_POINT_COUNT = 290;  // Newell listed 306, some of them twice; here each stands once
+constexpr int TEAPOT_PATCH_COUNT = 32;
+
+/// Control points in Newell's coordinates: z is up, the base is z = 0, the body's radius is 2 and the
+/// spout points to +x. The height is the usual one, 3.15, which Blinn squashed for his screen.
+extern const glm::dvec3 TEAPOT_POINTS[TEAPOT_POINT_COUNT];
+
+/// Each patch is a 4 x 4 grid of indices into TEAPOT_POINTS, entry 4 * row + column. In every patch
+/// (derivative along columns) x (derivative along rows) points outwards. Where a grid row is a single
+/// point (lid and base, at the axis) it is row 0.
+extern const std::uint16_t TEAPOT_PATCHES[TEAPOT_PATCH_COUNT][16];
+
+}  // namespace momentscope

@@ -1,0 +1,101 @@
+#include "core/techniques/technique.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/techniques/moment_kernel.hpp"
+#include "core/techniques/moment_techniques.hpp"
+
+namespace momentscope {
+
+namespace {
+
+constexpr std::array POWER_PARAMETERS = {ParameterId::beta, ParameterId::alpha, ParameterId::renormalize};
+constexpr std::array TRIGONOMETRIC_PARAMETERS = {ParameterId::beta, ParameterId::theta, ParameterId::alpha,
+                                                 ParameterId::renormalize};
+
+// The wrapping zone is a notion of bases on the circle alone.
+std::span<const ParameterId> moment_parameters(std::string_view basis) {
+    if (basis == "trigonometric") return TRIGONOMETRIC_PARAMETERS;
+    return POWER_PARAMETERS;
+}
+
+Technique moment_technique(const MomentKernel& kernel, const char* basis, int moment_count, const char* id,
+                           const char* name, float recommended_bias, bool has_bounds, const char* description,
+                           const char* source) {
+    return {.id = id,
+            .name = name,
+            .description = description,
+            .source = source,
+            .path = RenderPath::moments,
+            .kernel = &kernel,
+            .basis = basis,
+            .moment_count = moment_count,
+            .parameters = moment_parameters(basis),
+            .recommended_bias = recommended_bias,
+            .has_bounds = has_bounds,
+            .bits_per_pixel = 32 * (1 + kernel.moment_floats),
+            .geometry_passes = 2,
+            .order_dependent = false};
+}
+
+std::vector<Technique> make_rows() {
+    std::vector<Technique> rows = {
+#define MOMENT_TECHNIQUE(id, basis, count, ...) \
+    moment_technique(moment_kernel(MomentKernelTag<MomentTechnique::id>()), #basis, count, __VA_ARGS__),
+#include "core/techniques/moment_techniques.def"
+#undef MOMENT_TECHNIQUE
+    };
+    rows.push_back({.id = "sorted",
+                    .name = "sorted fragments",
+                    .description = "The ground truth: every fragment of every pixel is captured, sorted by depth and "
+                                   "composited front to back. Fragments at the same depth keep their submission order.",
+                    .source = "Carpenter 1984; Yang et al. 2010",
+                    .path = RenderPath::sorted,
+                    .kernel = nullptr,
+                    .basis = nullptr,
+                    .moment_count = 0,
+                    .parameters = {},
+                    .recommended_bias = 0,
+                    .has_bounds = false,
+                    .bits_per_pixel = 0,
+                    .geometry_passes = 1,
+                    .order_dependent = false});
+    return rows;
+}
+
+}  // namespace
+
+bool Technique::uses(ParameterId parameter_id) const {
+    return std::ranges::find(parameters, parameter_id) != parameters.end();
+}
+
+std::span<const Technique> techniques() {
+    static const std::vector<Technique> rows = make_rows();
+    return rows;
+}
+
+const Technique* find_technique(std::string_view id) {
+    const auto rows = techniques();
+    const auto row = std::ranges::find(rows, id, [](const Technique& t) { return std::string_view(t.id); });
+    return row == rows.end() ? nullptr : &*row;
+}
+
+const Technique& require_technique(std::string_view id) {
+    if (const Technique* row = find_technique(id)) return *row;
+    std::string ids;
+    for (const Technique& row : techniques()) ids += fmt::format("{}{}", ids.empty() ? "" : ", ", row.id);
+    throw Error(fmt::format("There is no technique '{}'; use one of {}.", id, ids));
+}
+
+ResolvedParameters resolve(const ParameterValues& values, const Technique& technique) {
+    return {.beta = values[ParameterId::beta].value_or(0.0F),
+            .theta = values[ParameterId::theta].value_or(0.0F),
+            .alpha = values[ParameterId::alpha].value_or(technique.recommended_bias),
+            .renormalize = values[ParameterId::renormalize].value_or(1.0F) >= 0.5F};
+}
+
+}  // namespace momentscope

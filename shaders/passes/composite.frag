@@ -1,0 +1,19 @@
+// composite.frag -- transparent over opaque (Section 3.4).
+#include "passes/blocks.glsl"
+#include "shared/portable_math.glsl"
+
+layout(binding = 0) uniform sampler2D opaque_texture;
+layout(binding = 1) uniform sampler2D weighted_color_texture;
+layout(binding = 2) uniform sampler2D total_absorbance_texture;
+
+layout(location = 0) out vec4 color;
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec3 opaque = texelFetch(opaque_texture, pixel, 0).rgb;
+    vec4 weighted = texelFetch(weighted_color_texture, pixel, 0);
+    float transmittance = portable_exp(-texelFetch(total_absorbance_texture, pixel, 0).x);
+    float scale = frame.parameters.w > 0.5 && weighted.a > 0.0 ? (1.0 - transmittance) / weighted.a : 1.0;   // Eq. 2
+    color = vec4(opaque * transmittance + weighted.rgb * scale, 1.0);
+}

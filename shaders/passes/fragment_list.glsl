@@ -1,0 +1,25 @@
+// fragment_list.glsl -- all transparent fragments, one linked list per pixel (Yang et al. 2010).
+
+struct FragmentNode
+{
+    vec4 color_opacity;
+    float view_depth;
+    float depth;
+    float transmittance;   // as the second pass computes it, where asked for
+    uint draw;
+    uint primitive;
+    uint next;             // index of another fragment of the pixel, or END_OF_LIST
+    uint padding[2];
+};
+
+const uint END_OF_LIST = 0xffffffffu;
+
+layout(std430, binding = 0) buffer FragmentList
+{
+    uint count;            // of the fragments that were drawn, stored or not
+    uint capacity;
+    uint padding[2];
+    FragmentNode nodes[];
+} fragment_list;
+
+layout(binding = 0, r32ui) uniform coherent uimage2D list_heads;

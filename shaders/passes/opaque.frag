@@ -1,0 +1,10 @@
+// opaque.frag -- opaque surfaces, before anything transparent.
+#include "passes/blocks.glsl"
+#include "passes/shading.glsl"
+
+layout(location = 0) out vec4 color;
+
+void main()
+{
+    color = vec4(shaded(object.color_opacity.rgb), 1.0);
+}

@@ -1,0 +1,17 @@
+// scene.vert -- every geometry pass. invariant, so that a fragment has the same bits in each of them.
+#include "passes/blocks.glsl"
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+
+invariant gl_Position;
+invariant out vec3 eye_position;
+invariant out vec3 eye_normal;
+
+void main()
+{
+    vec4 eye = frame.view * (object.model * vec4(position, 1.0));
+    eye_position = eye.xyz;
+    eye_normal = mat3(frame.view) * (mat3(object.model) * normal);
+    gl_Position = frame.projection * eye;
+}

@@ -1,0 +1,40 @@
+// stored_moments.glsl -- reads what the first pass stored, and reconstructs the transmittance to a fragment.
+#include "shared/reconstruction.glsl"
+
+layout(binding = 0) uniform sampler2D total_absorbance_texture;
+layout(binding = 1) uniform sampler2D moments_1_to_4_texture;
+#if MOMENT_FLOATS > 4
+layout(binding = 2) uniform sampler2D moments_5_to_8_texture;
+#endif
+
+Moments stored_moments(ivec2 pixel)
+{
+    Moments moments;
+    moments.b0 = texelFetch(total_absorbance_texture, pixel, 0).x;
+    vec4 first = texelFetch(moments_1_to_4_texture, pixel, 0);
+    moments.b[0] = first.x;
+    moments.b[1] = first.y;
+    moments.b[2] = first.z;
+    moments.b[3] = first.w;
+#if MOMENT_FLOATS > 4
+    vec4 second = texelFetch(moments_5_to_8_texture, pixel, 0);
+    moments.b[4] = second.x;
+    moments.b[5] = second.y;
+#endif
+#if MOMENT_FLOATS > 6
+    moments.b[6] = second.z;
+    moments.b[7] = second.w;
+#endif
+    return moments;
+}
+
+/// T(z_f, b, beta) for the fragment at hand.
+float fragment_transmittance()
+{
+    Moments moments = stored_moments(ivec2(gl_FragCoord.xy));
+    if (is_empty(moments)) return 1.0;
+    precise float absorbance = absorbance_from_moments(moments, fragment_depth(), frame.parameters.z,
+                                                       frame.parameters.x, frame.parameters.y);
+    precise float transmittance = transmittance_of(absorbance);
+    return transmittance;
+}

@@ -1,0 +1,16 @@
+// transparent_fragment.glsl -- depth and absorbance of the fragment at hand, for all transparent passes.
+#include "shared/portable_math.glsl"
+#include "shared/fragment.glsl"
+
+float fragment_view_depth()
+{
+    return -eye_position.z;
+}
+
+float fragment_depth()
+{
+    DepthWarpFactors warp;
+    warp.log_z_min = frame.depth_warp.x;
+    warp.scale = frame.depth_warp.y;
+    return warped_depth(fragment_view_depth(), warp);
+}

@@ -1,0 +1,36 @@
+// fragment.glsl -- what one transparent fragment contributes: its absorbance and its warped depth.
+
+/// Opacities above this one count as this one: -ln(1 - alpha_l) is unbounded, and moments are a sum.
+/// 1 - e^-10, so that no fragment absorbs more than 10 and no transmittance is off by more than 4.6e-5.
+const float OPACITY_CAP = 0.9999546f;
+
+/// Absorbance -ln(1 - alpha_l) of a fragment (Section 3.1). opacity in [0, 1]; result in [0, 10].
+FN float absorbance_of_opacity(float opacity)
+{
+    return negative_log_one_minus(clamp(opacity, 0.0f, OPACITY_CAP));
+}
+
+/// Maps view depths [z_min, z_max] logarithmically onto [-1, 1] (Section 3.3).
+struct DepthWarpFactors { float log_z_min; float scale; };
+
+/// z_min, z_max: view depths in scene units, 0 < z_min < z_max.
+FN DepthWarpFactors depth_warp_factors(float z_min, float z_max)
+{
+    DepthWarpFactors warp;
+    warp.log_z_min = portable_log(z_min);
+    warp.scale = 2.0f / (portable_log(z_max) - warp.log_z_min);
+    return warp;
+}
+
+/// Depth in [-1, 1] of a view depth > 0; outside the range it is clamped.
+FN float warped_depth(float view_depth, IN(DepthWarpFactors) warp)
+{
+    PRECISE float depth = (portable_log(view_depth) - warp.log_z_min) * warp.scale - 1.0f;
+    return clamp(depth, -1.0f, 1.0f);
+}
+
+/// The view depth that warped_depth maps to `depth`, up to rounding.
+FN float unwarped_depth(float depth, IN(DepthWarpFactors) warp)
+{
+    return portable_exp((depth + 1.0f) / warp.scale + warp.log_z_min);
+}

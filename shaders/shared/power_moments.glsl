@@ -1,0 +1,182 @@
+// power_moments.glsl -- power moments of the absorbance (Section 4): generation, bias, factorisation, and the
+// kernel polynomial about a query depth. MOMENT_COUNT m is 4, 6 or 8; H is their (m/2 + 1)^2 Hankel matrix.
+//
+// Instead of solving H q = (1, z_f, z_f^2, ...) and looking for the roots of q (Algorithm 1), everything is told by
+// the monic orthogonal polynomials p_k of the measure, p_{k+1} = (z - a_k) p_k - (h_k / h_{k-1}) p_{k-1}, where
+// h_k = E[p_k^2] are the pivots of H: the same polynomial is the kernel K(z_f, z) = sum p_k(z_f) p_k(z) / h_k.
+
+#define ROOT_COUNT (MOMENT_COUNT / 2)
+#define MOMENT_FLOATS MOMENT_COUNT
+#include "real_roots.glsl"
+
+/// A pivot below this is rounding noise (1 ulp of a normalised moment) and counts as this.
+const float PIVOT_FLOOR = 6.0e-8f;
+
+#if MOMENT_COUNT == 4      // b* for moments stored in floats (supplementary, Table 1)
+const float BIAS_MOMENTS[4] = {0.0f, 0.375f, 0.0f, 0.375f};
+#elif MOMENT_COUNT == 6
+const float BIAS_MOMENTS[6] = {0.0f, 0.48f, 0.0f, 0.451f, 0.0f, 0.45f};
+#else
+const float BIAS_MOMENTS[8] = {0.0f, 0.75f, 0.0f, 0.676666667f, 0.0f, 0.63f, 0.0f, 0.60030303f};
+#endif
+
+/// b*_{i+1}, towards which bias pulls.
+FN float bias_moment(int i)
+{
+    return BIAS_MOMENTS[i];
+}
+
+/// The zeroth moment b0 (total absorbance, >= 0) and b[i] = b_{i+1}, not normalised.
+struct Moments { float b0; float b[MOMENT_FLOATS]; };
+
+/// What depends on parameters but not on depth: nothing for power moments.
+struct Basis { float wrapping_zone_angle; };
+
+FN Basis make_basis(float wrapping_zone_angle)
+{
+    Basis basis;
+    basis.wrapping_zone_angle = wrapping_zone_angle;
+    return basis;
+}
+
+/// Moments of one fragment, absorbance * (1, z, ..., z^m). depth z in [-1, 1].
+FN Moments fragment_moments(float depth, float absorbance, IN(Basis) basis)
+{
+    Moments moments;
+    moments.b0 = absorbance;
+    PRECISE float power = absorbance;
+    UNROLL
+    for (int i = 0; i < MOMENT_FLOATS; ++i)
+    {
+        power = power * depth;
+        moments.b[i] = power;
+    }
+    return moments;
+}
+
+struct Factor
+{
+    float a[ROOT_COUNT];               // recurrence, diagonal
+    float ratio[ROOT_COUNT];           // h_k / h_{k-1}; [0] unused
+    float inverse_h[ROOT_COUNT + 1];   // 1 / pivot
+    int floored;                       // how many pivots were raised to the floor
+};
+
+/// LDL^T of the Hankel matrix of biased, normalised moments (b0 = 1).
+FN Factor factor_moments(IN(Moments) biased)
+{
+    float lower[(ROOT_COUNT + 1) * (ROOT_COUNT + 1)];   // L, with 1 on its diagonal
+    float h[ROOT_COUNT + 1];
+    Factor factor;
+    factor.floored = 0;
+    UNROLL
+    for (int j = 0; j <= ROOT_COUNT; ++j)
+    {
+        PRECISE float pivot = j == 0 ? 1.0f : biased.b[max(2 * j - 1, 0)];
+        UNROLL
+        for (int k = 0; k < j; ++k)
+        {
+            float l = lower[j * (ROOT_COUNT + 1) + k];
+            pivot = pivot - l * l * h[k];
+        }
+        factor.floored += pivot < PIVOT_FLOOR ? 1 : 0;
+        h[j] = max(pivot, PIVOT_FLOOR);
+        factor.inverse_h[j] = 1.0f / h[j];
+        UNROLL
+        for (int i = j + 1; i <= ROOT_COUNT; ++i)
+        {
+            PRECISE float entry = biased.b[i + j - 1];
+            UNROLL
+            for (int k = 0; k < j; ++k)
+                entry = entry - lower[i * (ROOT_COUNT + 1) + k] * lower[j * (ROOT_COUNT + 1) + k] * h[k];
+            lower[i * (ROOT_COUNT + 1) + j] = entry * factor.inverse_h[j];
+        }
+    }
+    UNROLL
+    for (int k = 0; k < ROOT_COUNT; ++k)
+    {
+        float before = k == 0 ? 0.0f : lower[k * (ROOT_COUNT + 1) + max(k - 1, 0)];
+        factor.a[k] = lower[(k + 1) * (ROOT_COUNT + 1) + k] - before;
+        factor.ratio[k] = k == 0 ? 0.0f : h[k] * factor.inverse_h[max(k - 1, 0)];
+    }
+    return factor;
+}
+
+/// The query depth as the reconstruction needs it: z_f - a_k.
+struct Query { float offset[ROOT_COUNT]; };
+
+FN Query query_at(float depth, IN(Factor) factor, IN(Basis) basis)
+{
+    Query query;
+    UNROLL
+    for (int k = 0; k < ROOT_COUNT; ++k) query.offset[k] = depth - factor.a[k];
+    return query;
+}
+
+/// K(z_f, z_f + s) = at_query (1 + e[0] s + ... + e[n-1] s^n); at_query = 1 / w_0 >= 1.
+struct Kernel { float at_query; MonicPolynomial in_t; };
+
+FN Kernel kernel_polynomial(IN(Query) query, IN(Factor) factor)
+{
+    float p[ROOT_COUNT + 1];            // p_k(z_f + s), coefficients of s^j
+    float previous[ROOT_COUNT + 1];     // p_{k-1}
+    float sum[ROOT_COUNT + 1];
+    UNROLL
+    for (int j = 0; j <= ROOT_COUNT; ++j)
+    {
+        p[j] = j == 0 ? 1.0f : 0.0f;
+        previous[j] = 0.0f;
+        sum[j] = p[j];                  // k = 0, h_0 = 1
+    }
+    UNROLL
+    for (int k = 0; k < ROOT_COUNT; ++k)
+    {
+        PRECISE float carried = 0.0f;   // coefficient j - 1 of p_k: the product with s
+        UNROLL
+        for (int j = 0; j <= ROOT_COUNT; ++j)
+        {
+            PRECISE float next = query.offset[k] * p[j] - factor.ratio[k] * previous[j] + carried;
+            carried = p[j];
+            previous[j] = p[j];
+            p[j] = next;
+        }
+        PRECISE float scale = p[0] * factor.inverse_h[k + 1];
+        UNROLL
+        for (int j = 0; j <= ROOT_COUNT; ++j) sum[j] = sum[j] + scale * p[j];
+    }
+    Kernel kernel;
+    kernel.at_query = sum[0];
+    PRECISE float inverse = 1.0f / sum[0];
+    UNROLL
+    for (int j = 0; j < ROOT_COUNT; ++j) kernel.in_t.e[j] = sum[j + 1] * inverse;
+    return kernel;
+}
+
+/// Weight 1 / K(z, z) of the node z = z_f + 1/t; 0 for t = 0, a node at infinity. Computed in t or in s, whichever
+/// is below 1, so that nothing overflows.
+FN float node_weight(float t, IN(Query) query, IN(Factor) factor)
+{
+    PRECISE float s = 1.0f / max(abs(t), 1.0f);
+    PRECISE float u = t * s;            // (s, u) is (1, t) scaled to a greatest component of at most 1
+    PRECISE float u2 = u * u;
+    PRECISE float previous = 0.0f;
+    PRECISE float q = 1.0f;             // u^k p_k
+    PRECISE float kernel = 1.0f;
+    PRECISE float u_power = 1.0f;
+    UNROLL
+    for (int k = 0; k < ROOT_COUNT; ++k)
+    {
+        PRECISE float next = (query.offset[k] * u + s) * q - factor.ratio[k] * u2 * previous;
+        previous = q;
+        q = next;
+        kernel = kernel * u2 + q * q * factor.inverse_h[k + 1];
+        u_power = u_power * u2;
+    }
+    return u_power / kernel;
+}
+
+/// v_l of Algorithm 1: 1 for a node in front of the query depth, 0 behind.
+FN float node_value(float t, IN(Query) query, IN(Basis) basis)
+{
+    return t < 0.0f ? 1.0f : 0.0f;
+}

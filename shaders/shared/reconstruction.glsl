@@ -1,0 +1,90 @@
+// reconstruction.glsl -- from moments to absorbance in front of a depth, the same shape for every basis
+// (Algorithms 1 and 2): bias, factor, kernel polynomial, roots, weights, sum. Every step is a function, and every
+// intermediate result is a value.
+
+/// A pixel that absorbs less than this counts as empty, T = 1: dividing by a smaller b0 could overflow.
+const float LEAST_ABSORBANCE = 1.0e-30f;
+
+FN bool is_empty(IN(Moments) moments)
+{
+    return !(moments.b0 >= LEAST_ABSORBANCE);
+}
+
+/// Normalised moments, pulled towards b* to make up for rounding: (1 - alpha) b / b0 + alpha b* (supplementary, 1).
+/// Written as a step from b / b0, which keeps the digits of a small alpha. moments not empty; bias alpha in [0, 1].
+FN Moments biased_moments(IN(Moments) moments, float bias)
+{
+    Moments biased;
+    PRECISE float inverse = 1.0f / moments.b0;
+    biased.b0 = 1.0f;
+    UNROLL
+    for (int i = 0; i < MOMENT_FLOATS; ++i)
+    {
+        PRECISE float normalised = moments.b[i] * inverse;
+        PRECISE float pulled = normalised + bias * (bias_moment(i) - normalised);
+        biased.b[i] = pulled;
+    }
+    return biased;
+}
+
+/// The canonical representation at one query depth: a mass of query_weight there and a node for each root, which
+/// together have the given moments.
+struct Reconstruction
+{
+    float t[ROOT_COUNT];         // where the other nodes are, as 1 / distance (see the basis); 0 is infinitely far
+    float weight[ROOT_COUNT];    // their masses; with query_weight they sum to 1
+    float value[ROOT_COUNT];     // v_l in [0, 1]: the share of a node that counts as in front
+    float query_weight;          // w_0 in (0, 1]: the mass at the query depth, and the gap between the bounds
+    float in_front;              // sum of weight * value: the fraction of b0 in front, for beta = 0
+};
+
+/// depth in [-1, 1].
+FN Reconstruction reconstruct(IN(Factor) factor, IN(Basis) basis, float depth)
+{
+    Reconstruction result;
+    Query query = query_at(depth, factor, basis);
+    Kernel kernel = kernel_polynomial(query, factor);
+    Roots roots = real_roots(kernel.in_t);
+    PRECISE float query_weight = 1.0f / kernel.at_query;
+    PRECISE float weight_sum = 0.0f;
+    PRECISE float value_sum = 0.0f;
+    UNROLL
+    for (int l = 0; l < ROOT_COUNT; ++l)
+    {
+        result.t[l] = roots.t[l];
+        result.weight[l] = node_weight(roots.t[l], query, factor);
+        result.value[l] = node_value(roots.t[l], query, basis);
+        weight_sum = weight_sum + result.weight[l];
+        value_sum = value_sum + result.weight[l] * result.value[l];
+    }
+    // All masses sum to 1: what the query does not hold, the nodes share. This absorbs the roots' rounding.
+    PRECISE float rest = max(1.0f - query_weight, 0.0f);
+    PRECISE float scale = weight_sum > 0.0f ? rest / weight_sum : 0.0f;
+    UNROLL
+    for (int l = 0; l < ROOT_COUNT; ++l) result.weight[l] = result.weight[l] * scale;
+    result.query_weight = query_weight;
+    result.in_front = value_sum * scale;
+    return result;
+}
+
+/// A(z_f, b, beta): absorbance in front of the query depth, in [0, b0]. overestimation beta in [0, 1] is the share of
+/// the mass at the query depth that counts as in front of it: 0 and 1 give the bounds of power moments.
+FN float absorbance_in_front(IN(Reconstruction) reconstruction, float b0, float overestimation)
+{
+    PRECISE float fraction = reconstruction.in_front + overestimation * reconstruction.query_weight;
+    return b0 * clamp(fraction, 0.0f, 1.0f);
+}
+
+FN float transmittance_of(float absorbance)
+{
+    return portable_exp(-absorbance);
+}
+
+/// Absorbance in front of a depth straight from stored moments: what the second pass computes for a fragment.
+FN float absorbance_from_moments(IN(Moments) moments, float depth, float bias, float overestimation,
+                                 float wrapping_zone_angle)
+{
+    Basis basis = make_basis(wrapping_zone_angle);
+    Factor factor = factor_moments(biased_moments(moments, bias));
+    return absorbance_in_front(reconstruct(factor, basis, depth), moments.b0, overestimation);
+}

@@ -1,0 +1,294 @@
+// trigonometric_moments.glsl -- trigonometric moments of the absorbance (Section 5): generation, bias,
+// factorisation, and the kernel polynomial about a query depth. MOMENT_COUNT m is 2, 3 or 4.
+//
+// Depths lie on the unit circle, x(z) = exp(i phi), phi = (z + 1)(pi - theta/2) (Eq. 5). Algorithm 2's polynomial is the
+// kernel of the monic Szego polynomials, p_{k+1}(x) = x p_k(x) + gamma_k x^k conj(p_k(x)) on the circle. In the frame
+// turned so that the query is x = 1, with t = cot((phi - phi_f)/2), x = (t + i)/(t - i), the polynomials
+// q_k(t) = (t - i)^k p_k obey q_{k+1} = y + gamma_k conj(y) with y = (t + i) q_k: real arithmetic throughout.
+
+#define ROOT_COUNT MOMENT_COUNT
+#define MOMENT_FLOATS (2 * MOMENT_COUNT)
+#include "real_roots.glsl"
+
+/// A pivot below this is rounding noise (1 ulp of a normalised moment) and counts as this.
+const float PIVOT_FLOOR = 6.0e-8f;
+
+/// Bias pulls towards the uniform distribution on the circle, whose other moments are 0 (supplementary, Table 1).
+FN float bias_moment(int i)
+{
+    return 0.0f;
+}
+
+/// The zeroth moment b0 (total absorbance, >= 0), then Re b_1, Im b_1, Re b_2, ..., not normalised.
+struct Moments { float b0; float b[MOMENT_FLOATS]; };
+
+struct Complex { float re; float im; };
+
+FN Complex make_complex(float re, float im)
+{
+    Complex result;
+    result.re = re;
+    result.im = im;
+    return result;
+}
+
+FN Complex product(IN(Complex) a, IN(Complex) b)
+{
+    PRECISE Complex result;
+    result.re = a.re * b.re - a.im * b.im;
+    result.im = a.re * b.im + a.im * b.re;
+    return result;
+}
+
+FN Complex conjugate(IN(Complex) a)
+{
+    Complex result;
+    result.re = a.re;
+    result.im = -a.im;
+    return result;
+}
+
+/// psi of Section 5.2: grows with the phase like an angle, from -1 at phase -pi/4 to 7; no inverse trigonometry.
+FN float phase_order(IN(Complex) x)
+{
+    PRECISE float r = abs(x.im) - abs(x.re);
+    r = x.re < 0.0f ? 2.0f - r : r;
+    return x.im < 0.0f ? 6.0f - r : r;
+}
+
+/// What depends on theta but not on depth.
+struct Basis
+{
+    float half_phase_scale;     // phi / 2 per (z + 1)
+    float quarter_sine;         // of theta / 2: from the end of the depth range to the end of the circle
+    float quarter_cosine;
+    float ramp_scale;           // v of a node in the wrapping zone is ramp_scale psi + ramp_offset (Eq. 6)
+    float ramp_offset;
+};
+
+/// wrapping_zone_angle theta in [0, pi].
+FN Basis make_basis(float wrapping_zone_angle)
+{
+    Basis basis;
+    basis.half_phase_scale = 0.5f * PI - 0.25f * wrapping_zone_angle;
+    SinCos half_zone = portable_sincos(0.5f * wrapping_zone_angle);
+    basis.quarter_sine = half_zone.sine;
+    basis.quarter_cosine = half_zone.cosine;
+    Complex end = make_complex(half_zone.cosine, -half_zone.sine);   // half of the phase 2 pi - theta, squared below
+    float zone_start = phase_order(product(end, end));
+    PRECISE float ramp = 1.0f / (7.0f - zone_start);
+    basis.ramp_scale = wrapping_zone_angle > 0.0f ? ramp : 0.0f;
+    basis.ramp_offset = wrapping_zone_angle > 0.0f ? 1.0f - 7.0f * ramp : 0.0f;
+    return basis;
+}
+
+/// exp(i phi / 2) of a depth in [-1, 1].
+FN Complex half_phase(float depth, IN(Basis) basis)
+{
+    SinCos half_angle = portable_sincos((depth + 1.0f) * basis.half_phase_scale);
+    return make_complex(half_angle.cosine, half_angle.sine);
+}
+
+/// Moments of one fragment, absorbance * (1, x, ..., x^m).
+FN Moments fragment_moments(float depth, float absorbance, IN(Basis) basis)
+{
+    Moments moments;
+    moments.b0 = absorbance;
+    Complex half_x = half_phase(depth, basis);
+    Complex x = product(half_x, half_x);
+    Complex power = make_complex(absorbance, 0.0f);
+    UNROLL
+    for (int i = 0; i < MOMENT_COUNT; ++i)
+    {
+        power = product(power, x);
+        moments.b[2 * i] = power.re;
+        moments.b[2 * i + 1] = power.im;
+    }
+    return moments;
+}
+
+struct Factor
+{
+    Complex gamma[MOMENT_COUNT];           // Szego recurrence (Verblunsky) coefficients
+    float inverse_h[MOMENT_COUNT + 1];     // 1 / pivot, h_k = E[|p_k|^2]
+    int floored;                           // how many pivots were raised to the floor
+};
+
+/// LDL^H of the Hermitian Toeplitz matrix G_ij = b_{i-j} of biased, normalised moments (b0 = 1). Pivots come from this
+/// elimination, not from h_k (1 - |gamma_k|^2), which loses the small ones.
+FN Factor factor_moments(IN(Moments) biased)
+{
+    Complex lower[(MOMENT_COUNT + 1) * (MOMENT_COUNT + 1)];
+    float h[MOMENT_COUNT + 1];
+    Factor factor;
+    factor.floored = 0;
+    UNROLL
+    for (int j = 0; j <= MOMENT_COUNT; ++j)
+    {
+        PRECISE float pivot = 1.0f;
+        UNROLL
+        for (int k = 0; k < j; ++k)
+        {
+            Complex l = lower[j * (MOMENT_COUNT + 1) + k];
+            pivot = pivot - (l.re * l.re + l.im * l.im) * h[k];
+        }
+        factor.floored += pivot < PIVOT_FLOOR ? 1 : 0;
+        h[j] = max(pivot, PIVOT_FLOOR);
+        factor.inverse_h[j] = 1.0f / h[j];
+        UNROLL
+        for (int i = j + 1; i <= MOMENT_COUNT; ++i)
+        {
+            PRECISE Complex entry = make_complex(biased.b[2 * (i - j) - 2], biased.b[2 * (i - j) - 1]);
+            UNROLL
+            for (int k = 0; k < j; ++k)
+            {
+                Complex term = product(lower[i * (MOMENT_COUNT + 1) + k],
+                                       conjugate(lower[j * (MOMENT_COUNT + 1) + k]));
+                entry.re = entry.re - term.re * h[k];
+                entry.im = entry.im - term.im * h[k];
+            }
+            lower[i * (MOMENT_COUNT + 1) + j] =
+                make_complex(entry.re * factor.inverse_h[j], entry.im * factor.inverse_h[j]);
+        }
+    }
+    // gamma_k = p_{k+1}(0), from x^i = sum_j L_ij p_j(x) at x = 0.
+    Complex at_zero[MOMENT_COUNT + 1];
+    at_zero[0] = make_complex(1.0f, 0.0f);
+    UNROLL
+    for (int i = 1; i <= MOMENT_COUNT; ++i)
+    {
+        PRECISE Complex sum = make_complex(0.0f, 0.0f);
+        UNROLL
+        for (int j = 0; j < i; ++j)
+        {
+            Complex term = product(lower[i * (MOMENT_COUNT + 1) + j], at_zero[j]);
+            sum.re = sum.re - term.re;
+            sum.im = sum.im - term.im;
+        }
+        at_zero[i] = sum;
+        factor.gamma[i - 1] = sum;
+    }
+    return factor;
+}
+
+/// The query depth as the reconstruction needs it: half its phase, and gamma_k in the frame where it is x = 1.
+struct Query { Complex half_phase; Complex gamma[MOMENT_COUNT]; };
+
+FN Query query_at(float depth, IN(Factor) factor, IN(Basis) basis)
+{
+    Query query;
+    query.half_phase = half_phase(depth, basis);
+    Complex back = conjugate(product(query.half_phase, query.half_phase));
+    Complex turn = back;
+    UNROLL
+    for (int k = 0; k < MOMENT_COUNT; ++k)
+    {
+        query.gamma[k] = product(factor.gamma[k], turn);
+        turn = product(turn, back);
+    }
+    return query;
+}
+
+/// (t - i)^m K(1, x(t)) = at_query (t^m + e[0] t^(m-1) + ...), real for real t; at_query = 1 / w_0 >= 1.
+struct Kernel { float at_query; MonicPolynomial in_t; };
+
+FN Kernel kernel_polynomial(IN(Query) query, IN(Factor) factor)
+{
+    float re[MOMENT_COUNT + 1];       // q_k, coefficients of t^j
+    float im[MOMENT_COUNT + 1];
+    float sum_re[MOMENT_COUNT + 1];   // sum of conj(p_k(1)) / h_k q_k (t - i)^(m-k), by Horner's rule
+    float sum_im[MOMENT_COUNT + 1];
+    UNROLL
+    for (int j = 0; j <= MOMENT_COUNT; ++j)
+    {
+        re[j] = j == 0 ? 1.0f : 0.0f;
+        im[j] = 0.0f;
+        sum_re[j] = re[j];
+        sum_im[j] = 0.0f;
+    }
+    // The leading coefficient is a sum of squares. As the sum of leading coefficients it would cancel.
+    PRECISE float at_query = 1.0f;
+    UNROLL
+    for (int k = 0; k < MOMENT_COUNT; ++k)
+    {
+        PRECISE float plus = 1.0f + query.gamma[k].re;
+        PRECISE float minus = 1.0f - query.gamma[k].re;
+        PRECISE float cross = query.gamma[k].im;
+        PRECISE float carried_re = 0.0f;
+        PRECISE float carried_im = 0.0f;
+        PRECISE float carried_sum_re = 0.0f;
+        PRECISE float carried_sum_im = 0.0f;
+        UNROLL
+        for (int j = 0; j <= MOMENT_COUNT; ++j)
+        {
+            PRECISE float y_re = carried_re - im[j];             // y = (t + i) q
+            PRECISE float y_im = carried_im + re[j];
+            PRECISE float s_re = carried_sum_re + sum_im[j];     // sum (t - i)
+            PRECISE float s_im = carried_sum_im - sum_re[j];
+            carried_re = re[j];
+            carried_im = im[j];
+            carried_sum_re = sum_re[j];
+            carried_sum_im = sum_im[j];
+            re[j] = plus * y_re + cross * y_im;
+            im[j] = cross * y_re + minus * y_im;
+            sum_re[j] = s_re;
+            sum_im[j] = s_im;
+        }
+        PRECISE float scale_re = re[k + 1] * factor.inverse_h[k + 1];
+        PRECISE float scale_im = im[k + 1] * factor.inverse_h[k + 1];
+        at_query = at_query + (re[k + 1] * scale_re + im[k + 1] * scale_im);
+        UNROLL
+        for (int j = 0; j <= MOMENT_COUNT; ++j)
+        {
+            sum_re[j] = sum_re[j] + (scale_re * re[j] + scale_im * im[j]);
+            sum_im[j] = sum_im[j] + (scale_re * im[j] - scale_im * re[j]);
+        }
+    }
+    Kernel kernel;
+    kernel.at_query = at_query;
+    PRECISE float inverse = 1.0f / at_query;
+    UNROLL
+    for (int j = 0; j < MOMENT_COUNT; ++j) kernel.in_t.e[j] = sum_re[MOMENT_COUNT - 1 - j] * inverse;
+    return kernel;
+}
+
+/// Weight 1 / K(x, x) of the node x(t). (t + i) is scaled to length 1, so that nothing overflows.
+FN float node_weight(float t, IN(Query) query, IN(Factor) factor)
+{
+    PRECISE float s = 1.0f / max(abs(t), 1.0f);
+    PRECISE float u = t * s;
+    PRECISE float length2 = u * u + s * s;
+    PRECISE float re = 1.0f;
+    PRECISE float im = 0.0f;
+    PRECISE float kernel = 1.0f;
+    PRECISE float power = 1.0f;
+    UNROLL
+    for (int k = 0; k < MOMENT_COUNT; ++k)
+    {
+        PRECISE float y_re = u * re - s * im;
+        PRECISE float y_im = u * im + s * re;
+        re = (1.0f + query.gamma[k].re) * y_re + query.gamma[k].im * y_im;
+        im = query.gamma[k].im * y_re + (1.0f - query.gamma[k].re) * y_im;
+        kernel = kernel * length2 + (re * re + im * im) * factor.inverse_h[k + 1];
+        power = power * length2;
+    }
+    return power / kernel;
+}
+
+/// v of Eq. 6: 1 for a node in front of the query depth, 0 behind, and a ramp in the wrapping zone. Two thresholds of
+/// t tell which: t < -cot(phi_f / 2) in front, t > -cot((phi_f + theta) / 2) behind.
+FN float node_value(float t, IN(Query) query, IN(Basis) basis)
+{
+    PRECISE float front_gap = t * query.half_phase.im + query.half_phase.re;
+    PRECISE float end_sine = query.half_phase.im * basis.quarter_cosine + query.half_phase.re * basis.quarter_sine;
+    PRECISE float end_cosine = query.half_phase.re * basis.quarter_cosine - query.half_phase.im * basis.quarter_sine;
+    PRECISE float zone_gap = t * end_sine + end_cosine;
+    PRECISE float s = 1.0f / max(abs(t), 1.0f);
+    Complex half_turn = make_complex(t * s, s);       // exp(i (phi - phi_f)/2), scaled
+    Complex half_x = product(query.half_phase, half_turn);
+    PRECISE float length2 = half_turn.re * half_turn.re + half_turn.im * half_turn.im;
+    Complex x = product(half_x, half_x);
+    PRECISE float order = phase_order(make_complex(x.re / length2, x.im / length2));
+    float ramp = clamp(order * basis.ramp_scale + basis.ramp_offset, 0.0f, 1.0f);
+    return front_gap < 0.0f ? 1.0f : (zone_gap > 0.0f ? 0.0f : ramp);
+}

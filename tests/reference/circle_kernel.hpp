@@ -1,0 +1,97 @@
+// circle_kernel.hpp -- the kernel polynomial of Algorithm 2 as a real function on the circle, seen from x0.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "tests/reference/bracketed_root.hpp"
+#include "tests/reference/complex.hpp"
+#include "tests/reference/triangular_factor.hpp"
+
+namespace momentscope::reference {
+
+// Offsets o in [0, 2 pi] from x0 are searched as `place` p in [0, 2], the length along the diamond |x| + |y|
+// = 1, y >= 0, of the point in the direction of o / 2. It grows with o and costs a square root instead of a
+// sine and a cosine.
+
+/// exp(i o / 2) of a place, and `scale` = d(o / 2) / dp.
+template <class Real>
+Complex<Real> half_of_place(const Real& place, Real& scale) {
+    using std::abs;
+    using std::sqrt;
+    const Real x = Real(1) - place;
+    const Complex<Real> on_diamond{x, Real(1) - abs(x)};
+    scale = Real(1) / squared_modulus(on_diamond);
+    return on_diamond * Real(sqrt(scale));
+}
+
+/// The inverse: half = exp(i o / 2), or its negative where rounding or a product took it to the lower half
+/// plane.
+template <class Real>
+Real place_of_half(const Complex<Real>& half) {
+    using std::abs;
+    const Real y = abs(half.im);
+    const Real x = half.im < Real(0) ? -half.re : half.re;
+    return x >= Real(0) ? y / (x + y) : Real(1) - x / (y - x);
+}
+
+/// The place of an offset. Rounding may take offset / 2 just out of [0, pi]; it is clamped there, not
+/// wrapped.
+template <class Real>
+Real place_of_offset(const Real& offset) {
+    Complex<Real> half = unit<Real>(offset / Real(2));
+    half.im = std::max(half.im, Real(0));
+    return place_of_half(half);
+}
+
+/// K(x) = v(x0)^H G^-1 v(x) = sum conj(q_j) x^j at x = x0 exp(i o), times exp(-i degree o / 2). That is a
+/// real function of o, because G is Toeplitz, and it is 1 / w0 > 0 at o = 0.
+template <std::size_t M, class Real>
+struct CircleKernel {
+    std::array<Complex<Real>, M + 1> coefficient{};  // conj(q_j) x0^j
+    std::size_t degree = M;
+    Real noise{};
+    Real inverse_weight{};
+
+    Sample<Real> operator()(const Real& place) const {
+        Real scale;
+        const Complex<Real> half = half_of_place(place, scale);
+        const Complex<Real> whole = half * half;
+        Complex<Real> power{Real(1), Real(0)};  // half^(2 j - degree)
+        for (std::size_t j = 0; j < degree; ++j) power = power * conjugate(half);
+        Sample<Real> at{Real(0), Real(0), noise};
+        for (std::size_t j = 0; j <= degree; ++j) {
+            const Complex<Real> term = coefficient[j] * power;
+            at.value += term.re;
+            at.slope -= term.im * (static_cast<Real>(2 * j) - static_cast<Real>(degree));
+            power = power * whole;
+        }
+        at.slope *= scale;
+        return at;
+    }
+};
+
+/// The kernel through x0 for the first `degree` moments. Without the conjugate (lost in the paper's text) the
+/// roots are those of another distribution, and weights come out negative.
+template <std::size_t M, class Real>
+CircleKernel<M, Real> circle_kernel(const TriangularFactor<Real, Complex<Real>, M + 1>& toeplitz,
+                                    const Complex<Real>& x0, std::size_t degree) {
+    using std::abs;
+    std::array<Complex<Real>, M + 1> v{};
+    v[0].re = Real(1);
+    for (std::size_t j = 1; j <= degree; ++j) v[j] = v[j - 1] * x0;
+    const auto solution = solve(toeplitz, v, degree);
+    CircleKernel<M, Real> kernel;
+    kernel.degree = degree;
+    kernel.inverse_weight = solution.inverse_weight;
+    for (std::size_t j = 0; j <= degree; ++j) {
+        kernel.coefficient[j] = conjugate(solution.q[j]) * v[j];
+        kernel.noise += abs(kernel.coefficient[j].re) + abs(kernel.coefficient[j].im);
+    }
+    kernel.noise *= std::numeric_limits<Real>::epsilon();
+    return kernel;
+}
+
+}  // namespace momentscope::reference
