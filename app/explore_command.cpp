@@ -25,9 +25,6 @@ ui::ExplorerState initial_state(const Options& options) {
     state.technique = techniques.front();
     state.scene = options.scene;
     if (!options.ray.empty()) state.ray = read_ray_file(options.ray);
-    const Scene scene = load_scene_option(options, state.parameters);
-    state.camera = scene.camera;
-    state.picked = scene.picked;
     return state;
 }
 
@@ -35,7 +32,7 @@ ui::ExplorerState initial_state(const Options& options) {
 void pick_option(const Options& options, ui::Explorer& explorer) {
     if (options.pixel.empty()) return;
     const glm::ivec2 size = explorer.result().picture_size;
-    explorer.state().picked = (glm::vec2(parse_pixel(options.pixel, size)) + 0.5F) / glm::vec2(size);
+    explorer.state().picked = (glm::vec2(parse_pixel(options.pixel, size)) + 0.5f) / glm::vec2(size);
 }
 
 void draw_frame(GuiSession& gui, ui::Explorer& explorer, glm::ivec2 size) {
@@ -52,7 +49,7 @@ void explore_headless(const Options& options, glm::ivec2 size) {
     const ui::ExplorerState state = initial_state(options);
     const auto context = make_gl_context("osmesa", size);
     Renderer renderer;
-    GuiSession gui(nullptr, 1.0F);
+    GuiSession gui(nullptr, 1.0f);
     ui::Explorer explorer(renderer, state);
     draw_frame(gui, explorer, size);
     pick_option(options, explorer);
@@ -66,7 +63,7 @@ void explore_window(const Options& options, glm::ivec2 size) {
     const auto context = make_gl_context("glfw", size);
     const ui::ExplorerState state = initial_state(options);
     Renderer renderer;
-    GuiSession gui(context->window(), 1.0F);
+    GuiSession gui(context->window(), 1.0f);
     ui::Explorer explorer(renderer, state);
     bool picked = false;
     // Draws while there is input and shortly after; then waits for more.

@@ -33,7 +33,7 @@ void GuiSession::begin_frame(glm::ivec2 size) {
     } else {
         ImGuiIO& io = ImGui::GetIO();
         io.DisplaySize = {static_cast<float>(size.x), static_cast<float>(size.y)};
-        io.DeltaTime = 1.0F / 60.0F;
+        io.DeltaTime = 1.0f / 60.0f;
     }
     ImGui::NewFrame();
 }

@@ -13,11 +13,11 @@ namespace momentscope::ui {
 /// All that the user chose. Everything shown follows from it.
 struct ExplorerState {
     std::string scene;                      // registry id or path of a mesh file
-    std::optional<ViewRay> ray;             // a ray from a file; then no scene is shown
+    std::optional<ViewRay> ray;             // a ray from a file; then its plot is shown without a scene
     const Technique* technique = nullptr;
     ParameterValues parameters;
-    Camera camera;
-    glm::vec2 picked{0.5F};                 // fraction of the picture from its upper left corner
+    std::optional<Camera> camera;           // nullopt: the scene's own
+    std::optional<glm::vec2> picked;        // fraction of the picture from its upper left corner; nullopt: the scene's own
 };
 
 /// What was computed for the state that was shown last.
@@ -47,8 +47,12 @@ public:
 
 private:
     void load_scene_if_changed();
+    void apply_opacity();
     void update(glm::ivec2 size);
+    void update_picture(glm::ivec2 size);
+    glm::ivec2 picked(glm::ivec2 size) const;
     void draw_scene(ImVec2 size);
+    void draw_mark();
     void handle_scene_input();
     void draw_controls();
     void draw_technique_combo();
@@ -60,10 +64,8 @@ private:
     ExplorerResult result_;
     std::string message_;
 
-    std::string shown_scene_;               // what the renderer holds
-    std::optional<float> shown_opacity_;
-    View shown_view_;
-    bool captured_ = false;
+    Scene scene_;                           // what the renderer holds
+    View shown_view_;                       // technique is null when nothing is shown
     ImVec2 scene_corner_{0, 0};
 };
 

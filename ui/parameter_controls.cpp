@@ -33,7 +33,7 @@ bool draw_logarithmic(const Parameter& row, float& value) {
     const std::string shown = fmt::format("{:.2e}", static_cast<double>(value));
     if (!ImGui::SliderFloat("##value", &exponent, LEAST_EXPONENT, most, shown.c_str(), ImGuiSliderFlags_NoInput))
         return false;
-    value = std::clamp(std::pow(10.0F, exponent), row.minimum, row.maximum);
+    value = std::clamp(std::pow(10.0f, exponent), row.minimum, row.maximum);
     return true;
 }
 
@@ -41,9 +41,9 @@ bool draw_value(const Parameter& row, float& value) {
     switch (row.scale) {
         case Scale::logarithmic: return draw_logarithmic(row, value);
         case Scale::toggle: {
-            bool on = value >= 0.5F;
+            bool on = value >= 0.5f;
             const bool changed = ImGui::Checkbox("##value", &on);
-            value = on ? 1.0F : 0.0F;
+            value = on ? 1.0f : 0.0f;
             return changed;
         }
         case Scale::linear: break;
@@ -58,12 +58,12 @@ bool draw_parameter_control(const Parameter& row, float recommended, ParameterVa
     const bool automatic = !values[row.id].has_value();
     float value = values[row.id].value_or(recommended);
     bool changed = false;
-    const float label_width = 14.5F * ImGui::GetFontSize();
+    const float label_width = 14.5f * ImGui::GetFontSize();
     ImGui::AlignTextToFramePadding();
     ImGui::Text("%s %s", row.name, row.symbol);
     draw_tooltip(row);
     ImGui::SameLine(label_width);
-    ImGui::SetNextItemWidth(row.standard ? -1.0F : -4.5F * ImGui::GetFontSize());
+    ImGui::SetNextItemWidth(row.standard ? -1.0f : -4.5f * ImGui::GetFontSize());
     if (draw_value(row, value)) {
         values.set(row.id, value);
         changed = true;

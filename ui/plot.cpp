@@ -11,7 +11,7 @@ namespace momentscope::ui {
 
 namespace {
 
-constexpr float PI = 3.14159265F;
+constexpr float PI = 3.14159265f;
 
 // Maps (depth, absorbance) to the screen.
 struct Axes {
@@ -29,15 +29,15 @@ struct Axes {
 };
 
 // The depth at which a full turn of the circle ends: (z + 1)(pi - theta/2) = 2 pi.
-float end_of_wrapping_zone(float theta) { return 2 * PI / (PI - 0.5F * theta) - 1; }
+float end_of_wrapping_zone(float theta) { return 2 * PI / (PI - 0.5f * theta) - 1; }
 
 bool has_wrapping_zone(const Curve& curve) { return curve.technique->uses(ParameterId::theta); }
 
 // A step of 1, 2 or 5 times a power of ten that gives about `count` ticks.
 float tick_step(float range, float count) {
     const float rough = range / count;
-    const float power = std::pow(10.0F, std::floor(std::log10(rough)));
-    for (const float factor : {1.0F, 2.0F, 5.0F})
+    const float power = std::pow(10.0f, std::floor(std::log10(rough)));
+    for (const float factor : {1.0f, 2.0f, 5.0f})
         if (factor * power >= rough) return factor * power;
     return 10 * power;
 }
@@ -53,16 +53,16 @@ void draw_axes(ImDrawList& list, const Axes& axes, const ViewRay& ray) {
     for (int i = 0; static_cast<float>(i) * step <= axes.absorbance_end; ++i) {
         const float value = static_cast<float>(i) * step;
         list.AddLine({axes.upper_left.x, axes.y(value)}, {axes.lower_right.x, axes.y(value)}, color::GRID);
-        draw_text(list, {axes.upper_left.x - 6, axes.y(value)}, {1, 0.5F}, fmt::format("{:.4g}", value));
+        draw_text(list, {axes.upper_left.x - 6, axes.y(value)}, {1, 0.5f}, fmt::format("{:.4g}", value));
     }
     for (int i = -2; i <= 2; ++i) {
-        const float depth = 0.5F * static_cast<float>(i);
+        const float depth = 0.5f * static_cast<float>(i);
         list.AddLine({axes.x(depth), axes.upper_left.y}, {axes.x(depth), axes.lower_right.y}, color::GRID);
-        draw_text(list, {axes.x(depth), axes.lower_right.y + 3}, {0.5F, 0}, fmt::format("{:g}", depth));
+        draw_text(list, {axes.x(depth), axes.lower_right.y + 3}, {0.5f, 0}, fmt::format("{:g}", depth));
     }
     const char* label = ray.warp.logarithmic ? "depth z (logarithm of view depth, mapped to [−1, 1])"
                                              : "depth z (linear, [−1, 1])";
-    draw_text(list, {0.5F * (axes.upper_left.x + axes.lower_right.x), axes.lower_right.y + 4 + line}, {0.5F, 0}, label);
+    draw_text(list, {0.5f * (axes.upper_left.x + axes.lower_right.x), axes.lower_right.y + 4 + line}, {0.5f, 0}, label);
     draw_text(list, {axes.upper_left.x, axes.upper_left.y - 4}, {0, 1}, "absorbance A(z) = −ln T(z), linear");
 }
 
@@ -97,14 +97,14 @@ void draw_truth(ImDrawList& list, const Axes& axes, const ViewRay& ray) {
         points.push_back(axes.point(fragment.depth, sum));
     }
     points.push_back(axes.point(1, sum));
-    list.AddPolyline(points.data(), static_cast<int>(points.size()), color::TRUTH, ImDrawFlags_None, 2.0F);
+    list.AddPolyline(points.data(), static_cast<int>(points.size()), color::TRUTH, ImDrawFlags_None, 2.0f);
 }
 
 void draw_wrapping_zone(ImDrawList& list, const Axes& axes) {
     list.AddRectFilled({axes.x(1), axes.upper_left.y}, axes.lower_right, color::WRAPPING_ZONE);
-    const float middle = 0.5F * (axes.x(1) + axes.lower_right.x);
+    const float middle = 0.5f * (axes.x(1) + axes.lower_right.x);
     if (axes.lower_right.x - axes.x(1) > ImGui::CalcTextSize("θ").x)
-        draw_text(list, {middle, axes.upper_left.y + 4}, {0.5F, 0}, "θ");
+        draw_text(list, {middle, axes.upper_left.y + 4}, {0.5f, 0}, "θ");
 }
 
 void draw_legend(ImDrawList& list, const Axes& axes, const Curve& curve) {
@@ -123,7 +123,7 @@ void draw_legend(ImDrawList& list, const Axes& axes, const Curve& curve) {
     float y = axes.upper_left.y + 8;
     for (const Entry& entry : entries) {
         const float x = axes.upper_left.x + 12;
-        list.AddLine({x, y + 0.5F * line}, {x + 22, y + 0.5F * line}, entry.tint | IM_COL32(0, 0, 0, 255), 3);
+        list.AddLine({x, y + 0.5f * line}, {x + 22, y + 0.5f * line}, entry.tint | IM_COL32(0, 0, 0, 255), 3);
         draw_text(list, {x + 30, y}, {0, 0}, entry.text);
         y += line;
     }
@@ -133,10 +133,10 @@ void draw_legend(ImDrawList& list, const Axes& axes, const Curve& curve) {
 
 std::vector<float> plot_depths(const ViewRay& ray, std::size_t samples) {
     std::vector<float> depths = even_depths(samples);
-    constexpr float BESIDE = 2e-3F;   // below one pixel of any plot
+    constexpr float BESIDE = 2e-3f;   // below one pixel of any plot
     for (const Fragment& fragment : ray.fragments)
-        for (const float offset : {-BESIDE, 0.0F, BESIDE})
-            depths.push_back(std::clamp(fragment.depth + offset, -1.0F, 1.0F));
+        for (const float offset : {-BESIDE, 0.0f, BESIDE})
+            depths.push_back(std::clamp(fragment.depth + offset, -1.0f, 1.0f));
     std::ranges::sort(depths);
     const auto repeated = std::ranges::unique(depths);
     depths.erase(repeated.begin(), repeated.end());
@@ -147,11 +147,11 @@ void draw_plot(const ViewRay& ray, const Curve& curve, ImVec2 upper_left, ImVec2
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float line = ImGui::GetTextLineHeight();
     const ImVec2 lower_right = {upper_left.x + size.x, upper_left.y + size.y};
-    const float highest = curve.beta1.empty() ? 0.0F : *std::ranges::max_element(curve.beta1);
-    const Axes axes = {{upper_left.x + 3.2F * line, upper_left.y + 1.6F * line},
-                       {lower_right.x - line, lower_right.y - 2.6F * line},
-                       has_wrapping_zone(curve) ? end_of_wrapping_zone(curve.parameters.theta) : 1.0F,
-                       1.08F * std::max({static_cast<float>(curve.total_absorbance), highest, 1e-3F})};
+    const float highest = curve.beta1.empty() ? 0.0f : *std::ranges::max_element(curve.beta1);
+    const Axes axes = {{upper_left.x + 3.2f * line, upper_left.y + 1.6f * line},
+                       {lower_right.x - line, lower_right.y - 2.6f * line},
+                       has_wrapping_zone(curve) ? end_of_wrapping_zone(curve.parameters.theta) : 1.0f,
+                       1.08f * std::max({static_cast<float>(curve.total_absorbance), highest, 1e-3f})};
     list.PushClipRect(upper_left, lower_right, true);
     list.AddRectFilled(axes.upper_left, axes.lower_right, color::PLOT_BACKGROUND);
     draw_axes(list, axes, ray);
@@ -165,8 +165,8 @@ void draw_plot(const ViewRay& ray, const Curve& curve, ImVec2 upper_left, ImVec2
     if (!curve.beta0.empty()) draw_line(list, axes, curve, curve.reconstructed, color::RECONSTRUCTION, 2);
     draw_legend(list, axes, curve);
     if (ray.fragments.empty())
-        draw_text(list, {0.5F * (axes.upper_left.x + axes.lower_right.x), 0.5F * (axes.upper_left.y + axes.lower_right.y)},
-                  {0.5F, 0.5F}, "No transparent surface covers this pixel. Click one in the scene.");
+        draw_text(list, {0.5f * (axes.upper_left.x + axes.lower_right.x), 0.5f * (axes.upper_left.y + axes.lower_right.y)},
+                  {0.5f, 0.5f}, "No transparent surface covers this pixel. Click one in the scene.");
     list.PopClipRect();
 }
 

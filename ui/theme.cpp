@@ -13,7 +13,7 @@ void apply_theme(float scale) {
     if (!std::filesystem::exists(FONT))
         throw Error("The font DejaVu Sans is missing; install the package fonts-dejavu-core.");
     ImGuiIO& io = ImGui::GetIO();
-    io.Fonts->AddFontFromFileTTF(FONT, 15.0F * scale, nullptr, ranges);
+    io.Fonts->AddFontFromFileTTF(FONT, 15.0f * scale, nullptr, ranges);
     io.IniFilename = nullptr;   // nothing is written behind the user's back
     ImGui::StyleColorsDark();
     ImGuiStyle& style = ImGui::GetStyle();
@@ -24,10 +24,10 @@ void apply_theme(float scale) {
     style.ChildBorderSize = 0;
     style.WindowPadding = {10, 8};
     style.ItemSpacing = {8, 6};
-    style.Colors[ImGuiCol_WindowBg] = ImVec4(0.115F, 0.125F, 0.14F, 1);
-    style.Colors[ImGuiCol_FrameBg] = ImVec4(0.19F, 0.205F, 0.23F, 1);
-    style.Colors[ImGuiCol_SliderGrab] = ImVec4(0.34F, 0.71F, 0.91F, 1);
-    style.Colors[ImGuiCol_SliderGrabActive] = ImVec4(0.55F, 0.82F, 0.97F, 1);
+    style.Colors[ImGuiCol_WindowBg] = ImVec4(0.115f, 0.125f, 0.14f, 1);
+    style.Colors[ImGuiCol_FrameBg] = ImVec4(0.19f, 0.205f, 0.23f, 1);
+    style.Colors[ImGuiCol_SliderGrab] = ImVec4(0.34f, 0.71f, 0.91f, 1);
+    style.Colors[ImGuiCol_SliderGrabActive] = ImVec4(0.55f, 0.82f, 0.97f, 1);
     style.ScaleAllSizes(scale);
 }
 

@@ -38,8 +38,8 @@ void Image::flip_rows() {
 }
 
 float srgb_from_linear(float linear) {
-    const float x = std::clamp(linear, 0.0F, 1.0F);
-    return x <= 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1.0F / 2.4F) - 0.055F;
+    const float x = std::clamp(linear, 0.0f, 1.0f);
+    return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
 }
 
 void require_writable(const std::filesystem::path& path) {
@@ -64,7 +64,7 @@ void write_image(const Image& image, const std::filesystem::path& path) {
     bytes.reserve(image.pixels.size() * 4);
     for (const glm::vec4& pixel : image.pixels) {
         for (int c = 0; c < 3; ++c)
-            bytes.push_back(static_cast<unsigned char>(std::lround(255.0F * srgb_from_linear(pixel[c]))));
+            bytes.push_back(static_cast<unsigned char>(std::lround(255.0f * srgb_from_linear(pixel[c]))));
         bytes.push_back(255);
     }
     write_png(bytes, image.width, image.height, path);

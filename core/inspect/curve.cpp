@@ -5,7 +5,7 @@ namespace momentscope {
 std::vector<float> even_depths(std::size_t samples) {
     std::vector<float> depths(samples);
     for (std::size_t i = 0; i < samples; ++i)
-        depths[i] = 2.0F * static_cast<float>(i) / static_cast<float>(samples - 1) - 1.0F;
+        depths[i] = 2.0f * static_cast<float>(i) / static_cast<float>(samples - 1) - 1.0f;
     return depths;
 }
 

@@ -51,7 +51,7 @@ DepthWarp warp_from(const json& root) {
     if (kind == "none") return warp;
     if (kind != "log") throw Error(fmt::format("The view ray's warp kind is '{}'; use \"none\" or \"log\".", kind));
     warp = {true, number(*found, "z_min", "warp"), number(*found, "z_max", "warp")};
-    if (!(warp.z_min >= 1e-30F && warp.z_max > warp.z_min))
+    if (!(warp.z_min >= 1e-30f && warp.z_max > warp.z_min))
         throw Error("The view ray's warp needs 0 < z_min < z_max.");
     return warp;
 }
@@ -82,8 +82,8 @@ Fragment fragment_from(const json& entry, std::size_t index, const DepthWarp& wa
     fragment.draw = static_cast<std::uint32_t>(index);
     if (!(fragment.opacity >= 0 && fragment.opacity <= 1))
         throw Error(fmt::format("The view ray's {} has opacity {}; give one from 0 to 1.", where, fragment.opacity));
-    const float low = warp.logarithmic ? warp.z_min : -1.0F;
-    const float high = warp.logarithmic ? warp.z_max : 1.0F;
+    const float low = warp.logarithmic ? warp.z_min : -1.0f;
+    const float high = warp.logarithmic ? warp.z_max : 1.0f;
     if (!(fragment.view_depth >= low && fragment.view_depth <= high))
         throw Error(fmt::format("The view ray's {} has depth {}; give one from {} to {}.", where, fragment.view_depth,
                                 low, high));

@@ -7,8 +7,8 @@
 
 namespace momentscope {
 
-constexpr float NEAR_PLANE = 0.05F;   // scene units; built-in scenes are 1 to 50 units large
-constexpr float FAR_PLANE = 1000.0F;
+constexpr float NEAR_PLANE = 0.05f;   // scene units; built-in scenes are 1 to 50 units large
+constexpr float FAR_PLANE = 1000.0f;
 
 glm::mat4 view_matrix(const Camera& camera);                       // world to eye, which looks along -z
 

@@ -34,6 +34,7 @@ struct ReconstructionSteps {
     float query_weight = 0;                        // w_0
     std::array<float, MAX_NODES + 1> kernel{};     // at_query, then the monic coefficients in t
     std::array<float, MAX_NODES> t{}, weight{}, value{};
+    float in_front = 0;                            // fraction of b0 for beta = 0, before it is clamped
     float absorbance = 0;
 };
 

@@ -6,7 +6,8 @@
 
 #include <algorithm>
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(MOMENTSCOPE_SANITIZE)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(MOMENTSCOPE_SANITIZE) && \
+    !defined(MOMENTSCOPE_NO_CLONES)
 #define WIDE_CLONES [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
 #else
 #define WIDE_CLONES
@@ -17,6 +18,7 @@ namespace glsl::KERNEL_ID {
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-parameter"   // the shape is the same for every basis
 #pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"   // g++ 12 cannot follow the triangular loops
 #include "shaders/shared/portable_math.glsl"
 #include MOMENT_BASIS
 #include "shaders/shared/reconstruction.glsl"
@@ -32,13 +34,6 @@ g::Moments to_shared(const MomentVector& vector) {
     moments.b0 = vector.b0;
     std::copy_n(vector.b.begin(), MOMENT_FLOATS, moments.b);
     return moments;
-}
-
-MomentVector from_shared(const g::Moments& moments) {
-    MomentVector vector;
-    vector.b0 = moments.b0;
-    std::copy_n(moments.b, MOMENT_FLOATS, vector.b.begin());
-    return vector;
 }
 
 void add_fragment(MomentVector& sum, float depth, float absorbance, float wrapping_zone_angle) {
@@ -75,13 +70,15 @@ ReconstructionSteps steps(const MomentVector& vector, const ReconstructionSettin
     ReconstructionSteps result;
     if (g::is_empty(to_shared(vector))) return result;
     const g::Basis basis = g::make_basis(settings.wrapping_zone_angle);
-    const g::Moments biased = g::biased_moments(to_shared(vector), settings.bias);
+    const g::BiasedMoments biased = g::biased_moments(to_shared(vector), settings.bias);
     const g::Factor factor = g::factor_moments(biased);
     const g::Kernel kernel = g::kernel_polynomial(g::query_at(depth, factor, basis), factor);
     const g::Reconstruction at_depth = g::reconstruct(factor, basis, depth);
-    result.biased = from_shared(biased);
+    result.biased.b0 = 1;
+    for (std::size_t i = 0; i < MOMENT_FLOATS; ++i) result.biased.b[i] = (biased.b[i] + biased.pull[i]) / biased.b0;
     result.floored_pivots = factor.floored;
     result.query_weight = at_depth.query_weight;
+    result.in_front = at_depth.in_front;
     result.kernel[0] = kernel.at_query;
     std::copy_n(kernel.in_t.e, ROOT_COUNT, result.kernel.begin() + 1);
     std::copy_n(at_depth.t, ROOT_COUNT, result.t.begin());

@@ -92,10 +92,10 @@ const Technique& require_technique(std::string_view id) {
 }
 
 ResolvedParameters resolve(const ParameterValues& values, const Technique& technique) {
-    return {.beta = values[ParameterId::beta].value_or(0.0F),
-            .theta = values[ParameterId::theta].value_or(0.0F),
+    return {.beta = values[ParameterId::beta].value_or(0.0f),
+            .theta = values[ParameterId::theta].value_or(0.0f),
             .alpha = values[ParameterId::alpha].value_or(technique.recommended_bias),
-            .renormalize = values[ParameterId::renormalize].value_or(1.0F) >= 0.5F};
+            .renormalize = values[ParameterId::renormalize].value_or(1.0f) >= 0.5f};
 }
 
 }  // namespace momentscope

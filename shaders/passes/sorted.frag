@@ -18,7 +18,8 @@ bool in_front(FragmentNode a, FragmentNode b)
 void main()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    uint head = imageLoad(list_heads, pixel).x;
+    // Lanes that cover no pixel may read zeros everywhere, and node 0 whose next is node 0 would be an endless list.
+    uint head = gl_HelperInvocation ? END_OF_LIST : imageLoad(list_heads, pixel).x;
     vec3 sum = vec3(0.0);
     float transmittance = 1.0;
     uint last = END_OF_LIST;

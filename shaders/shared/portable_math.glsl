@@ -23,6 +23,12 @@ FN int balanced_exponent(float x)
     return (floatBitsToInt(x) - 0x3f3504f3) >> 23;   // 0x3f3504f3 = bits of sqrt(1/2)
 }
 
+/// The power of two 2^-e with x 2^-e in [1, 2). x: positive, normal, below 2^126.
+FN float inverse_power_of_two(float x)
+{
+    return intBitsToFloat((254 - (floatBitsToInt(x) >> 23)) << 23);
+}
+
 /// Natural logarithm. x > 0 and normal; within 2 ulp, or 1e-7 where the result is near 0.
 FN float portable_log(float x)
 {

@@ -7,6 +7,8 @@
 
 #define ROOT_COUNT (MOMENT_COUNT / 2)
 #define MOMENT_FLOATS MOMENT_COUNT
+#define ORDER (ROOT_COUNT + 1)   // of the Hankel matrix
+#include "float_pair.glsl"
 #include "real_roots.glsl"
 
 /// A pivot below this is rounding noise (1 ulp of a normalised moment) and counts as this.
@@ -28,6 +30,10 @@ FN float bias_moment(int i)
 
 /// The zeroth moment b0 (total absorbance, >= 0) and b[i] = b_{i+1}, not normalised.
 struct Moments { float b0; float b[MOMENT_FLOATS]; };
+
+/// Moments with what bias adds to them, kept apart: b[i] + pull[i], not normalised. Added up they would lose most digits
+/// of a small pull, which is all that keeps the matrix of a few fragments regular.
+struct BiasedMoments { float b0; float b[MOMENT_FLOATS]; float pull[MOMENT_FLOATS]; };
 
 /// What depends on parameters but not on depth: nothing for power moments.
 struct Basis { float wrapping_zone_angle; };
@@ -58,45 +64,64 @@ struct Factor
 {
     float a[ROOT_COUNT];               // recurrence, diagonal
     float ratio[ROOT_COUNT];           // h_k / h_{k-1}; [0] unused
-    float inverse_h[ROOT_COUNT + 1];   // 1 / pivot
+    float inverse_h[ORDER];   // 1 / pivot
     int floored;                       // how many pivots were raised to the floor
 };
 
-/// LDL^T of the Hankel matrix of biased, normalised moments (b0 = 1).
-FN Factor factor_moments(IN(Moments) biased)
+/// LDL^T of the Hankel matrix of biased moments, normalised to b_0 = 1.
+///
+/// Where fragments are few, nearly all of the matrix cancels in the elimination, and what is left, hardly more than the
+/// bias, decides the result. So it runs on pairs of floats and without division (Bareiss): each step multiplies what is
+/// left by its pivot, which `scale` keeps track of, and by a power of two that keeps it near 1.
+FN Factor factor_moments(IN(BiasedMoments) biased)
 {
-    float lower[(ROOT_COUNT + 1) * (ROOT_COUNT + 1)];   // L, with 1 on its diagonal
-    float h[ROOT_COUNT + 1];
+    FloatPair entry[ORDER * ORDER];    // entry[i ORDER + j] for i >= j: the rest of H, times scale
+    float lower[ORDER * ORDER];        // L, with 1 on its diagonal
+    float h[ORDER];
     Factor factor;
     factor.floored = 0;
+    float unit = inverse_power_of_two(biased.b0);   // brings b_0 into [1, 2) exactly, so that no product underflows
     UNROLL
-    for (int j = 0; j <= ROOT_COUNT; ++j)
+    for (int i = 0; i < ORDER; ++i)
     {
-        PRECISE float pivot = j == 0 ? 1.0f : biased.b[max(2 * j - 1, 0)];
         UNROLL
-        for (int k = 0; k < j; ++k)
+        for (int j = 0; j <= i; ++j)
         {
-            float l = lower[j * (ROOT_COUNT + 1) + k];
-            pivot = pivot - l * l * h[k];
+            int moment = max(i + j - 1, 0);
+            entry[i * ORDER + j] =
+                i == 0 ? make_pair(biased.b0 * unit, 0.0f) : exact_sum(biased.b[moment] * unit, biased.pull[moment] * unit);
         }
-        factor.floored += pivot < PIVOT_FLOOR ? 1 : 0;
-        h[j] = max(pivot, PIVOT_FLOOR);
-        factor.inverse_h[j] = 1.0f / h[j];
+    }
+    PRECISE float scale = biased.b0 * unit;
+    UNROLL
+    for (int k = 0; k < ORDER; ++k)
+    {
+        PRECISE float normalised_pivot = entry[k * ORDER + k].high / scale;
+        factor.floored += normalised_pivot < PIVOT_FLOOR ? 1 : 0;
+        h[k] = max(normalised_pivot, PIVOT_FLOOR);
+        factor.inverse_h[k] = 1.0f / h[k];
+        FloatPair pivot = entry[k * ORDER + k];
+        PRECISE float inverse_pivot = factor.inverse_h[k] / scale;
+        if (normalised_pivot < PIVOT_FLOOR) pivot = make_pair(PIVOT_FLOOR * scale, 0.0f);
+        float power_of_two = inverse_power_of_two(pivot.high);
         UNROLL
-        for (int i = j + 1; i <= ROOT_COUNT; ++i)
+        for (int i = k + 1; i < ORDER; ++i)
         {
-            PRECISE float entry = biased.b[i + j - 1];
+            lower[i * ORDER + k] = entry[i * ORDER + k].high * inverse_pivot;
             UNROLL
-            for (int k = 0; k < j; ++k)
-                entry = entry - lower[i * (ROOT_COUNT + 1) + k] * lower[j * (ROOT_COUNT + 1) + k] * h[k];
-            lower[i * (ROOT_COUNT + 1) + j] = entry * factor.inverse_h[j];
+            for (int j = k + 1; j <= i; ++j)
+                entry[i * ORDER + j] = scaled_pair(
+                    pair_difference(pair_product(entry[i * ORDER + j], pivot),
+                                    pair_product(entry[i * ORDER + k], entry[j * ORDER + k])),
+                    power_of_two);
         }
+        scale = scale * pivot.high * power_of_two;
     }
     UNROLL
     for (int k = 0; k < ROOT_COUNT; ++k)
     {
-        float before = k == 0 ? 0.0f : lower[k * (ROOT_COUNT + 1) + max(k - 1, 0)];
-        factor.a[k] = lower[(k + 1) * (ROOT_COUNT + 1) + k] - before;
+        float before = k == 0 ? 0.0f : lower[k * ORDER + max(k - 1, 0)];
+        factor.a[k] = lower[(k + 1) * ORDER + k] - before;
         factor.ratio[k] = k == 0 ? 0.0f : h[k] * factor.inverse_h[max(k - 1, 0)];
     }
     return factor;
@@ -118,9 +143,9 @@ struct Kernel { float at_query; MonicPolynomial in_t; };
 
 FN Kernel kernel_polynomial(IN(Query) query, IN(Factor) factor)
 {
-    float p[ROOT_COUNT + 1];            // p_k(z_f + s), coefficients of s^j
-    float previous[ROOT_COUNT + 1];     // p_{k-1}
-    float sum[ROOT_COUNT + 1];
+    float p[ORDER];            // p_k(z_f + s), coefficients of s^j
+    float previous[ORDER];     // p_{k-1}
+    float sum[ORDER];
     UNROLL
     for (int j = 0; j <= ROOT_COUNT; ++j)
     {

@@ -2,27 +2,25 @@
 // (Algorithms 1 and 2): bias, factor, kernel polynomial, roots, weights, sum. Every step is a function, and every
 // intermediate result is a value.
 
-/// A pixel that absorbs less than this counts as empty, T = 1: dividing by a smaller b0 could overflow.
-const float LEAST_ABSORBANCE = 1.0e-30f;
+/// A pixel that absorbs less than this counts as empty: its T rounds to 1, and products of its moments could underflow.
+const float LEAST_ABSORBANCE = 1.0e-9f;
 
 FN bool is_empty(IN(Moments) moments)
 {
     return !(moments.b0 >= LEAST_ABSORBANCE);
 }
 
-/// Normalised moments, pulled towards b* to make up for rounding: (1 - alpha) b / b0 + alpha b* (supplementary, 1).
-/// Written as a step from b / b0, which keeps the digits of a small alpha. moments not empty; bias alpha in [0, 1].
-FN Moments biased_moments(IN(Moments) moments, float bias)
+/// Moments pulled towards b* to make up for rounding: (1 - alpha) b + alpha b0 b* (supplementary, 1). bias alpha in [0, 1].
+FN BiasedMoments biased_moments(IN(Moments) moments, float bias)
 {
-    Moments biased;
-    PRECISE float inverse = 1.0f / moments.b0;
-    biased.b0 = 1.0f;
+    BiasedMoments biased;
+    biased.b0 = moments.b0;
     UNROLL
     for (int i = 0; i < MOMENT_FLOATS; ++i)
     {
-        PRECISE float normalised = moments.b[i] * inverse;
-        PRECISE float pulled = normalised + bias * (bias_moment(i) - normalised);
-        biased.b[i] = pulled;
+        biased.b[i] = moments.b[i];
+        PRECISE float pull = bias * (moments.b0 * bias_moment(i) - moments.b[i]);
+        biased.pull[i] = pull;
     }
     return biased;
 }

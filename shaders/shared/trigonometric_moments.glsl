@@ -8,6 +8,8 @@
 
 #define ROOT_COUNT MOMENT_COUNT
 #define MOMENT_FLOATS (2 * MOMENT_COUNT)
+#define ORDER (MOMENT_COUNT + 1)   // of the Toeplitz matrix
+#include "float_pair.glsl"
 #include "real_roots.glsl"
 
 /// A pivot below this is rounding noise (1 ulp of a normalised moment) and counts as this.
@@ -21,6 +23,10 @@ FN float bias_moment(int i)
 
 /// The zeroth moment b0 (total absorbance, >= 0), then Re b_1, Im b_1, Re b_2, ..., not normalised.
 struct Moments { float b0; float b[MOMENT_FLOATS]; };
+
+/// Moments with what bias adds to them, kept apart: b[i] + pull[i], not normalised. Added up they would lose most digits
+/// of a small pull, which is all that keeps the matrix of a few fragments regular.
+struct BiasedMoments { float b0; float b[MOMENT_FLOATS]; float pull[MOMENT_FLOATS]; };
 
 struct Complex { float re; float im; };
 
@@ -110,49 +116,75 @@ FN Moments fragment_moments(float depth, float absorbance, IN(Basis) basis)
 struct Factor
 {
     Complex gamma[MOMENT_COUNT];           // Szego recurrence (Verblunsky) coefficients
-    float inverse_h[MOMENT_COUNT + 1];     // 1 / pivot, h_k = E[|p_k|^2]
+    float inverse_h[ORDER];     // 1 / pivot, h_k = E[|p_k|^2]
     int floored;                           // how many pivots were raised to the floor
 };
 
-/// LDL^H of the Hermitian Toeplitz matrix G_ij = b_{i-j} of biased, normalised moments (b0 = 1). Pivots come from this
+/// LDL^H of the Hermitian Toeplitz matrix G_ij = b_{i-j} of biased moments, normalised to b_0 = 1. Pivots come from this
 /// elimination, not from h_k (1 - |gamma_k|^2), which loses the small ones.
-FN Factor factor_moments(IN(Moments) biased)
+///
+/// Where fragments are few, nearly all of the matrix cancels in the elimination, and what is left, hardly more than the
+/// bias, decides the result. So it runs on pairs of floats and without division (Bareiss): each step multiplies what is
+/// left by its pivot, which `scale` keeps track of, and by a power of two that keeps it near 1.
+FN Factor factor_moments(IN(BiasedMoments) biased)
 {
-    Complex lower[(MOMENT_COUNT + 1) * (MOMENT_COUNT + 1)];
-    float h[MOMENT_COUNT + 1];
+    FloatPair re[ORDER * ORDER];       // entry (i, j) at i ORDER + j for i >= j: the rest of G, times scale
+    FloatPair im[ORDER * ORDER];
+    Complex lower[ORDER * ORDER];      // L, with 1 on its diagonal
+    float h[ORDER];
     Factor factor;
     factor.floored = 0;
+    float unit = inverse_power_of_two(biased.b0);   // brings b_0 into [1, 2) exactly, so that no product underflows
     UNROLL
-    for (int j = 0; j <= MOMENT_COUNT; ++j)
+    for (int i = 0; i < ORDER; ++i)
     {
-        PRECISE float pivot = 1.0f;
         UNROLL
-        for (int k = 0; k < j; ++k)
+        for (int j = 0; j <= i; ++j)
         {
-            Complex l = lower[j * (MOMENT_COUNT + 1) + k];
-            pivot = pivot - (l.re * l.re + l.im * l.im) * h[k];
-        }
-        factor.floored += pivot < PIVOT_FLOOR ? 1 : 0;
-        h[j] = max(pivot, PIVOT_FLOOR);
-        factor.inverse_h[j] = 1.0f / h[j];
-        UNROLL
-        for (int i = j + 1; i <= MOMENT_COUNT; ++i)
-        {
-            PRECISE Complex entry = make_complex(biased.b[2 * (i - j) - 2], biased.b[2 * (i - j) - 1]);
-            UNROLL
-            for (int k = 0; k < j; ++k)
-            {
-                Complex term = product(lower[i * (MOMENT_COUNT + 1) + k],
-                                       conjugate(lower[j * (MOMENT_COUNT + 1) + k]));
-                entry.re = entry.re - term.re * h[k];
-                entry.im = entry.im - term.im * h[k];
-            }
-            lower[i * (MOMENT_COUNT + 1) + j] =
-                make_complex(entry.re * factor.inverse_h[j], entry.im * factor.inverse_h[j]);
+            int moment = 2 * max(i - j - 1, 0);
+            re[i * ORDER + j] = i == j ? make_pair(biased.b0 * unit, 0.0f) : exact_sum(biased.b[moment] * unit, biased.pull[moment] * unit);
+            im[i * ORDER + j] =
+                i == j ? make_pair(0.0f, 0.0f) : exact_sum(biased.b[moment + 1] * unit, biased.pull[moment + 1] * unit);
         }
     }
+    PRECISE float scale = biased.b0 * unit;
+    UNROLL
+    for (int k = 0; k < ORDER; ++k)
+    {
+        PRECISE float normalised_pivot = re[k * ORDER + k].high / scale;
+        factor.floored += normalised_pivot < PIVOT_FLOOR ? 1 : 0;
+        h[k] = max(normalised_pivot, PIVOT_FLOOR);
+        factor.inverse_h[k] = 1.0f / h[k];
+        FloatPair pivot = re[k * ORDER + k];
+        PRECISE float inverse_pivot = factor.inverse_h[k] / scale;
+        if (normalised_pivot < PIVOT_FLOOR) pivot = make_pair(PIVOT_FLOOR * scale, 0.0f);
+        float power_of_two = inverse_power_of_two(pivot.high);
+        UNROLL
+        for (int i = k + 1; i < ORDER; ++i)
+        {
+            FloatPair i_re = re[i * ORDER + k];
+            FloatPair i_im = im[i * ORDER + k];
+            lower[i * ORDER + k] = make_complex(i_re.high * inverse_pivot, i_im.high * inverse_pivot);
+            UNROLL
+            for (int j = k + 1; j <= i; ++j)
+            {
+                FloatPair j_re = re[j * ORDER + k];
+                FloatPair j_im = im[j * ORDER + k];
+                FloatPair j_im_minus = make_pair(-j_im.high, -j_im.low);
+                re[i * ORDER + j] = scaled_pair(
+                    pair_difference(pair_difference(pair_product(re[i * ORDER + j], pivot), pair_product(i_re, j_re)),
+                                    pair_product(i_im, j_im)), power_of_two);
+                if (i != j)
+                    im[i * ORDER + j] = scaled_pair(
+                        pair_difference(pair_difference(pair_product(im[i * ORDER + j], pivot),
+                                                        pair_product(i_im, j_re)),
+                                        pair_product(i_re, j_im_minus)), power_of_two);
+            }
+        }
+        scale = scale * pivot.high * power_of_two;
+    }
     // gamma_k = p_{k+1}(0), from x^i = sum_j L_ij p_j(x) at x = 0.
-    Complex at_zero[MOMENT_COUNT + 1];
+    Complex at_zero[ORDER];
     at_zero[0] = make_complex(1.0f, 0.0f);
     UNROLL
     for (int i = 1; i <= MOMENT_COUNT; ++i)
@@ -161,7 +193,7 @@ FN Factor factor_moments(IN(Moments) biased)
         UNROLL
         for (int j = 0; j < i; ++j)
         {
-            Complex term = product(lower[i * (MOMENT_COUNT + 1) + j], at_zero[j]);
+            Complex term = product(lower[i * ORDER + j], at_zero[j]);
             sum.re = sum.re - term.re;
             sum.im = sum.im - term.im;
         }
@@ -194,10 +226,10 @@ struct Kernel { float at_query; MonicPolynomial in_t; };
 
 FN Kernel kernel_polynomial(IN(Query) query, IN(Factor) factor)
 {
-    float re[MOMENT_COUNT + 1];       // q_k, coefficients of t^j
-    float im[MOMENT_COUNT + 1];
-    float sum_re[MOMENT_COUNT + 1];   // sum of conj(p_k(1)) / h_k q_k (t - i)^(m-k), by Horner's rule
-    float sum_im[MOMENT_COUNT + 1];
+    float re[ORDER];       // q_k, coefficients of t^j
+    float im[ORDER];
+    float sum_re[ORDER];   // sum of conj(p_k(1)) / h_k q_k (t - i)^(m-k), by Horner's rule
+    float sum_im[ORDER];
     UNROLL
     for (int j = 0; j <= MOMENT_COUNT; ++j)
     {

@@ -1,0 +1,61 @@
+// float_pair.glsl -- numbers of twice a float's digits as unevaluated sums of two floats, from + - * alone (Dekker 1971).
+
+struct FloatPair { float high; float low; };   // high + low, |low| at most a few ulps of high
+
+FN FloatPair make_pair(float high, float low)
+{
+    FloatPair pair;
+    pair.high = high;
+    pair.low = low;
+    return pair;
+}
+
+/// a + b exactly (Knuth's two-sum).
+FN FloatPair exact_sum(float a, float b)
+{
+    PRECISE float high = a + b;
+    PRECISE float b_part = high - a;
+    PRECISE float low = (a - (high - b_part)) + (b - b_part);
+    return make_pair(high, low);
+}
+
+/// x as the sum of two floats of 12 bits, whose products are exact.
+FN FloatPair halves_of(float x)
+{
+    PRECISE float scaled = 4097.0f * x;
+    PRECISE float high = scaled - (scaled - x);
+    PRECISE float low = x - high;
+    return make_pair(high, low);
+}
+
+/// a b exactly, unless it over- or underflows.
+FN FloatPair exact_product(float a, float b)
+{
+    FloatPair x = halves_of(a);
+    FloatPair y = halves_of(b);
+    PRECISE float high = a * b;
+    PRECISE float low = ((x.high * y.high - high) + x.high * y.low + x.low * y.high) + x.low * y.low;
+    return make_pair(high, low);
+}
+
+FN FloatPair pair_product(IN(FloatPair) a, IN(FloatPair) b)
+{
+    FloatPair result = exact_product(a.high, b.high);
+    PRECISE float low = result.low + (a.high * b.low + a.low * (b.high + b.low));
+    result.low = low;
+    return result;
+}
+
+/// a - b, where much may cancel.
+FN FloatPair pair_difference(IN(FloatPair) a, IN(FloatPair) b)
+{
+    FloatPair high = exact_sum(a.high, -b.high);
+    PRECISE float low = high.low + (a.low - b.low);
+    return exact_sum(high.high, low);
+}
+
+/// pair times a power of two: exact.
+FN FloatPair scaled_pair(IN(FloatPair) pair, float power_of_two)
+{
+    return make_pair(pair.high * power_of_two, pair.low * power_of_two);
+}

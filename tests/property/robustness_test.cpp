@@ -1,0 +1,113 @@
+// robustness_test.cpp -- whatever the fragments, results are numbers within their range.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/property/exact_technique.hpp"
+#include "tests/property/random_rays.hpp"
+
+namespace momentscope::test {
+namespace {
+
+class Robustness : public testing::TestWithParam<const Technique*> {
+protected:
+    // Checks unclamped fractions and weights at one depth, and counts what floors and clamps did.
+    void check(const MomentVector& moments, const ReconstructionSettings& settings, float depth) {
+        const ReconstructionSteps steps = GetParam()->kernel->steps(moments, settings, depth);
+        const float beta0 = steps.in_front;
+        const float beta1 = steps.in_front + steps.query_weight;
+        const bool fine = beta0 >= -1e-4f && beta1 <= 1 + 1e-4f && beta1 >= beta0 && steps.absorbance >= 0 &&
+                          steps.absorbance <= moments.b0;   // false for NaN
+        failures_ += fine ? 0 : 1;
+        clamped_ += beta1 > 1 ? 1 : 0;
+        floored_ += steps.floored_pivots;
+        ++queries_;
+        if (!fine && failures_ <= 3)
+            ADD_FAILURE() << fmt::format("{}: depth {} b0 {} beta0 {} beta1 {}", GetParam()->id, depth, moments.b0, beta0,
+                                         beta1);
+    }
+    void check_ray(const ViewRay& ray, const std::vector<float>& depths, const ParameterValues& values) {
+        const ResolvedParameters p = resolve(values, *GetParam());
+        const MomentVector moments = sum_moments(ray, *GetParam(), p);
+        for (const float depth : depths) check(moments, {p.beta, p.theta, p.alpha}, depth);
+    }
+    void report(const char* what) const {
+        fmt::print("{} {}: {} queries, {} failures, {} sums above 1 clamped, {} pivots floored\n", GetParam()->id, what,
+                   queries_, failures_, clamped_, floored_);
+        EXPECT_EQ(failures_, 0);
+    }
+
+    long queries_ = 0, failures_ = 0, clamped_ = 0, floored_ = 0;
+};
+
+TEST_P(Robustness, RandomRaysAtOwnAndRandomDepths) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> depth(-1.0f, 1.0f);
+    for (int i = ray_count(1'000'000); i > 0; --i) {
+        const ViewRay ray = random_ray(random);
+        std::vector<float> depths = own_depths(ray);
+        for (int k = 0; k < 3; ++k) depths.push_back(depth(random));
+        check_ray(ray, depths, {});
+    }
+    report("random rays");
+}
+
+TEST_P(Robustness, SingleFragmentsEverywhere) {
+    for (int i = 0; i <= 200'000; ++i) {
+        ViewRay ray;
+        const float depth = static_cast<float>(i) * 1e-5f - 1.0f;
+        ray.fragments.push_back({.depth = depth, .view_depth = depth, .opacity = 0.5f});
+        check_ray(ray, {depth, -1.0f, 1.0f, std::nextafter(depth, -1.0f), std::nextafter(depth, 1.0f)}, {});
+    }
+    report("single fragments");
+}
+
+TEST_P(Robustness, TiesEndsAndExtremeOpacities) {
+    std::mt19937 random(2);
+    const std::vector<float> depths = {-1.0f, -0.999999f, -1e-30f, 0.0f, 1e-7f, 0.5f, 0.5000001f, 0.999999f, 1.0f};
+    const std::vector<float> opacities = {0.0f, 1e-38f, 1e-20f, 1e-7f, 1.0f / 255, 0.5f, 0.9999f, 0.99999f, 1.0f};
+    const auto pick = [&](const std::vector<float>& from) {
+        return from[std::uniform_int_distribution<std::size_t>(0, from.size() - 1)(random)];
+    };
+    for (int i = 0; i < 200'000; ++i) {
+        ViewRay ray;
+        for (int n = 1 + i % 6; n > 0; --n) {
+            const float depth = pick(depths);
+            ray.fragments.push_back({.depth = depth, .view_depth = depth, .opacity = pick(opacities)});
+        }
+        check_ray(ray, depths, {});
+    }
+    report("ties, ends and extreme opacities");
+}
+
+TEST_P(Robustness, AnyParameters) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> unit(0.0f, 1.0f);
+    for (int i = 0; i < 100'000; ++i) {
+        ParameterValues values;
+        for (const ParameterId id : {ParameterId::beta, ParameterId::theta, ParameterId::alpha}) {
+            const Parameter& row = parameter(id);
+            const int choice = i % 4;   // the ends of the range too: no bias, no wrapping zone
+            const float share = choice == 0 ? 0.0f : choice == 1 ? 1.0f : unit(random);
+            values.set(id, std::clamp(row.minimum + share * (row.maximum - row.minimum), row.minimum, row.maximum));
+        }
+        const ViewRay ray = random_ray(random);
+        std::vector<float> depths = own_depths(ray);
+        depths.insert(depths.end(), {-1.0f, 1.0f, unit(random)});
+        check_ray(ray, depths, values);
+    }
+    report("any parameters");
+}
+
+TEST_P(Robustness, NothingThereAbsorbsNothing) {
+    const Curve curve = sample_curve({}, *GetParam(), {}, even_depths(16));
+    for (const float absorbance : curve.beta1) EXPECT_EQ(absorbance, 0.0f);
+}
+
+INSTANTIATE_TEST_SUITE_P(Techniques, Robustness, testing::ValuesIn(moment_based_techniques()),
+                         [](const auto& row) { return test_name(*row.param); });
+
+}  // namespace
+}  // namespace momentscope::test
