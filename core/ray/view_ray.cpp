@@ -15,6 +15,8 @@ namespace glsl::fragment {
 
 float fragment_absorbance(float opacity) { return glsl::fragment::absorbance_of_opacity(opacity); }
 
+float transmittance(float absorbance) { return glsl::fragment::transmittance_of(absorbance); }
+
 float to_depth(float view_depth, const DepthWarp& warp) {
     if (!warp.logarithmic) return std::clamp(view_depth, -1.0f, 1.0f);
     return glsl::fragment::warped_depth(view_depth, glsl::fragment::depth_warp_factors(warp.z_min, warp.z_max));

@@ -35,6 +35,9 @@ struct ViewRay {
 /// Absorbance -ln(1 - alpha_l) as the shaders compute it, in [0, 10].
 float fragment_absorbance(float opacity);
 
+/// exp(-absorbance) as the shaders compute it.
+float transmittance(float absorbance);
+
 /// Depth in [-1, 1] of a view depth as the shaders compute it, and its inverse.
 float to_depth(float view_depth, const DepthWarp& warp);
 float to_view_depth(float depth, const DepthWarp& warp);

@@ -10,6 +10,12 @@ FN float absorbance_of_opacity(float opacity)
     return negative_log_one_minus(clamp(opacity, 0.0f, OPACITY_CAP));
 }
 
+/// T = exp(-A) of an absorbance >= 0.
+FN float transmittance_of(float absorbance)
+{
+    return portable_exp(-absorbance);
+}
+
 /// Maps view depths [z_min, z_max] logarithmically onto [-1, 1] (Section 3.3).
 struct DepthWarpFactors { float log_z_min; float scale; };
 

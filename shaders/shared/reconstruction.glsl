@@ -73,11 +73,6 @@ FN float absorbance_in_front(IN(Reconstruction) reconstruction, float b0, float 
     return b0 * clamp(fraction, 0.0f, 1.0f);
 }
 
-FN float transmittance_of(float absorbance)
-{
-    return portable_exp(-absorbance);
-}
-
 /// Absorbance in front of a depth straight from stored moments: what the second pass computes for a fragment.
 FN float absorbance_from_moments(IN(Moments) moments, float depth, float bias, float overestimation,
                                  float wrapping_zone_angle)

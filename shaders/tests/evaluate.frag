@@ -1,0 +1,7 @@
+// One item per pixel of a picture that is 512 wide.
+#include "tests/evaluate.glsl"
+
+void main()
+{
+    evaluate(uint(gl_FragCoord.y) * 512u + uint(gl_FragCoord.x));
+}

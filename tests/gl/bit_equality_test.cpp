@@ -1,0 +1,145 @@
+// bit_equality_test.cpp -- the shared source gives the same bits in C++ and on this GL, in compute and fragment shaders.
+#include <fmt/format.h>
+
+#include <bit>
+#include <random>
+
+#include "core/gl/program.hpp"
+#include "core/gl/texture.hpp"
+#include "core/render/moment_passes.hpp"
+#include "tests/gl/gl_fixture.hpp"
+#include "tests/property/exact_technique.hpp"
+#include "tests/property/random_rays.hpp"
+
+namespace momentscope::test {
+namespace {
+
+constexpr std::size_t COUNT = 262'144;   // 512 x 512
+
+struct Item {   // shaders/tests/evaluate.glsl
+    float b0, b[8], depth, view_depth, opacity;
+};
+struct Result {
+    float absorbance, transmittance, warped, fragment_b0, fragment_b[8];
+};
+struct Header {
+    float beta, theta, alpha, padding, z_min, z_max, more_padding[2];
+};
+
+constexpr float Z_MIN = 0.3f;
+constexpr float Z_MAX = 40.0f;
+
+std::vector<Item> random_items(const Technique& technique, const ResolvedParameters& parameters) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> unit(0.0f, 1.0f);
+    std::vector<Item> items;
+    while (items.size() < COUNT) {
+        const ViewRay ray = random_ray(random);
+        const MomentVector moments = sum_moments(ray, technique, parameters);
+        std::vector<float> depths = own_depths(ray);
+        depths.insert(depths.end(), {-1.0f, 1.0f, 2 * unit(random) - 1});
+        for (const float depth : depths) {
+            Item item{moments.b0, {}, depth, Z_MIN * std::pow(Z_MAX / Z_MIN, unit(random)), unit(random)};
+            std::ranges::copy(moments.b, item.b);
+            items.push_back(item);
+        }
+    }
+    items.resize(COUNT);
+    return items;
+}
+
+Result evaluate(const Technique& technique, const ResolvedParameters& p, const Item& item) {
+    MomentVector moments{item.b0, {}};
+    std::ranges::copy(item.b, moments.b.begin());
+    Result result{};
+    result.absorbance = technique.kernel->steps(moments, {p.beta, p.theta, p.alpha}, item.depth).absorbance;
+    result.transmittance = transmittance(result.absorbance);
+    result.warped = to_depth(item.view_depth, {true, Z_MIN, Z_MAX});
+    MomentVector fragment;
+    technique.kernel->add_fragment(fragment, result.warped, fragment_absorbance(item.opacity), p.theta);
+    result.fragment_b0 = fragment.b0;
+    std::ranges::copy(fragment.b, result.fragment_b);
+    return result;
+}
+
+class BitEquality : public GlTest<testing::TestWithParam<const Technique*>> {
+protected:
+    // Runs `draw` with the items bound and returns what it wrote.
+    template <typename Draw>
+    std::vector<Result> run(const std::vector<Item>& items, const ResolvedParameters& p, Draw draw) {
+        const Header header = {p.beta, p.theta, p.alpha, 0, Z_MIN, Z_MAX, {}};
+        GLuint names[2];
+        glCreateBuffers(2, names);
+        const GlBuffer input(names[0]);
+        const GlBuffer output(names[1]);
+        glNamedBufferStorage(input, static_cast<GLsizeiptr>(sizeof(Header) + items.size() * sizeof(Item)), nullptr,
+                             GL_DYNAMIC_STORAGE_BIT);
+        glNamedBufferSubData(input, 0, sizeof(Header), &header);
+        glNamedBufferSubData(input, sizeof(Header), static_cast<GLsizeiptr>(items.size() * sizeof(Item)), items.data());
+        std::vector<Result> results(items.size());
+        glNamedBufferStorage(output, static_cast<GLsizeiptr>(results.size() * sizeof(Result)), results.data(), 0);
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, input);
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, output);
+        draw();
+        glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+        glGetNamedBufferSubData(output, 0, static_cast<GLsizeiptr>(results.size() * sizeof(Result)), results.data());
+        return results;
+    }
+
+    void expect_same_bits(const std::vector<Result>& gl, const char* stage) {
+        const ResolvedParameters p = resolve({}, *GetParam());
+        long different[5] = {};   // absorbance, transmittance, depth, b0, other moments
+        float worst = 0;
+        for (std::size_t i = 0; i < COUNT; ++i) {
+            const Result cpp = evaluate(*GetParam(), p, items_[i]);
+            const auto differs = [](float a, float b) { return std::bit_cast<int>(a) != std::bit_cast<int>(b) ? 1 : 0; };
+            different[0] += differs(cpp.absorbance, gl[i].absorbance);
+            different[1] += differs(cpp.transmittance, gl[i].transmittance);
+            different[2] += differs(cpp.warped, gl[i].warped);
+            different[3] += differs(cpp.fragment_b0, gl[i].fragment_b0);
+            for (int k = 0; k < GetParam()->kernel->moment_floats; ++k)
+                different[4] += differs(cpp.fragment_b[k], gl[i].fragment_b[k]);
+            worst = std::max(worst, std::abs(cpp.transmittance - gl[i].transmittance));
+        }
+        fmt::print("{} {}: of {} differ: absorbance {}, transmittance {} (worst {}), depth {}, b0 {}, moments {}\n",
+                   GetParam()->id, stage, COUNT, different[0], different[1], worst, different[2], different[3],
+                   different[4]);
+        for (const long count : different) EXPECT_EQ(count, 0);
+    }
+
+    std::vector<Item> items_;
+};
+
+TEST_P(BitEquality, InComputeShaders) {
+    const ResolvedParameters p = resolve({}, *GetParam());
+    items_ = random_items(*GetParam(), p);
+    const GlProgram program = link_compute_program("tests/evaluate.comp", moment_variant(*GetParam()));
+    expect_same_bits(run(items_, p,
+                         [&] {
+                             glUseProgram(program);
+                             glDispatchCompute(COUNT / 64, 1, 1);
+                         }),
+                     "compute");
+}
+
+TEST_P(BitEquality, InFragmentShaders) {
+    const ResolvedParameters p = resolve({}, *GetParam());
+    items_ = random_items(*GetParam(), p);
+    const GlProgram program = link_program("passes/fullscreen.vert", "tests/evaluate.frag", moment_variant(*GetParam()));
+    const GlTexture target = make_texture(GL_R8, {512, 512});
+    const GlFramebuffer framebuffer = make_framebuffer({target}, 0);
+    expect_same_bits(run(items_, p,
+                         [&] {
+                             glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+                             glViewport(0, 0, 512, 512);
+                             glUseProgram(program);
+                             draw_fullscreen();
+                         }),
+                     "fragment");
+}
+
+INSTANTIATE_TEST_SUITE_P(Techniques, BitEquality, testing::ValuesIn(moment_based_techniques()),
+                         [](const auto& row) { return test_name(*row.param); });
+
+}  // namespace
+}  // namespace momentscope::test

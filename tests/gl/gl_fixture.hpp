@@ -1,0 +1,30 @@
+// gl_fixture.hpp -- one OSMesa context for all tests of a program.
+#pragma once
+#include <gtest/gtest.h>
+
+#include "app/gl_context.hpp"
+#include "core/error.hpp"
+#include "core/render/renderer.hpp"
+#include "core/scene/camera.hpp"
+#include "core/scene/scenes.hpp"
+
+namespace momentscope::test {
+
+inline GlContext& shared_context() {
+    static const std::unique_ptr<GlContext> context = make_gl_context("osmesa", {64, 64});
+    return *context;
+}
+
+/// A fixture whose tests may call GL.
+template <typename Base = testing::Test>
+class GlTest : public Base {
+protected:
+    void SetUp() override { shared_context(); }
+    void TearDown() override { EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR)); }
+};
+
+inline View view_of(const Scene& scene, const char* technique, glm::ivec2 size) {
+    return {scene.camera, size, &require_technique(technique), {}};
+}
+
+}  // namespace momentscope::test

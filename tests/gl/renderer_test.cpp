@@ -1,0 +1,176 @@
+// renderer_test.cpp -- invalidation, capture and agreement of GL and C++ on real pixels.
+#include <fmt/format.h>
+
+#include <bit>
+
+#include "core/inspect/curve.hpp"
+#include "tests/gl/gl_fixture.hpp"
+#include "tests/property/exact_technique.hpp"
+
+namespace momentscope::test {
+namespace {
+
+class RendererTest : public GlTest<> {};
+
+struct Counts {
+    int opaque, moments, color, composite;
+    friend bool operator==(const Counts&, const Counts&) = default;
+};
+
+Counts difference(const PassCounts& before, const PassCounts& after) {
+    return {after.opaque - before.opaque, after.moments - before.moments, after.color - before.color,
+            after.composite - before.composite};
+}
+
+TEST_F(RendererTest, AChangeRunsNoMoreStagesThanItNeeds) {
+    const Scene scene = load_scene("planes", 0.4f);
+    Renderer renderer;
+    renderer.set_scene(scene);
+    View view = view_of(scene, "trig3-32", {64, 48});
+    const auto redraw = [&] {
+        const PassCounts before = renderer.pass_counts();
+        renderer.render(view);
+        return difference(before, renderer.pass_counts());
+    };
+    const Counts everything = {1, 1, 1, 1};
+    EXPECT_EQ(redraw(), everything);
+    EXPECT_EQ(redraw(), (Counts{0, 0, 0, 0})) << "nothing changed";
+    view.parameters.set(ParameterId::beta, 0.5f);
+    EXPECT_EQ(redraw(), (Counts{0, 0, 1, 1})) << "beta touches the second pass only";
+    view.parameters.set(ParameterId::alpha, 1e-3f);
+    EXPECT_EQ(redraw(), (Counts{0, 0, 1, 1})) << "alpha touches the second pass only";
+    view.parameters.set(ParameterId::theta, 1.0f);
+    EXPECT_EQ(redraw(), (Counts{0, 1, 1, 1})) << "theta touches both passes";
+    view.parameters.set(ParameterId::renormalize, 0.0f);
+    EXPECT_EQ(redraw(), (Counts{0, 0, 0, 1})) << "renormalisation touches the composite only";
+    view.camera.azimuth += 0.1f;
+    EXPECT_EQ(redraw(), everything) << "the camera touches everything";
+    view.technique = &require_technique("power4-32");
+    EXPECT_EQ(redraw(), (Counts{0, 1, 1, 1})) << "opaque surfaces do not depend on the technique";
+    view.parameters.set(ParameterId::theta, 2.0f);
+    EXPECT_EQ(redraw(), (Counts{0, 0, 0, 0})) << "power moments have no wrapping zone";
+}
+
+// The picture after incremental changes must be the picture drawn afresh.
+TEST_F(RendererTest, ChangesLeaveNoTrace) {
+    const Scene scene = load_scene("planes", 0.4f);
+    View view = view_of(scene, "trig2-32", {64, 48});
+    Renderer changed;
+    changed.set_scene(scene);
+    changed.render(view);
+    view.parameters.set(ParameterId::beta, 0.7f);
+    changed.render(view);
+    view.parameters.set(ParameterId::theta, 0.9f);
+    changed.render(view);
+    view.technique = &require_technique("sorted");
+    changed.render(view);
+    view.technique = &require_technique("power6-32");
+    changed.render(view);
+    Renderer fresh;
+    fresh.set_scene(scene);
+    fresh.render(view);
+    EXPECT_EQ(rms_difference(changed.read_picture(), fresh.read_picture()), 0);
+}
+
+// Sheets with known opacities in front of a wall: compositing by hand is the reference.
+TEST_F(RendererTest, SortedCompositesByHand) {
+    const Scene scene = load_scene("planes", 0.4f);
+    const glm::ivec2 size(160, 90);
+    Renderer renderer;
+    renderer.set_scene(scene);
+    renderer.render(view_of(scene, "sorted", size));
+    const Image picture = renderer.read_picture();
+    Scene bare = scene;
+    std::erase_if(bare.objects, [](const Object& object) { return !object.opaque(); });
+    Renderer opaque;
+    opaque.set_scene(bare);
+    opaque.render(view_of(bare, "sorted", size));
+    const Image wall = opaque.read_picture();
+    for (const glm::ivec2 pixel : {glm::ivec2(80, 45), glm::ivec2(60, 50), glm::ivec2(100, 30), glm::ivec2(2, 2)}) {
+        const ViewRay ray = renderer.capture_pixel(pixel).ray;
+        glm::dvec3 color(0);
+        double transmittance = 1;
+        for (const std::size_t i : front_to_back(ray)) {
+            const Fragment& f = ray.fragments[i];
+            color += transmittance * static_cast<double>(f.opacity) * glm::dvec3(f.color);
+            transmittance *= 1 - static_cast<double>(f.opacity);
+        }
+        color += transmittance * glm::dvec3(wall.at(pixel.x, pixel.y));
+        for (int c = 0; c < 3; ++c)   // float compositing of at most 4 fragments
+            EXPECT_NEAR(static_cast<double>(picture.at(pixel.x, pixel.y)[c]), color[c], 1e-6);
+    }
+    EXPECT_EQ(renderer.capture_pixel({80, 45}).ray.fragments.size(), 4u) << "the middle sees all four sheets";
+}
+
+class SecondPass : public GlTest<testing::TestWithParam<std::tuple<const Technique*, const char*>>> {};
+
+// T of every fragment of a picked pixel as the GL's second pass computes it, against C++ from the captured fragments.
+TEST_P(SecondPass, ComputesTheBitsOfCpp) {
+    const auto [technique, scene_id] = GetParam();
+    const Scene scene = load_scene(scene_id, 0.4f);
+    const glm::ivec2 size(320, 180);
+    Renderer renderer;
+    renderer.set_scene(scene);
+    renderer.render(view_of(scene, technique->id, size));
+    long fragments = 0;
+    long different = 0;
+    for (int i = 0; i < 60; ++i) {
+        const glm::ivec2 pixel = i == 0 ? picked_pixel(scene, size) : glm::ivec2((i * 53) % size.x, (i * 37) % size.y);
+        const PixelCapture capture = renderer.capture_pixel(pixel);
+        std::vector<float> depths;
+        for (const Fragment& f : capture.ray.fragments) depths.push_back(f.depth);
+        const Curve curve = sample_curve(capture.ray, *technique, {}, depths);
+        ASSERT_EQ(capture.transmittance.size(), depths.size());
+        for (std::size_t k = 0; k < depths.size(); ++k) {
+            EXPECT_EQ(capture.ray.fragments[k].depth, to_depth(capture.ray.fragments[k].view_depth, capture.ray.warp));
+            const float cpp = transmittance(curve.reconstructed[k]);
+            different += std::bit_cast<int>(cpp) != std::bit_cast<int>(capture.transmittance[k]) ? 1 : 0;
+            ++fragments;
+        }
+    }
+    fmt::print("{} {}: T of {} of {} fragments differs\n", scene_id, technique->id, different, fragments);
+    EXPECT_GT(fragments, 20);
+    EXPECT_EQ(different, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Techniques, SecondPass,
+                         testing::Combine(testing::ValuesIn(moment_based_techniques()),
+                                          testing::Values("planes", "spheres", "teapots")),
+                         [](const auto& row) {
+                             return test_name(*std::get<0>(row.param)) + "_" + std::get<1>(row.param);
+                         });
+
+// The paper's order of quality on its own kind of scene.
+TEST_F(RendererTest, MoreMomentsAreCloserToTheTruth) {
+    const Scene scene = load_scene("teapots", 0.4f);
+    const glm::ivec2 size(480, 270);
+    Renderer renderer;
+    renderer.set_scene(scene);
+    renderer.render(view_of(scene, "sorted", size));
+    const Image truth = renderer.read_picture();
+    const auto error = [&](const char* technique) {
+        renderer.render(view_of(scene, technique, size));
+        const double rms = rms_difference(renderer.read_picture(), truth);
+        fmt::print("teapots {}: rms error {:.5f}\n", technique, rms);
+        return rms;
+    };
+    const double power4 = error("power4-32"), power6 = error("power6-32"), power8 = error("power8-32");
+    const double trig2 = error("trig2-32"), trig3 = error("trig3-32"), trig4 = error("trig4-32");
+    EXPECT_LT(power6, power4);
+    EXPECT_LT(power8, power6);
+    EXPECT_LT(trig3, trig2);
+    EXPECT_LT(trig4, trig3);
+}
+
+TEST_F(RendererTest, RefusesSizesThatCannotBeDrawn) {
+    const Scene scene = load_scene("planes", 0.4f);
+    Renderer renderer;
+    renderer.set_scene(scene);
+    EXPECT_THROW(renderer.render(view_of(scene, "sorted", {0, 5})), Error);
+    EXPECT_THROW(renderer.render(view_of(scene, "sorted", {5, MAX_PICTURE_SIDE + 1})), Error);
+    renderer.render(view_of(scene, "sorted", {1, 1}));
+    EXPECT_EQ(renderer.read_picture().pixels.size(), 1u);
+}
+
+}  // namespace
+}  // namespace momentscope::test
