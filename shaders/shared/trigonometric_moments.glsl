@@ -40,10 +40,9 @@ FN Complex make_complex(float re, float im)
 
 FN Complex product(IN(Complex) a, IN(Complex) b)
 {
-    PRECISE Complex result;
-    result.re = a.re * b.re - a.im * b.im;
-    result.im = a.re * b.im + a.im * b.re;
-    return result;
+    PRECISE float re = a.re * b.re - a.im * b.im;
+    PRECISE float im = a.re * b.im + a.im * b.re;
+    return make_complex(re, im);
 }
 
 FN Complex conjugate(IN(Complex) a)
@@ -126,6 +125,9 @@ struct Factor
 /// Where fragments are few, nearly all of the matrix cancels in the elimination, and what is left, hardly more than the
 /// bias, decides the result. So it runs on pairs of floats and without division (Bareiss): each step multiplies what is
 /// left by its pivot, which `scale` keeps track of, and by a power of two that keeps it near 1.
+///
+/// No PRECISE here: glslangValidator takes forever to follow it through these arrays, and every sum that could be
+/// re-associated is in a function that has it.
 FN Factor factor_moments(IN(BiasedMoments) biased)
 {
     FloatPair re[ORDER * ORDER];       // entry (i, j) at i ORDER + j for i >= j: the rest of G, times scale
@@ -147,16 +149,16 @@ FN Factor factor_moments(IN(BiasedMoments) biased)
                 i == j ? make_pair(0.0f, 0.0f) : exact_sum(biased.b[moment + 1] * unit, biased.pull[moment + 1] * unit);
         }
     }
-    PRECISE float scale = biased.b0 * unit;
+    float scale = biased.b0 * unit;
     UNROLL
     for (int k = 0; k < ORDER; ++k)
     {
-        PRECISE float normalised_pivot = re[k * ORDER + k].high / scale;
+        float normalised_pivot = re[k * ORDER + k].high / scale;
         factor.floored += normalised_pivot < PIVOT_FLOOR ? 1 : 0;
         h[k] = max(normalised_pivot, PIVOT_FLOOR);
         factor.inverse_h[k] = 1.0f / h[k];
         FloatPair pivot = re[k * ORDER + k];
-        PRECISE float inverse_pivot = factor.inverse_h[k] / scale;
+        float inverse_pivot = factor.inverse_h[k] / scale;
         if (normalised_pivot < PIVOT_FLOOR) pivot = make_pair(PIVOT_FLOOR * scale, 0.0f);
         float power_of_two = inverse_power_of_two(pivot.high);
         UNROLL
@@ -189,16 +191,17 @@ FN Factor factor_moments(IN(BiasedMoments) biased)
     UNROLL
     for (int i = 1; i <= MOMENT_COUNT; ++i)
     {
-        PRECISE Complex sum = make_complex(0.0f, 0.0f);
+        float sum_re = 0.0f;
+        float sum_im = 0.0f;
         UNROLL
         for (int j = 0; j < i; ++j)
         {
             Complex term = product(lower[i * ORDER + j], at_zero[j]);
-            sum.re = sum.re - term.re;
-            sum.im = sum.im - term.im;
+            sum_re = sum_re - term.re;
+            sum_im = sum_im - term.im;
         }
-        at_zero[i] = sum;
-        factor.gamma[i - 1] = sum;
+        at_zero[i] = make_complex(sum_re, sum_im);
+        factor.gamma[i - 1] = at_zero[i];
     }
     return factor;
 }

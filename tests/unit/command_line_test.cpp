@@ -1,0 +1,228 @@
+// command_line_test.cpp -- the program itself: each wrong input fails with one line, each right one prints or
+// writes. A run takes .4 s, nearly all of it the dynamic loader's; so finer cases belong into the tests of
+// what they reach.
+#include "core/techniques/technique.hpp"
+#include "tests/unit/expect_error.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <string>
+
+using namespace momentscope;
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+std::string content_of(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+struct Outcome {
+    bool exited = false;  // and was not killed by a signal
+    int code = 0;
+    std::string output;
+    std::string errors;
+};
+
+/// Runs the program in a folder of its own, whose `out` is the only place where it may write.
+class CommandLine : public testing::Test {
+protected:
+    CommandLine() : folder_(fs::temp_directory_path() / ("momentscope_line_" + std::to_string(::getpid()))) {
+        fs::create_directories(folder_ / "out");
+        write("ray.json",
+              R"({"fragments": [{"depth": 0.5, "opacity": 0.75}, {"depth": -0.5, "opacity": 0.5}]})");
+    }
+    ~CommandLine() override {
+        std::error_code ignored;
+        fs::remove_all(folder_, ignored);
+    }
+
+    void write(const std::string& name, const std::string& content) const {
+        std::ofstream(folder_ / name, std::ios::binary) << content;
+    }
+
+    Outcome run(const std::string& arguments, const std::string& environment = "") const {
+        const std::string line = "cd '" + folder_.string() + "' && " + environment + " timeout 60 '" +
+                                 MOMENTSCOPE_BINARY + "' " + arguments +
+                                 " >stdout.txt 2>stderr.txt </dev/null";
+        const int status = std::system(line.c_str());
+        return {WIFEXITED(status), WEXITSTATUS(status), content_of(folder_ / "stdout.txt"),
+                content_of(folder_ / "stderr.txt")};
+    }
+
+    /// One line on stderr that contains `part`, nothing on stdout, a code of failure, and no file.
+    void expect_refused(const std::string& arguments, const std::string& part,
+                        const std::string& environment = "") {
+        SCOPED_TRACE(arguments);
+        const Outcome outcome = run(arguments, environment);
+        EXPECT_TRUE(outcome.exited);
+        EXPECT_EQ(outcome.code, 1);  // not 124 (hung) nor 128 + a signal
+        EXPECT_EQ(outcome.output, "");
+        ASSERT_TRUE(outcome.errors.starts_with("momentscope: ")) << outcome.errors;
+        ASSERT_EQ(outcome.errors.back(), '\n');
+        expect_one_sentence(outcome.errors.substr(13, outcome.errors.size() - 14));
+        EXPECT_NE(outcome.errors.find(part), std::string::npos) << outcome.errors;
+        EXPECT_TRUE(fs::is_empty(folder_ / "out")) << fs::directory_iterator(folder_ / "out")->path();
+    }
+
+    void expect_all_refused(const std::string& before, const std::vector<std::string>& wrong,
+                            const std::string& part) {
+        for (const std::string& value : wrong) expect_refused(before + value + " -o out/x", part);
+    }
+
+    Outcome expect_success(const std::string& arguments) const {
+        Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.code, 0) << arguments;
+        EXPECT_EQ(outcome.errors, "") << arguments;
+        return outcome;
+    }
+
+    fs::path folder_;
+};
+
+TEST_F(CommandLine, RefusesUnknownScenesTechniquesOptionsAndFormats) {
+    expect_refused("render --scene nowhere -o out/x.png", "no scene 'nowhere'");
+    expect_refused("render --scene planes --technique power5-32 -o out/x.png", "no technique 'power5-32'");
+    expect_all_refused("inspect --ray ray.json ", {"--gamma 2", "stray"}, "--help");
+    expect_all_refused("inspect --ray ray.json --technique ", {"power4-32,", "''"}, "no technique");
+    expect_refused("inspect --ray ray.json --format xml -o out/x", "json, csv or table");
+    expect_refused("list nonsense", "no list 'nonsense'");
+    expect_refused("list techniques --format csv", "table or json");
+    expect_refused("render --scene planes", "--help");
+}
+
+TEST_F(CommandLine, RefusesWrongParameters) {
+    expect_all_refused("inspect --ray ray.json --beta ", {"1.5", "nan", "x", "auto"}, "--beta");
+    expect_refused("inspect --ray ray.json --beta=-0.1 -o out/x", "--beta");
+    expect_refused("inspect --ray ray.json --alpha 0.2 -o out/x", "--alpha");
+    expect_refused("inspect --ray ray.json --theta inf -o out/x", "--theta");
+    expect_refused("render --scene planes --opacity 1 -o out/x.png", "--opacity");
+}
+
+TEST_F(CommandLine, RefusesWrongPixelsSizesAndCounts) {
+    const std::string picture = "inspect --scene planes --size 96x54 --pixel ";
+    expect_all_refused(picture, {"96,0", "0,54", "x", "1,2,3"}, "0,0 to 95,53");
+    expect_refused("inspect --scene planes --size 96x54 --pixel=-1,0 -o out/x", "0,0 to 95,53");
+    for (const char* size : {"0x0", "1000000x1000000", "junk", "-1x5"})
+        expect_refused(std::string("render --scene planes --size=") + size + " -o out/x.png", "The size");
+    expect_all_refused("inspect --ray ray.json --samples ", {"1", "x", "1000001"}, "number of samples");
+    expect_all_refused("inspect --ray ray.json --depths ", {"2", "nan", "0,,1"}, "depth");
+}
+
+TEST_F(CommandLine, RefusesWrongRays) {
+    expect_refused("inspect --ray out -o out/x", "no view ray file 'out'");
+    const std::pair<std::string, std::string> wrong[] = {
+        {"", "not valid JSON"},
+        {"{\"fragments\": [", "not valid JSON"},
+        {std::string(100'000, '['), "nested too deeply"},
+        {R"({"fragments": [{"depth": NaN, "opacity": 0.5}]})", "not valid JSON"},
+        {R"({"fragments": [{"depth": 0, "opacity": 2}]})", "opacity 2"},
+        {R"({"fragments": [{"depth": 3, "opacity": 1}]})", "depth 3"},
+    };
+    for (const auto& [content, part] : wrong) {
+        write("wrong.json", content);
+        expect_refused("inspect --ray wrong.json -o out/x", part);
+    }
+}
+
+TEST_F(CommandLine, RefusesWrongMeshes) {
+    fs::create_directories(folder_ / "folder.obj");
+    expect_refused("render --scene folder.obj -o out/x.png", "is a folder");
+    write("broken.obj", "v 0 0 zero\nf 1 2 3\n");
+    expect_refused("render --scene broken.obj -o out/x.png", "broken.obj");
+    write("noise.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nend_header\n\1\2\3");
+    expect_refused("render --scene noise.ply -o out/x.png", "noise.ply");
+    write("empty.glb", "");
+    expect_refused("inspect --scene empty.glb -o out/x", "empty.glb");
+}
+
+TEST_F(CommandLine, RefusesOutputsThatCannotBeWritten) {
+    fs::create_directories(folder_ / "folder.png");
+    expect_refused("render --scene planes -o missing/x.png", "no folder 'missing'");
+    expect_refused("render --scene planes -o folder.png", "'folder.png' is a folder");
+    for (const char* name : {"out/x.jpg", "out/png"})
+        expect_refused(std::string("render --scene planes -o ") + name, ".png or .exr");
+    expect_refused("inspect --ray ray.json -o missing/x", "no folder");
+    expect_refused("inspect --ray ray.json -o out", "is a folder");
+}
+
+TEST_F(CommandLine, ExploreNeedsADisplayOrAFile) {
+    const std::string no_display = "env -u DISPLAY -u WAYLAND_DISPLAY";
+    expect_refused("explore", "--headless", no_display);
+    expect_refused("", "--headless", no_display);
+    expect_refused("explore --headless", "--screenshot", no_display);
+    expect_refused("explore --screenshot out/x.png", "--headless", no_display);
+    expect_refused("explore --headless --screenshot out/x.jpg", ".png", no_display);
+}
+
+TEST_F(CommandLine, ALineBreakInAnArgumentStaysOnOneLine) {
+    expect_refused("inspect --ray ray.json --technique 'a\nb' -o out/x", "a");
+    expect_refused("inspect --ray 'a\nb' -o out/x", "a");
+    expect_refused("'--a\nb'", "a");
+}
+
+TEST_F(CommandLine, ListsTheRegistries) {
+    const json rows = json::parse(expect_success("list techniques --format json").output);
+    std::set<std::string> ids;
+    for (const json& row : rows) ids.insert(row.at("id").get<std::string>());
+    EXPECT_EQ(rows.size(), techniques().size());
+    for (const Technique& technique : techniques()) EXPECT_EQ(ids.count(technique.id), 1u) << technique.id;
+    EXPECT_EQ(json::parse(expect_success("list parameters --format json").output).size(), PARAMETER_COUNT);
+    EXPECT_GE(json::parse(expect_success("list scenes --format json").output).size(), 3u);
+    EXPECT_TRUE(expect_success("list techniques").output.starts_with("power4-32  160 "));
+}
+
+TEST_F(CommandLine, InspectPrintsTheTruthAsJsonCsvAndTable) {
+    const std::string inspect =
+        "inspect --ray ray.json --technique power8-32,trig2-32 --depths=-0.5,0,1 --format ";
+    const json root = json::parse(expect_success(inspect + "json").output);
+    ASSERT_EQ(root["curves"].size(), 2u);
+    const auto truth = root["curves"][1]["true"].get<std::vector<double>>();
+    ASSERT_EQ(truth.size(), 3u);
+    EXPECT_EQ(truth[0], 0.0);
+    EXPECT_NEAR(truth[1], std::log(2.0), 2e-7);  // 3 ulps of a float
+    EXPECT_NEAR(truth[2], std::log(8.0), 6e-7);
+    for (const char* key : {"depth", "true", "reconstructed", "lower", "upper"})
+        for (const json& value : root["curves"][0][key]) EXPECT_TRUE(value.is_number()) << key;
+
+    const std::string csv = expect_success(inspect + "csv").output;
+    EXPECT_NE(csv.find("\npower8-32,-0.5,0,"), std::string::npos) << csv;
+    EXPECT_NE(csv.find("\ntrig2-32,0,0.69314"), std::string::npos) << csv;
+    const std::string table = expect_success(inspect + "table").output;
+    EXPECT_TRUE(table.starts_with("2 fragments, total absorbance 2.07944\n")) << table;
+    EXPECT_NE(table.find("    0.000000    0.693147"), std::string::npos) << table;
+    for (const std::string& text : {csv, table})
+        for (const char* word : {"nan", "null", "inf"}) EXPECT_EQ(text.find(word), std::string::npos) << text;
+}
+
+TEST_F(CommandLine, InspectTakesTheSamplesAndWritesTheFile) {
+    const Outcome outcome = expect_success("inspect --ray ray.json --samples 7 -o out/curves.json");
+    EXPECT_EQ(outcome.output, "");
+    const json root = json::parse(content_of(folder_ / "out" / "curves.json"));
+    EXPECT_EQ(root["curves"][0]["technique"], "power6-32");
+    EXPECT_EQ(root["curves"][0]["depth"].size(), 7u);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "out"), {}), 1);  // no partial file is left
+    EXPECT_EQ(json::parse(expect_success("inspect --ray ray.json --samples 7").output), root);
+    write("wrong.json", "[");
+    EXPECT_EQ(run("inspect --ray wrong.json -o out/curves.json").code, 1);
+    EXPECT_EQ(json::parse(content_of(folder_ / "out" / "curves.json")),
+              root);  // a failure keeps the old file
+}
+
+TEST_F(CommandLine, HelpSucceedsAndNamesEveryParameter) {
+    const std::string help = expect_success("inspect --help").output;
+    for (const Parameter& row : parameters())
+        EXPECT_NE(help.find(std::string("--") + row.key + " "), std::string::npos) << row.key;
+}
+
+}  // namespace
