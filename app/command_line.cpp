@@ -15,14 +15,29 @@ namespace {
 
 constexpr const char* ABOUT = "Momentscope: an oscilloscope for moment-based order-independent transparency.";
 
+// A ray stands in for a pixel of a scene.
+void add_ray_option(CLI::App& command, Options& options) {
+    CLI::Option* ray =
+        command.add_option("--ray", options.ray, "JSON file of a view ray, instead of a pixel of a scene");
+    ray->excludes(command.get_option("--scene"), command.get_option("--pixel"));
+}
+
 void add_explore_options(CLI::App& command, Options& options) {
     add_scene_options(command, options);
-    command.add_option("--ray", options.ray, "JSON file of a view ray, instead of a scene");
-    command.add_option("--technique", options.techniques, "id of a technique (momentscope list techniques)");
     command.add_option("--pixel", options.pixel, "picked pixel of the scene's picture, as 320,200");
+    add_ray_option(command, options);
+    command.add_option("--technique", options.techniques, "id of a technique (momentscope list techniques)");
     command.add_flag("--headless", options.headless, "draw without a display");
-    command.add_option("--screenshot", options.screenshot, "with --headless: where to write the window as .png");
+    command.add_option("--screenshot", options.screenshot,
+                       "with --headless: where to write the window as .png");
     add_parameter_options(command, options);
+}
+
+void refuse_empty_values(CLI::App& command) {
+    for (CLI::Option* option : command.get_options())
+        if (option->get_items_expected_max() > 0)
+            option->check(
+                [](const std::string& value) { return std::string(value.empty() ? "has no value" : ""); });
 }
 
 void add_commands(CLI::App& app, Options& options, std::string& what) {
@@ -38,9 +53,11 @@ void add_commands(CLI::App& app, Options& options, std::string& what) {
 
     CLI::App* inspect = app.add_subcommand("inspect", "print the functions behind a pixel or along a ray");
     add_scene_options(*inspect, options);
-    inspect->add_option("--ray", options.ray, "JSON file of a view ray, instead of a scene");
-    inspect->add_option("--pixel", options.pixel, "pixel of the picture, as 320,200; the scene's own if left out");
-    inspect->add_option("--technique", options.techniques, "ids of techniques, separated by commas or repeated");
+    inspect->add_option("--pixel", options.pixel,
+                        "pixel of the picture, as 320,200; the scene's own if left out");
+    add_ray_option(*inspect, options);
+    inspect->add_option("--technique", options.techniques,
+                        "ids of techniques, separated by commas or repeated");
     inspect->add_option("--samples", options.samples, "how many depths from -1 to 1")->capture_default_str();
     inspect->add_option("--depths", options.depths, "depths instead of --samples, as -0.5,0,0.25");
     inspect->add_option("--format", options.format, "json, csv or table [json]");
@@ -51,6 +68,8 @@ void add_commands(CLI::App& app, Options& options, std::string& what) {
     list->add_option("what", what, "techniques, scenes or parameters")->required();
     list->add_option("--format", options.format, "table or json [table]");
     app.require_subcommand(0, 1);
+    refuse_empty_values(app);
+    for (CLI::App* command : app.get_subcommands(nullptr)) refuse_empty_values(*command);
 }
 
 void run(const CLI::App& app, const Options& options, const std::string& what) {
@@ -77,7 +96,7 @@ int run_command_line(int argc, const char* const* argv) {
     } catch (const CLI::Success& help) {
         return app.exit(help);
     } catch (const CLI::ParseError& error) {
-        return fail(fmt::format("{}; momentscope --help lists what there is.", error.what()));
+        return fail(Error(fmt::format("{}; momentscope --help lists what there is.", error.what())).what());
     }
     try {
         run(app, options, what);

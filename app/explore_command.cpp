@@ -15,7 +15,8 @@ namespace momentscope {
 
 namespace {
 
-constexpr int SETTLING_FRAMES = 3;   // ImGui needs a few to lay out and to let hovered and active states settle
+constexpr int SETTLING_FRAMES =
+    3;  // ImGui needs a few to lay out and to let hovered and active states settle
 
 ui::ExplorerState initial_state(const Options& options) {
     ui::ExplorerState state;

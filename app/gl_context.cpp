@@ -20,9 +20,17 @@ class OsMesaContext : public GlContext {
 public:
     explicit OsMesaContext(glm::ivec2 size)
         : pixels_(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * 4) {
-        const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_PROFILE,
-                                  OSMESA_CORE_PROFILE, OSMESA_CONTEXT_MAJOR_VERSION, 4,
-                                  OSMESA_CONTEXT_MINOR_VERSION, 5, 0};
+        const int attributes[] = {OSMESA_FORMAT,
+                                  OSMESA_RGBA,
+                                  OSMESA_DEPTH_BITS,
+                                  24,
+                                  OSMESA_PROFILE,
+                                  OSMESA_CORE_PROFILE,
+                                  OSMESA_CONTEXT_MAJOR_VERSION,
+                                  4,
+                                  OSMESA_CONTEXT_MINOR_VERSION,
+                                  5,
+                                  0};
         context_ = OSMesaCreateContextAttribs(attributes, nullptr);
         if (context_ == nullptr ||
             OSMesaMakeCurrent(context_, pixels_.data(), GL_UNSIGNED_BYTE, size.x, size.y) == GL_FALSE ||
@@ -42,7 +50,8 @@ class GlfwContext : public GlContext {
 public:
     explicit GlfwContext(glm::ivec2 size) {
         if (glfwInit() == GLFW_FALSE)
-            throw Error("There is no display to open a window on; use --headless --screenshot FILE.png instead.");
+            throw Error(
+                "There is no display to open a window on; use --headless --screenshot FILE.png instead.");
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
         glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -53,7 +62,8 @@ public:
         }
         glfwMakeContextCurrent(window_);
         glfwSwapInterval(1);
-        if (gladLoadGL(glfwGetProcAddress) == 0) throw Error("The OpenGL functions cannot be loaded; update the driver.");
+        if (gladLoadGL(glfwGetProcAddress) == 0)
+            throw Error("The OpenGL functions cannot be loaded; update the driver.");
     }
     ~GlfwContext() override {
         glfwDestroyWindow(window_);

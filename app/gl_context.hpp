@@ -18,8 +18,8 @@ public:
     virtual GLFWwindow* window() const { return nullptr; }
 };
 
-/// "glfw": a window of that size. "osmesa": software rendering without a display; the default framebuffer has that size.
-/// Throws Error that says what to do.
+/// "glfw": a window of that size. "osmesa": software rendering without a display; the default framebuffer has
+/// that size. Throws Error that says what to do.
 std::unique_ptr<GlContext> make_gl_context(std::string_view name, glm::ivec2 size);
 
 /// The default framebuffer as sRGB RGBA bytes, row by row from the top.

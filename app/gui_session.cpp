@@ -15,7 +15,7 @@ GuiSession::GuiSession(GLFWwindow* window, float ui_scale) : window_(window) {
     ui::apply_theme(ui_scale);
     if (window_ != nullptr)
         ImGui_ImplGlfw_InitForOpenGL(window_, true);
-    else   // the keys by their own numbers, as GLFW would map them
+    else  // the keys by their own numbers, as GLFW would map them
         for (int key = 0; key < ImGuiKey_COUNT; ++key) ImGui::GetIO().KeyMap[key] = key;
     ImGui_ImplOpenGL3_Init("#version 450 core");
 }

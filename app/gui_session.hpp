@@ -6,8 +6,8 @@ struct GLFWwindow;
 
 namespace momentscope {
 
-/// Owns the ImGui context of the current GL context. With a window it takes input from there; without, input is what the
-/// caller writes to ImGui::GetIO().
+/// Owns the ImGui context of the current GL context. With a window it takes input from there; without, input
+/// is what the caller writes to ImGui::GetIO().
 class GuiSession {
 public:
     GuiSession(GLFWwindow* window, float ui_scale);

@@ -17,7 +17,8 @@ namespace {
 
 constexpr int MAX_SAMPLES = 1'000'000;
 
-ViewRay capture_scene_pixel(const Options& options, const ParameterValues& parameters, const Technique& technique) {
+ViewRay capture_scene_pixel(const Options& options, const ParameterValues& parameters,
+                            const Technique& technique) {
     const glm::ivec2 size = parse_size(options.size.empty() ? "960x540" : options.size);
     std::optional<glm::ivec2> pixel;
     if (!options.pixel.empty()) pixel = parse_pixel(options.pixel, size);
@@ -37,15 +38,16 @@ void run_inspect(const Options& options) {
         throw Error(fmt::format("There is no format '{}'; use json, csv or table.", format));
     const ParameterValues parameters = parse_parameters(options);
     const auto techniques = parse_techniques(options, "power6-32");
-    const std::vector<float> depths =
-        options.depths.empty()
-            ? even_depths(static_cast<std::size_t>(parse_count(options.samples, "number of samples", 2, MAX_SAMPLES)))
-            : parse_depths(options.depths);
+    const std::vector<float> depths = options.depths.empty()
+                                          ? even_depths(static_cast<std::size_t>(parse_count(
+                                                options.samples, "number of samples", 2, MAX_SAMPLES)))
+                                          : parse_depths(options.depths);
     if (!options.output.empty()) require_writable(options.output);
     const ViewRay ray = options.ray.empty() ? capture_scene_pixel(options, parameters, *techniques.front())
                                             : read_ray_file(options.ray);
     std::vector<Curve> curves;
-    for (const Technique* technique : techniques) curves.push_back(sample_curve(ray, *technique, parameters, depths));
+    for (const Technique* technique : techniques)
+        curves.push_back(sample_curve(ray, *technique, parameters, depths));
     const std::string text = format == "json"  ? curves_to_json(ray, curves)
                              : format == "csv" ? curves_to_csv(curves)
                                                : curves_to_table(ray, curves);

@@ -32,7 +32,8 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 }  // namespace
 
 void add_scene_options(CLI::App& command, Options& options) {
-    command.add_option("--scene", options.scene, "id of a scene, or the path of a mesh file")->capture_default_str();
+    command.add_option("--scene", options.scene, "id of a scene, or the path of a mesh file")
+        ->capture_default_str();
     command.add_option("--size", options.size, "width and height in pixels, as 960x540");
 }
 
@@ -40,8 +41,8 @@ void add_parameter_options(CLI::App& command, Options& options) {
     for (const Parameter& row : parameters()) {
         const std::string standard = row.standard ? fmt::format("{:g}", *row.standard) : "auto";
         command.add_option(fmt::format("--{}", row.key), options.parameters[row.key],
-                           fmt::format("{} {}, {:g} to {:g}{}{} [{}]", row.name, row.symbol, row.minimum, row.maximum,
-                                       *row.unit != '\0' ? " " : "", row.unit, standard));
+                           fmt::format("{} {}, {:g} to {:g}{}{} [{}]", row.name, row.symbol, row.minimum,
+                                       row.maximum, *row.unit != '\0' ? " " : "", row.unit, standard));
     }
 }
 
@@ -50,8 +51,9 @@ glm::ivec2 parse_size(const std::string& text) {
     const auto width = parts.size() == 2 ? number<int>(parts[0]) : std::nullopt;
     const auto height = parts.size() == 2 ? number<int>(parts[1]) : std::nullopt;
     if (!width || !height || std::min(*width, *height) < 1 || std::max(*width, *height) > MAX_PICTURE_SIDE)
-        throw Error(fmt::format("The size '{}' is no WIDTHxHEIGHT from 1x1 to {}x{}; give one such as 960x540.", text,
-                                MAX_PICTURE_SIDE, MAX_PICTURE_SIDE));
+        throw Error(
+            fmt::format("The size '{}' is no WIDTHxHEIGHT from 1x1 to {}x{}; give one such as 960x540.", text,
+                        MAX_PICTURE_SIDE, MAX_PICTURE_SIDE));
     return {*width, *height};
 }
 
@@ -60,8 +62,8 @@ glm::ivec2 parse_pixel(const std::string& text, glm::ivec2 size) {
     const auto x = parts.size() == 2 ? number<int>(parts[0]) : std::nullopt;
     const auto y = parts.size() == 2 ? number<int>(parts[1]) : std::nullopt;
     if (!x || !y || *x < 0 || *y < 0 || *x >= size.x || *y >= size.y)
-        throw Error(fmt::format("The pixel '{}' is no X,Y from 0,0 to {},{}; give one within the picture.", text,
-                                size.x - 1, size.y - 1));
+        throw Error(fmt::format("The pixel '{}' is no X,Y from 0,0 to {},{}; give one within the picture.",
+                                text, size.x - 1, size.y - 1));
     return {*x, *y};
 }
 
@@ -70,7 +72,8 @@ std::vector<float> parse_depths(const std::string& text) {
     for (const std::string_view part : split(text, ',')) {
         const auto depth = number<float>(part);
         if (!depth || !(*depth >= -1 && *depth <= 1))
-            throw Error(fmt::format("The depth '{}' is no number from -1 to 1; give --depths as -0.5,0,0.25.", part));
+            throw Error(
+                fmt::format("The depth '{}' is no number from -1 to 1; give --depths as -0.5,0,0.25.", part));
         depths.push_back(*depth);
     }
     return depths;
@@ -79,7 +82,8 @@ std::vector<float> parse_depths(const std::string& text) {
 int parse_count(const std::string& text, const char* what, int least, int most) {
     const auto count = number<int>(text);
     if (!count || *count < least || *count > most)
-        throw Error(fmt::format("'{}' is no {}; give a whole number from {} to {}.", text, what, least, most));
+        throw Error(
+            fmt::format("'{}' is no {}; give a whole number from {} to {}.", text, what, least, most));
     return *count;
 }
 

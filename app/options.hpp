@@ -23,11 +23,11 @@ struct Options {
     std::string samples = "512";
     bool headless = false;
     std::string screenshot;
-    std::map<std::string, std::string> parameters;   // by registry key
+    std::map<std::string, std::string> parameters;  // by registry key
 };
 
 void add_scene_options(CLI::App& command, Options& options);
-void add_parameter_options(CLI::App& command, Options& options);   // one for each row of the registry
+void add_parameter_options(CLI::App& command, Options& options);  // one for each row of the registry
 
 /// "WxH", each from 1 to MAX_PICTURE_SIDE.
 glm::ivec2 parse_size(const std::string& text);

@@ -9,10 +9,12 @@ void run_render(const Options& options) {
     const glm::ivec2 size = parse_size(options.size.empty() ? "960x540" : options.size);
     const ParameterValues parameters = parse_parameters(options);
     const auto techniques = parse_techniques(options, "power6-32");
-    if (techniques.size() != 1) throw Error("A picture is drawn by one technique; give a single --technique.");
+    if (techniques.size() != 1)
+        throw Error("A picture is drawn by one technique; give a single --technique.");
     const std::string extension = std::filesystem::path(options.output).extension();
-    if (extension != ".png" && extension != ".exr") throw Error("A picture ends in .png or .exr; give -o such a name.");
-    require_writable(options.output);   // before the work, not after
+    if (extension != ".png" && extension != ".exr")
+        throw Error("A picture ends in .png or .exr; give -o such a name.");
+    require_writable(options.output);  // before the work, not after
     const Scene scene = load_scene_option(options, parameters);
     const auto context = make_gl_context("osmesa", {16, 16});
     Renderer renderer;

@@ -2,6 +2,7 @@
 #pragma once
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace momentscope {
 
@@ -9,7 +10,15 @@ namespace momentscope {
 /// what is wrong and what to do; the command line prints it, the window shows it as a message.
 class Error : public std::runtime_error {
 public:
-    explicit Error(const std::string& sentence) : std::runtime_error(sentence) {}
+    explicit Error(std::string sentence) : std::runtime_error(on_one_line(std::move(sentence))) {}
+
+private:
+    // Names from outside may hold line breaks and terminal codes.
+    static std::string on_one_line(std::string text) {
+        for (char& c : text)
+            if (static_cast<unsigned char>(c) < ' ' || c == 127) c = ' ';
+        return text;
+    }
 };
 
 }  // namespace momentscope

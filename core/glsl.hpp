@@ -34,13 +34,29 @@ using std::floor;
 using std::sqrt;
 
 // Scalars only and no templates, so that min(x, 0.0f) means what it means in GLSL.
-inline float abs(float x) { return std::fabs(x); }
-inline float min(float a, float b) { return b < a ? b : a; }
-inline float max(float a, float b) { return a < b ? b : a; }
-inline int min(int a, int b) { return b < a ? b : a; }
-inline int max(int a, int b) { return a < b ? b : a; }
-inline float clamp(float x, float low, float high) { return min(max(x, low), high); }
-inline int floatBitsToInt(float x) { return std::bit_cast<int>(x); }
-inline float intBitsToFloat(int bits) { return std::bit_cast<float>(bits); }
+inline float abs(float x) {
+    return std::fabs(x);
+}
+inline float min(float a, float b) {
+    return b < a ? b : a;
+}
+inline float max(float a, float b) {
+    return a < b ? b : a;
+}
+inline int min(int a, int b) {
+    return b < a ? b : a;
+}
+inline int max(int a, int b) {
+    return a < b ? b : a;
+}
+inline float clamp(float x, float low, float high) {
+    return min(max(x, low), high);
+}
+inline int floatBitsToInt(float x) {
+    return std::bit_cast<int>(x);
+}
+inline float intBitsToFloat(int bits) {
+    return std::bit_cast<float>(bits);
+}
 
 }  // namespace momentscope::glsl

@@ -1,5 +1,5 @@
-// parameters.hpp -- the one registry of parameters: sliders, options, JSON keys, docs and cache invalidation follow
-// from it.
+// parameters.hpp -- the one registry of parameters: sliders, options, JSON keys, docs and cache invalidation
+// follow from it.
 #pragma once
 #include <array>
 #include <optional>
@@ -20,28 +20,28 @@ enum class Scale { linear, logarithmic, toggle };
 /// One row: everything that is said about a parameter anywhere.
 struct Parameter {
     ParameterId id;
-    const char* key;      // option and JSON key
-    const char* symbol;   // the papers' symbol
+    const char* key;     // option and JSON key
+    const char* symbol;  // the papers' symbol
     const char* name;
-    const char* unit;     // "" for a plain number
+    const char* unit;  // "" for a plain number
     float minimum;
     float maximum;
-    std::optional<float> standard;   // nullopt: `auto`, the technique recommends a value
+    std::optional<float> standard;  // nullopt: `auto`, the technique recommends a value
     Scale scale;
-    Stage invalidates;    // the first stage that a change makes stale
-    const char* help;     // one or two sentences: what it does and when to change it
-    const char* source;   // paper and section
+    Stage invalidates;   // the first stage that a change makes stale
+    const char* help;    // one or two sentences: what it does and when to change it
+    const char* source;  // paper and section
 };
 
 /// All parameters, in the order of ParameterId.
 std::span<const Parameter> parameters();
 const Parameter& parameter(ParameterId id);
-const Parameter* find_parameter(std::string_view key);   // nullptr when there is none
+const Parameter* find_parameter(std::string_view key);  // nullptr when there is none
 
 /// A value for every parameter; nullopt means `auto` and is allowed where Parameter::standard is nullopt.
 class ParameterValues {
 public:
-    ParameterValues();   // all at their standard
+    ParameterValues();  // all at their standard
 
     std::optional<float> operator[](ParameterId id) const { return values_[static_cast<std::size_t>(id)]; }
 

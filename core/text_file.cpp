@@ -20,7 +20,8 @@ void write_text_file(const std::string& text, const std::filesystem::path& path)
     if (file) std::filesystem::rename(partial, path, status);
     if (!file || status) {
         std::filesystem::remove(partial, status);
-        throw Error(fmt::format("'{}' could not be written; check the folder and free space.", path.string()));
+        throw Error(
+            fmt::format("'{}' could not be written; check the folder and free space.", path.string()));
     }
 }
 

@@ -21,7 +21,8 @@ constexpr const char* PER_TECHNIQUE[] = {"passes/moments.frag", "passes/color.fr
 void write(const std::filesystem::path& folder, const std::string& prefix, const std::string& path,
            const ShaderVariant& variant) {
     const std::string name = std::filesystem::path(path).filename().string();
-    write_text_file(expand_shader(path, variant), folder / (prefix + "." + name));   // glslang reads the stage from the end
+    write_text_file(expand_shader(path, variant),
+                    folder / (prefix + "." + name));  // glslang reads the stage from the end
 }
 
 }  // namespace

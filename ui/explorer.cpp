@@ -17,8 +17,8 @@ namespace momentscope::ui {
 namespace {
 
 constexpr std::size_t PLOT_SAMPLES = 512;
-constexpr float SCENE_SHARE = 0.58f;   // of the window's width
-constexpr float PLOT_SHARE = 0.60f;    // of the right side's height
+constexpr float SCENE_SHARE = 0.58f;  // of the window's width
+constexpr float PLOT_SHARE = 0.60f;   // of the right side's height
 
 bool is_builtin_scene(const std::string& id) {
     return std::ranges::any_of(scene_entries(), [&](const SceneEntry& entry) { return id == entry.id; });
@@ -39,7 +39,7 @@ void Explorer::load_scene_if_changed() {
         Scene scene = load_scene(state_.scene, *state_.parameters[ParameterId::opacity]);
         scene.id = state_.scene;
         renderer_.set_scene(scene);
-        if (!scene_.id.empty()) {   // the first camera and pixel are the caller's choice
+        if (!scene_.id.empty()) {  // the first camera and pixel are the caller's choice
             state_.camera.reset();
             state_.picked.reset();
         }
@@ -79,7 +79,7 @@ void Explorer::update(glm::ivec2 size) {
         result_.curve = sample_curve(*state_.ray, *state_.technique, state_.parameters,
                                      plot_depths(*state_.ray, PLOT_SAMPLES));
     } catch (const Error& error) {
-        if (result_.curve.technique == nullptr) throw;   // nothing good to go on showing
+        if (result_.curve.technique == nullptr) throw;  // nothing good to go on showing
         message_ = error.what();
     }
 }
@@ -104,14 +104,15 @@ void Explorer::frame() {
     ImGui::SetNextWindowPos(viewport.Pos);
     ImGui::SetNextWindowSize(viewport.Size);
     ImGui::Begin("Momentscope", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoBringToFrontOnFocus |
-                     ImGuiWindowFlags_NoScrollWithMouse);
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
     const float status_height = ImGui::GetTextLineHeightWithSpacing() + 4;
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const ImVec2 scene_size = {std::max(std::floor(SCENE_SHARE * room.x), 1.0f),
                                std::max(std::floor(room.y - status_height), 1.0f)};
     scene_corner_ = ImGui::GetCursorScreenPos();
-    ImGui::InvisibleButton("scene", scene_size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+    ImGui::InvisibleButton("scene", scene_size,
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
     handle_scene_input();
     update({static_cast<int>(scene_size.x), static_cast<int>(scene_size.y)});
     draw_scene(scene_size);
@@ -134,13 +135,15 @@ void Explorer::draw_scene(ImVec2 size) {
     const ImVec2 end = {scene_corner_.x + size.x, scene_corner_.y + size.y};
     if (state_.ray) {
         list.AddRectFilled(scene_corner_, end, color::PLOT_BACKGROUND);
-        list.AddText({scene_corner_.x + 16, scene_corner_.y + 16}, color::TEXT,
-                     "A view ray from a file: it has a function, but no picture.\nChoose a scene to see one.");
+        list.AddText(
+            {scene_corner_.x + 16, scene_corner_.y + 16}, color::TEXT,
+            "A view ray from a file: it has a function, but no picture.\nChoose a scene to see one.");
         return;
     }
-    const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(renderer_.display_texture()));
+    const auto texture =
+        reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(renderer_.display_texture()));
     list.PushClipRect(scene_corner_, end, true);
-    list.AddImage(texture, scene_corner_, end, {0, 1}, {1, 0});   // GL's first row is the lowest
+    list.AddImage(texture, scene_corner_, end, {0, 1}, {1, 0});  // GL's first row is the lowest
     draw_mark();
     list.PopClipRect();
 }
@@ -152,24 +155,26 @@ void Explorer::draw_mark() {
     for (const auto& [tint, thickness] : {std::pair(color::MARK_EDGE, 3.5f), std::pair(color::MARK, 1.5f)}) {
         list.AddCircle(mark, 9, tint, 32, thickness);
         for (const ImVec2 way : {ImVec2(1, 0), ImVec2(-1, 0), ImVec2(0, 1), ImVec2(0, -1)})
-            list.AddLine({mark.x + 5 * way.x, mark.y + 5 * way.y}, {mark.x + 14 * way.x, mark.y + 14 * way.y}, tint,
-                         thickness);
+            list.AddLine({mark.x + 5 * way.x, mark.y + 5 * way.y}, {mark.x + 14 * way.x, mark.y + 14 * way.y},
+                         tint, thickness);
     }
 }
 
 void Explorer::handle_scene_input() {
     const ImGuiIO& io = ImGui::GetIO();
-    if (state_.ray || result_.picture_size.x < 1) return;   // no picture to act on
+    if (state_.ray || result_.picture_size.x < 1) return;  // no picture to act on
     const glm::ivec2 size = result_.picture_size;
     Camera camera = state_.camera.value_or(scene_.camera);
     if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left))
         state_.picked = fraction_of(glm::ivec2(glm::floor(glm::vec2(io.MousePos.x - scene_corner_.x,
-                                                                    io.MousePos.y - scene_corner_.y))), size);
+                                                                    io.MousePos.y - scene_corner_.y))),
+                                    size);
     if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Right, 0)) {
         constexpr float RADIANS_PER_PIXEL = 0.008f;
-        constexpr float STEEPEST = 1.5f;   // short of the poles, where up would be undefined
+        constexpr float STEEPEST = 1.5f;  // short of the poles, where up would be undefined
         camera.azimuth -= RADIANS_PER_PIXEL * io.MouseDelta.x;
-        camera.elevation = std::clamp(camera.elevation + RADIANS_PER_PIXEL * io.MouseDelta.y, -STEEPEST, STEEPEST);
+        camera.elevation =
+            std::clamp(camera.elevation + RADIANS_PER_PIXEL * io.MouseDelta.y, -STEEPEST, STEEPEST);
     }
     if (ImGui::IsItemHovered() && io.MouseWheel != 0)
         camera.distance = std::clamp(camera.distance * std::pow(0.9f, io.MouseWheel), 0.1f, 500.0f);
@@ -178,7 +183,9 @@ void Explorer::handle_scene_input() {
     const struct {
         ImGuiKey key;
         glm::ivec2 step;
-    } arrows[] = {{ImGuiKey_LeftArrow, {-1, 0}}, {ImGuiKey_RightArrow, {1, 0}}, {ImGuiKey_UpArrow, {0, -1}},
+    } arrows[] = {{ImGuiKey_LeftArrow, {-1, 0}},
+                  {ImGuiKey_RightArrow, {1, 0}},
+                  {ImGuiKey_UpArrow, {0, -1}},
                   {ImGuiKey_DownArrow, {0, 1}}};
     for (const auto& arrow : arrows)
         if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(arrow.key)))
@@ -186,7 +193,8 @@ void Explorer::handle_scene_input() {
 }
 
 void Explorer::draw_technique_combo() {
-    if (!ImGui::BeginCombo("##technique", fmt::format("{} ({})", state_.technique->name, state_.technique->id).c_str()))
+    if (!ImGui::BeginCombo("##technique",
+                           fmt::format("{} ({})", state_.technique->name, state_.technique->id).c_str()))
         return;
     for (const Technique& technique : techniques()) {
         if (ImGui::Selectable(fmt::format("{} ({})", technique.name, technique.id).c_str(),
@@ -222,7 +230,8 @@ void Explorer::draw_controls() {
     label("technique");
     draw_technique_combo();
     draw_parameter_controls(*state_.technique, state_.parameters);
-    if (!is_builtin_scene(state_.scene)) draw_parameter_control(parameter(ParameterId::opacity), 0, state_.parameters);
+    if (!is_builtin_scene(state_.scene))
+        draw_parameter_control(parameter(ParameterId::opacity), 0, state_.parameters);
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyle().Colors[ImGuiCol_TextDisabled]);
     ImGui::TextWrapped("%s", state_.technique->description);
     ImGui::PopStyleColor();
@@ -232,9 +241,9 @@ void Explorer::draw_status() {
     const std::string memory = state_.technique->bits_per_pixel > 0
                                    ? fmt::format("{} bits per pixel", state_.technique->bits_per_pixel)
                                    : std::string("memory grows with the fragments");
-    const std::string status =
-        fmt::format("pixel {}, {}   fragments {}   total absorbance {:.4g}   {}", result_.pixel.x, result_.pixel.y,
-                    result_.capture.ray.fragments.size(), result_.curve.total_absorbance, memory);
+    const std::string status = fmt::format(
+        "pixel {}, {}   fragments {}   total absorbance {:.4g}   {}", result_.pixel.x, result_.pixel.y,
+        result_.capture.ray.fragments.size(), result_.curve.total_absorbance, memory);
     if (message_.empty())
         ImGui::TextUnformatted(status.c_str());
     else

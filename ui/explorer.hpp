@@ -12,29 +12,31 @@ namespace momentscope::ui {
 
 /// All that the user chose. Everything shown follows from it.
 struct ExplorerState {
-    std::string scene;                      // registry id or path of a mesh file
-    std::optional<ViewRay> ray;             // a ray from a file; then its plot is shown without a scene
+    std::string scene;           // registry id or path of a mesh file
+    std::optional<ViewRay> ray;  // a ray from a file; then its plot is shown without a scene
     const Technique* technique = nullptr;
     ParameterValues parameters;
-    std::optional<Camera> camera;           // nullopt: the scene's own
-    std::optional<glm::vec2> picked;        // fraction of the picture from its upper left corner; nullopt: the scene's own
+    std::optional<Camera> camera;  // nullopt: the scene's own
+    std::optional<glm::vec2>
+        picked;  // fraction of the picture from its upper left corner; nullopt: the scene's own
 };
 
 /// What was computed for the state that was shown last.
 struct ExplorerResult {
-    PixelCapture capture;   // the picked pixel
-    Curve curve;            // as the plot draws it
+    PixelCapture capture;  // the picked pixel
+    Curve curve;           // as the plot draws it
     glm::ivec2 pixel{0};
     glm::ivec2 picture_size{0};
 };
 
-/// Draws one ImGui frame after another. Needs a current GL context through the renderer, and an ImGui frame begun.
+/// Draws one ImGui frame after another. Needs a current GL context through the renderer, and an ImGui frame
+/// begun.
 class Explorer {
 public:
     Explorer(Renderer& renderer, ExplorerState state);
 
-    /// Fills the whole ImGui viewport. Recomputes what the state's changes made stale. Failures become the message line;
-    /// the last good picture stays.
+    /// Fills the whole ImGui viewport. Recomputes what the state's changes made stale. Failures become the
+    /// message line; the last good picture stays.
     void frame();
 
     const ExplorerState& state() const { return state_; }
@@ -64,8 +66,8 @@ private:
     ExplorerResult result_;
     std::string message_;
 
-    Scene scene_;                           // what the renderer holds
-    View shown_view_;                       // technique is null when nothing is shown
+    Scene scene_;      // what the renderer holds
+    View shown_view_;  // technique is null when nothing is shown
     ImVec2 scene_corner_{0, 0};
 };
 

@@ -11,7 +11,7 @@ namespace momentscope::ui {
 
 namespace {
 
-constexpr float LEAST_EXPONENT = -9;   // sliders of logarithmic parameters start at 10^-9
+constexpr float LEAST_EXPONENT = -9;  // sliders of logarithmic parameters start at 10^-9
 
 void draw_tooltip(const Parameter& row) {
     if (!ImGui::IsItemHovered()) return;
@@ -31,7 +31,8 @@ bool draw_logarithmic(const Parameter& row, float& value) {
     const float most = std::log10(row.maximum);
     float exponent = std::clamp(value > 0 ? std::log10(value) : LEAST_EXPONENT, LEAST_EXPONENT, most);
     const std::string shown = fmt::format("{:.2e}", static_cast<double>(value));
-    if (!ImGui::SliderFloat("##value", &exponent, LEAST_EXPONENT, most, shown.c_str(), ImGuiSliderFlags_NoInput))
+    if (!ImGui::SliderFloat("##value", &exponent, LEAST_EXPONENT, most, shown.c_str(),
+                            ImGuiSliderFlags_NoInput))
         return false;
     value = std::clamp(std::pow(10.0f, exponent), row.minimum, row.maximum);
     return true;
@@ -39,16 +40,19 @@ bool draw_logarithmic(const Parameter& row, float& value) {
 
 bool draw_value(const Parameter& row, float& value) {
     switch (row.scale) {
-        case Scale::logarithmic: return draw_logarithmic(row, value);
+        case Scale::logarithmic:
+            return draw_logarithmic(row, value);
         case Scale::toggle: {
             bool on = value >= 0.5f;
             const bool changed = ImGui::Checkbox("##value", &on);
             value = on ? 1.0f : 0.0f;
             return changed;
         }
-        case Scale::linear: break;
+        case Scale::linear:
+            break;
     }
-    return ImGui::SliderFloat("##value", &value, row.minimum, row.maximum, "%.3f", ImGuiSliderFlags_AlwaysClamp);
+    return ImGui::SliderFloat("##value", &value, row.minimum, row.maximum, "%.3f",
+                              ImGuiSliderFlags_AlwaysClamp);
 }
 
 }  // namespace
@@ -76,7 +80,8 @@ bool draw_parameter_control(const Parameter& row, float recommended, ParameterVa
             values.set(row.id, on ? std::nullopt : std::optional(value));
             changed = true;
         }
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("the technique's own recommendation, %.1e", static_cast<double>(recommended));
+        if (ImGui::IsItemHovered())
+            ImGui::SetTooltip("the technique's own recommendation, %.1e", static_cast<double>(recommended));
     }
     ImGui::PopID();
     return changed;

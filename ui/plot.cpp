@@ -15,8 +15,8 @@ constexpr float PI = 3.14159265f;
 
 // Maps (depth, absorbance) to the screen.
 struct Axes {
-    ImVec2 upper_left, lower_right;   // of the area within the axes
-    float depth_end;                  // right end; beyond 1 lies the wrapping zone
+    ImVec2 upper_left, lower_right;  // of the area within the axes
+    float depth_end;                 // right end; beyond 1 lies the wrapping zone
     float absorbance_end;
 
     float x(float depth) const {
@@ -29,9 +29,13 @@ struct Axes {
 };
 
 // The depth at which a full turn of the circle ends: (z + 1)(pi - theta/2) = 2 pi.
-float end_of_wrapping_zone(float theta) { return 2 * PI / (PI - 0.5f * theta) - 1; }
+float end_of_wrapping_zone(float theta) {
+    return 2 * PI / (PI - 0.5f * theta) - 1;
+}
 
-bool has_wrapping_zone(const Curve& curve) { return curve.technique->uses(ParameterId::theta); }
+bool has_wrapping_zone(const Curve& curve) {
+    return curve.technique->uses(ParameterId::theta);
+}
 
 // A step of 1, 2 or 5 times a power of ten that gives about `count` ticks.
 float tick_step(float range, float count) {
@@ -42,7 +46,8 @@ float tick_step(float range, float count) {
     return 10 * power;
 }
 
-void draw_text(ImDrawList& list, ImVec2 at, ImVec2 anchor, const std::string& text, ImU32 tint = color::TEXT) {
+void draw_text(ImDrawList& list, ImVec2 at, ImVec2 anchor, const std::string& text,
+               ImU32 tint = color::TEXT) {
     const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
     list.AddText({at.x - anchor.x * extent.x, at.y - anchor.y * extent.y}, tint, text.c_str());
 }
@@ -62,7 +67,8 @@ void draw_axes(ImDrawList& list, const Axes& axes, const ViewRay& ray) {
     }
     const char* label = ray.warp.logarithmic ? "depth z (logarithm of view depth, mapped to [−1, 1])"
                                              : "depth z (linear, [−1, 1])";
-    draw_text(list, {0.5f * (axes.upper_left.x + axes.lower_right.x), axes.lower_right.y + 4 + line}, {0.5f, 0}, label);
+    draw_text(list, {0.5f * (axes.upper_left.x + axes.lower_right.x), axes.lower_right.y + 4 + line},
+              {0.5f, 0}, label);
     draw_text(list, {axes.upper_left.x, axes.upper_left.y - 4}, {0, 1}, "absorbance A(z) = −ln T(z), linear");
 }
 
@@ -71,16 +77,16 @@ void draw_band(ImDrawList& list, const Axes& axes, const Curve& curve) {
     const ImDrawListFlags flags = list.Flags;
     list.Flags &= ~ImDrawListFlags_AntiAliasedFill;
     for (std::size_t i = 1; i < curve.depth.size(); ++i) {
-        const ImVec2 quad[] = {axes.point(curve.depth[i - 1], curve.beta0[i - 1]),
-                               axes.point(curve.depth[i], curve.beta0[i]), axes.point(curve.depth[i], curve.beta1[i]),
-                               axes.point(curve.depth[i - 1], curve.beta1[i - 1])};
+        const ImVec2 quad[] = {
+            axes.point(curve.depth[i - 1], curve.beta0[i - 1]), axes.point(curve.depth[i], curve.beta0[i]),
+            axes.point(curve.depth[i], curve.beta1[i]), axes.point(curve.depth[i - 1], curve.beta1[i - 1])};
         list.AddQuadFilled(quad[3], quad[2], quad[1], quad[0], color::BAND);
     }
     list.Flags = flags;
 }
 
-void draw_line(ImDrawList& list, const Axes& axes, const Curve& curve, const std::vector<float>& values, ImU32 tint,
-               float thickness) {
+void draw_line(ImDrawList& list, const Axes& axes, const Curve& curve, const std::vector<float>& values,
+               ImU32 tint, float thickness) {
     std::vector<ImVec2> points;
     points.reserve(values.size());
     for (std::size_t i = 0; i < values.size(); ++i) points.push_back(axes.point(curve.depth[i], values[i]));
@@ -115,10 +121,12 @@ void draw_legend(ImDrawList& list, const Axes& axes, const Curve& curve) {
     std::vector<Entry> entries = {{"truth", color::TRUTH}};
     if (!curve.beta0.empty()) {
         entries.push_back({"reconstruction", color::RECONSTRUCTION});
-        entries.push_back({curve.technique->has_bounds ? "lower and upper bound" : "β = 0 and β = 1 (no bounds)",
-                           color::BOUNDS});
+        entries.push_back(
+            {curve.technique->has_bounds ? "lower and upper bound" : "β = 0 and β = 1 (no bounds)",
+             color::BOUNDS});
     }
-    if (has_wrapping_zone(curve) && axes.depth_end > 1) entries.push_back({"wrapping zone θ", color::WRAPPING_ZONE});
+    if (has_wrapping_zone(curve) && axes.depth_end > 1)
+        entries.push_back({"wrapping zone θ", color::WRAPPING_ZONE});
     const float line = ImGui::GetTextLineHeight() + 3;
     float y = axes.upper_left.y + 8;
     for (const Entry& entry : entries) {
@@ -133,7 +141,7 @@ void draw_legend(ImDrawList& list, const Axes& axes, const Curve& curve) {
 
 std::vector<float> plot_depths(const ViewRay& ray, std::size_t samples) {
     std::vector<float> depths = even_depths(samples);
-    constexpr float BESIDE = 2e-3f;   // below one pixel of any plot
+    constexpr float BESIDE = 2e-3f;  // below one pixel of any plot
     for (const Fragment& fragment : ray.fragments)
         for (const float offset : {-BESIDE, 0.0f, BESIDE})
             depths.push_back(std::clamp(fragment.depth + offset, -1.0f, 1.0f));
@@ -165,7 +173,9 @@ void draw_plot(const ViewRay& ray, const Curve& curve, ImVec2 upper_left, ImVec2
     if (!curve.beta0.empty()) draw_line(list, axes, curve, curve.reconstructed, color::RECONSTRUCTION, 2);
     draw_legend(list, axes, curve);
     if (ray.fragments.empty())
-        draw_text(list, {0.5f * (axes.upper_left.x + axes.lower_right.x), 0.5f * (axes.upper_left.y + axes.lower_right.y)},
+        draw_text(list,
+                  {0.5f * (axes.upper_left.x + axes.lower_right.x),
+                   0.5f * (axes.upper_left.y + axes.lower_right.y)},
                   {0.5f, 0.5f}, "No transparent surface covers this pixel. Click one in the scene.");
     list.PopClipRect();
 }

@@ -8,13 +8,13 @@ namespace momentscope::ui {
 
 void apply_theme(float scale) {
     constexpr const char* FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-    static const ImWchar ranges[] = {0x20,   0xFF,   0x370,  0x3FF,  0x2010, 0x2027, 0x2070, 0x209F, 0x2100, 0x214F,
-                                     0x2190, 0x21FF, 0x2200, 0x22FF, 0x25A0, 0x25FF, 0};
+    static const ImWchar ranges[] = {0x20,   0xFF,   0x370,  0x3FF,  0x2010, 0x2027, 0x2070, 0x209F, 0x2100,
+                                     0x214F, 0x2190, 0x21FF, 0x2200, 0x22FF, 0x25A0, 0x25FF, 0};
     if (!std::filesystem::exists(FONT))
         throw Error("The font DejaVu Sans is missing; install the package fonts-dejavu-core.");
     ImGuiIO& io = ImGui::GetIO();
     io.Fonts->AddFontFromFileTTF(FONT, 15.0f * scale, nullptr, ranges);
-    io.IniFilename = nullptr;   // nothing is written behind the user's back
+    io.IniFilename = nullptr;  // nothing is written behind the user's back
     ImGui::StyleColorsDark();
     ImGuiStyle& style = ImGui::GetStyle();
     style.WindowRounding = 0;

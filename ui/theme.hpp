@@ -18,8 +18,8 @@ constexpr ImU32 MARK = IM_COL32(255, 255, 255, 255);
 constexpr ImU32 MARK_EDGE = IM_COL32(0, 0, 0, 255);
 }  // namespace color
 
-/// Loads DejaVu Sans with Greek and the mathematical signs that labels use, and sets the style. Throws Error when the font
-/// is not installed. Call once per ImGui context.
+/// Loads DejaVu Sans with Greek and the mathematical signs that labels use, and sets the style. Throws Error
+/// when the font is not installed. Call once per ImGui context.
 void apply_theme(float scale);
 
 }  // namespace momentscope::ui

@@ -22,19 +22,33 @@ public:
     ~GlHandle() {
         if (name_ != 0) destroy(name_);
     }
-    operator GLuint() const { return name_; }   // NOLINT(google-explicit-constructor): reads like the GL name it is
+    operator GLuint() const {
+        return name_;
+    }  // NOLINT(google-explicit-constructor): reads like the GL name it is
 
 private:
     GLuint name_ = 0;
 };
 
 namespace gl_destroy {
-inline void texture(GLuint name) { glDeleteTextures(1, &name); }
-inline void buffer(GLuint name) { glDeleteBuffers(1, &name); }
-inline void framebuffer(GLuint name) { glDeleteFramebuffers(1, &name); }
-inline void vertex_array(GLuint name) { glDeleteVertexArrays(1, &name); }
-inline void program(GLuint name) { glDeleteProgram(name); }
-inline void shader(GLuint name) { glDeleteShader(name); }
+inline void texture(GLuint name) {
+    glDeleteTextures(1, &name);
+}
+inline void buffer(GLuint name) {
+    glDeleteBuffers(1, &name);
+}
+inline void framebuffer(GLuint name) {
+    glDeleteFramebuffers(1, &name);
+}
+inline void vertex_array(GLuint name) {
+    glDeleteVertexArrays(1, &name);
+}
+inline void program(GLuint name) {
+    glDeleteProgram(name);
+}
+inline void shader(GLuint name) {
+    glDeleteShader(name);
+}
 }  // namespace gl_destroy
 
 using GlTexture = GlHandle<gl_destroy::texture>;

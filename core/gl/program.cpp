@@ -19,8 +19,8 @@ std::string_view source_of(std::string_view path) {
     return found->second;
 }
 
-// The path that an #include line names: "technique" is the variant's (nothing if it has none), any other is relative to the including file's
-// folder or to shaders/.
+// The path that an #include line names: "technique" is the variant's (nothing if it has none), any other is
+// relative to the including file's folder or to shaders/.
 std::string included_path(std::string_view line, std::string_view includer, const ShaderVariant& variant) {
     const std::size_t open = line.find('"');
     const std::size_t close = line.rfind('"');
@@ -64,8 +64,8 @@ GlShader compile(GLenum kind, std::string_view path, const ShaderVariant& varian
         log.resize(static_cast<std::size_t>(length));
         std::string numbered;
         for (std::size_t i = 0; i < files.size(); ++i) numbered += fmt::format(" {} = {}", i, files[i]);
-        throw Error(fmt::format("This GL does not compile {}: {} (files:{})", path, log.substr(0, log.find('\n')),
-                                numbered));
+        throw Error(fmt::format("This GL does not compile {}: {} (files:{})", path,
+                                log.substr(0, log.find('\n')), numbered));
     }
     return shader;
 }
@@ -86,7 +86,8 @@ GlProgram link(std::span<const GlShader> shaders, std::string_view name) {
 
 }  // namespace
 
-std::string expand_shader(std::string_view path, const ShaderVariant& variant, std::vector<std::string>* files) {
+std::string expand_shader(std::string_view path, const ShaderVariant& variant,
+                          std::vector<std::string>* files) {
     std::vector<std::string> numbered;
     std::string text = "#version 450 core\n";
     for (const auto& [name, value] : variant.defines) text += fmt::format("#define {} {}\n", name, value);

@@ -14,12 +14,13 @@ namespace momentscope {
 /// Which variant of a shader: #defines, and what `#include "technique"` stands for.
 struct ShaderVariant {
     std::map<std::string, std::string> defines;
-    std::string technique;   // a path in shaders/, or empty
+    std::string technique;  // a path in shaders/, or empty
 };
 
-/// The whole text of a shader: version, defines, prelude, and the file with its #includes joined, each with a #line
-/// that names its number in `files`. Throws Error for an unknown file.
-std::string expand_shader(std::string_view path, const ShaderVariant& variant, std::vector<std::string>* files = nullptr);
+/// The whole text of a shader: version, defines, prelude, and the file with its #includes joined, each with a
+/// #line that names its number in `files`. Throws Error for an unknown file.
+std::string expand_shader(std::string_view path, const ShaderVariant& variant,
+                          std::vector<std::string>* files = nullptr);
 
 /// Compiles and links. Throws Error with the first line of the driver's log.
 GlProgram link_program(std::string_view vertex, std::string_view fragment, const ShaderVariant& variant = {});

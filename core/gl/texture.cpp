@@ -38,9 +38,10 @@ GlFramebuffer make_framebuffer(const GLuint* colors, int count, GLuint depth) {
     glNamedFramebufferDrawBuffers(framebuffer, count, attachments.data());
     const GLenum status = glCheckNamedFramebufferStatus(framebuffer, GL_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE)
-        throw Error(fmt::format("This GL cannot render to the textures that are needed (status 0x{:x}); it must have "
-                                "OpenGL 4.5 with float render targets.",
-                                status));
+        throw Error(
+            fmt::format("This GL cannot render to the textures that are needed (status 0x{:x}); it must have "
+                        "OpenGL 4.5 with float render targets.",
+                        status));
     return framebuffer;
 }
 

@@ -11,8 +11,8 @@ namespace momentscope {
 /// A texture of one level without filtering, contents undefined. format is sized, as GL_RGBA32F.
 GlTexture make_texture(GLenum format, glm::ivec2 size);
 
-/// A framebuffer that draws to the colour textures in their order, and tests depth if depth != 0. Throws Error when
-/// this GL cannot render to them.
+/// A framebuffer that draws to the colour textures in their order, and tests depth if depth != 0. Throws
+/// Error when this GL cannot render to them.
 GlFramebuffer make_framebuffer(std::initializer_list<GLuint> colors, GLuint depth);
 GlFramebuffer make_framebuffer(const GLuint* colors, int count, GLuint depth);
 

@@ -20,7 +20,8 @@ void write_pixels(const std::filesystem::path& path, const OIIO::ImageSpec& spec
     std::filesystem::path partial = path;
     partial.replace_filename(fmt::format(".{}.partial{}", path.stem().string(), path.extension().string()));
     auto file = OIIO::ImageOutput::create(partial.string());
-    const bool written = file && file->open(partial.string(), spec) && file->write_image(type, pixels) && file->close();
+    const bool written =
+        file && file->open(partial.string(), spec) && file->write_image(type, pixels) && file->close();
     std::error_code status;
     if (written) std::filesystem::rename(partial, path, status);
     if (!written || status) {
@@ -48,10 +49,12 @@ void require_writable(const std::filesystem::path& path) {
     if (std::filesystem::is_directory(path, status))
         throw Error(fmt::format("'{}' is a folder; give the name of a file.", path.string()));
     if (!std::filesystem::is_directory(folder, status))
-        throw Error(fmt::format("There is no folder '{}'; make it first, or write elsewhere.", folder.string()));
+        throw Error(
+            fmt::format("There is no folder '{}'; make it first, or write elsewhere.", folder.string()));
     const bool exists = std::filesystem::exists(path, status);
     if (access((exists ? path : folder).c_str(), W_OK) != 0)
-        throw Error(fmt::format("'{}' cannot be written; check its permissions, or write elsewhere.", path.string()));
+        throw Error(
+            fmt::format("'{}' cannot be written; check its permissions, or write elsewhere.", path.string()));
 }
 
 void write_image(const Image& image, const std::filesystem::path& path) {
@@ -70,7 +73,8 @@ void write_image(const Image& image, const std::filesystem::path& path) {
     write_png(bytes, image.width, image.height, path);
 }
 
-void write_png(const std::vector<unsigned char>& rgba, int width, int height, const std::filesystem::path& path) {
+void write_png(const std::vector<unsigned char>& rgba, int width, int height,
+               const std::filesystem::path& path) {
     if (path.extension() != ".png")
         throw Error(fmt::format("'{}' is no kind of picture that can be written; end it in .png or .exr.",
                                 path.string()));
@@ -82,7 +86,8 @@ double rms_difference(const Image& a, const Image& b) {
     double sum = 0;
     for (std::size_t i = 0; i < a.pixels.size(); ++i)
         for (int c = 0; c < 3; ++c) {
-            const double difference = static_cast<double>(a.pixels[i][c]) - static_cast<double>(b.pixels[i][c]);
+            const double difference =
+                static_cast<double>(a.pixels[i][c]) - static_cast<double>(b.pixels[i][c]);
             sum += difference * difference;
         }
     return std::sqrt(sum / (3.0 * static_cast<double>(a.pixels.size())));

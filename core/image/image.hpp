@@ -10,7 +10,9 @@ namespace momentscope {
 struct Image {
     Image() = default;
     Image(int width_, int height_)
-        : width(width_), height(height_), pixels(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_)) {}
+        : width(width_),
+          height(height_),
+          pixels(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_)) {}
 
     glm::vec4& at(int x, int y) { return pixels[index(x, y)]; }
     const glm::vec4& at(int x, int y) const { return pixels[index(x, y)]; }
@@ -33,9 +35,11 @@ float srgb_from_linear(float linear);
 void write_image(const Image& image, const std::filesystem::path& path);
 
 /// Writes 8-bit sRGB RGBA bytes, row by row from the top, as .png.
-void write_png(const std::vector<unsigned char>& rgba, int width, int height, const std::filesystem::path& path);
+void write_png(const std::vector<unsigned char>& rgba, int width, int height,
+               const std::filesystem::path& path);
 
-/// Throws Error with the reason when a file could not be written there: a missing folder, no permission, a folder.
+/// Throws Error with the reason when a file could not be written there: a missing folder, no permission, a
+/// folder.
 void require_writable(const std::filesystem::path& path);
 
 /// Root mean square of the difference of the RGB channels. Images of equal size.

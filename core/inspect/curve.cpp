@@ -9,10 +9,12 @@ std::vector<float> even_depths(std::size_t samples) {
     return depths;
 }
 
-MomentVector sum_moments(const ViewRay& ray, const Technique& technique, const ResolvedParameters& parameters) {
+MomentVector sum_moments(const ViewRay& ray, const Technique& technique,
+                         const ResolvedParameters& parameters) {
     MomentVector sum;
     for (const Fragment& fragment : ray.fragments)
-        technique.kernel->add_fragment(sum, fragment.depth, fragment_absorbance(fragment.opacity), parameters.theta);
+        technique.kernel->add_fragment(sum, fragment.depth, fragment_absorbance(fragment.opacity),
+                                       parameters.theta);
     return sum;
 }
 
@@ -24,7 +26,7 @@ Curve sample_curve(const ViewRay& ray, const Technique& technique, const Paramet
     curve.total_absorbance = total_absorbance(ray);
     curve.depth.assign(depths.begin(), depths.end());
     curve.truth = true_absorbance(ray, depths);
-    if (technique.kernel == nullptr) {   // the ground truth reconstructs itself
+    if (technique.kernel == nullptr) {  // the ground truth reconstructs itself
         curve.reconstructed.assign(curve.truth.begin(), curve.truth.end());
         return curve;
     }
@@ -32,8 +34,10 @@ Curve sample_curve(const ViewRay& ray, const Technique& technique, const Paramet
     curve.reconstructed.resize(depths.size());
     curve.beta0.resize(depths.size());
     curve.beta1.resize(depths.size());
-    const ReconstructionSettings settings = {curve.parameters.beta, curve.parameters.theta, curve.parameters.alpha};
-    technique.kernel->evaluate(curve.moments, settings, depths, {curve.reconstructed, curve.beta0, curve.beta1});
+    const ReconstructionSettings settings = {curve.parameters.beta, curve.parameters.theta,
+                                             curve.parameters.alpha};
+    technique.kernel->evaluate(curve.moments, settings, depths,
+                               {curve.reconstructed, curve.beta0, curve.beta1});
     return curve;
 }
 

@@ -9,24 +9,25 @@
 
 namespace momentscope {
 
-/// Absorbances of one technique at given depths of one ray. All vectors are as long as `depth`, or empty where the
-/// technique has no such thing.
+/// Absorbances of one technique at given depths of one ray. All vectors are as long as `depth`, or empty
+/// where the technique has no such thing.
 struct Curve {
     const Technique* technique = nullptr;
     ResolvedParameters parameters{};
-    double total_absorbance = 0;          // of the true fragments
-    MomentVector moments;                 // as the first pass stores them
-    std::vector<float> depth;             // warped, [-1, 1]
-    std::vector<double> truth;            // A(z)
-    std::vector<float> reconstructed;     // A(z, b, beta)
-    std::vector<float> beta0, beta1;      // the same for beta = 0 and 1: bounds if technique->has_bounds
+    double total_absorbance = 0;       // of the true fragments
+    MomentVector moments;              // as the first pass stores them
+    std::vector<float> depth;          // warped, [-1, 1]
+    std::vector<double> truth;         // A(z)
+    std::vector<float> reconstructed;  // A(z, b, beta)
+    std::vector<float> beta0, beta1;   // the same for beta = 0 and 1: bounds if technique->has_bounds
 };
 
 /// `samples` depths, evenly from -1 to 1. samples >= 2.
 std::vector<float> even_depths(std::size_t samples);
 
 /// The moments that the first pass sums up for this ray, in submission order, in floats.
-MomentVector sum_moments(const ViewRay& ray, const Technique& technique, const ResolvedParameters& parameters);
+MomentVector sum_moments(const ViewRay& ray, const Technique& technique,
+                         const ResolvedParameters& parameters);
 
 /// Evaluates a technique on a ray at `depths` in [-1, 1].
 Curve sample_curve(const ViewRay& ray, const Technique& technique, const ParameterValues& values,

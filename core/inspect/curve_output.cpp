@@ -35,9 +35,12 @@ ordered_json curve_json(const Curve& curve) {
         return there && !values.empty() ? ordered_json(values) : ordered_json();
     };
     const bool bounds = curve.technique->has_bounds;
-    ordered_json json = {{"technique", curve.technique->id}, {"parameters", parameters_json(curve)},
-                         {"moments", moments_json(curve)},   {"depth", curve.depth},
-                         {"true", curve.truth},              {"reconstructed", curve.reconstructed},
+    ordered_json json = {{"technique", curve.technique->id},
+                         {"parameters", parameters_json(curve)},
+                         {"moments", moments_json(curve)},
+                         {"depth", curve.depth},
+                         {"true", curve.truth},
+                         {"reconstructed", curve.reconstructed},
                          {"lower", or_null(bounds, curve.beta0)},
                          {"upper", or_null(bounds, curve.beta1)}};
     if (!bounds && !curve.beta0.empty()) {
@@ -62,8 +65,8 @@ std::string curves_to_csv(const std::vector<Curve>& curves) {
     std::string text = "technique,depth,true,reconstructed,beta0,beta1\n";
     for (const Curve& curve : curves)
         for (std::size_t i = 0; i < curve.depth.size(); ++i) {
-            fmt::format_to(std::back_inserter(text), "{},{},{},{},", curve.technique->id, curve.depth[i], curve.truth[i],
-                           curve.reconstructed[i]);
+            fmt::format_to(std::back_inserter(text), "{},{},{},{},", curve.technique->id, curve.depth[i],
+                           curve.truth[i], curve.reconstructed[i]);
             if (curve.beta0.empty())
                 text += ",\n";
             else
@@ -73,17 +76,19 @@ std::string curves_to_csv(const std::vector<Curve>& curves) {
 }
 
 std::string curves_to_table(const ViewRay& ray, const std::vector<Curve>& curves) {
-    std::string text = fmt::format("{} fragments, total absorbance {:.6g}\n", ray.fragments.size(), total_absorbance(ray));
+    std::string text =
+        fmt::format("{} fragments, total absorbance {:.6g}\n", ray.fragments.size(), total_absorbance(ray));
     for (const Curve& curve : curves) {
         const char* low = curve.technique->has_bounds ? "lower" : "beta = 0";
         const char* high = curve.technique->has_bounds ? "upper" : "beta = 1";
-        fmt::format_to(std::back_inserter(text), "\n{}\n{:>12}{:>12}{:>15}{:>12}{:>12}\n", curve.technique->id, "depth",
-                       "true", "reconstructed", low, high);
+        fmt::format_to(std::back_inserter(text), "\n{}\n{:>12}{:>12}{:>15}{:>12}{:>12}\n",
+                       curve.technique->id, "depth", "true", "reconstructed", low, high);
         for (std::size_t i = 0; i < curve.depth.size(); ++i) {
-            fmt::format_to(std::back_inserter(text), "{:>12.6f}{:>12.6f}{:>15.6f}", curve.depth[i], curve.truth[i],
-                           curve.reconstructed[i]);
+            fmt::format_to(std::back_inserter(text), "{:>12.6f}{:>12.6f}{:>15.6f}", curve.depth[i],
+                           curve.truth[i], curve.reconstructed[i]);
             if (!curve.beta0.empty())
-                fmt::format_to(std::back_inserter(text), "{:>12.6f}{:>12.6f}", curve.beta0[i], curve.beta1[i]);
+                fmt::format_to(std::back_inserter(text), "{:>12.6f}{:>12.6f}", curve.beta0[i],
+                               curve.beta1[i]);
             text += "\n";
         }
     }

@@ -1,7 +1,8 @@
 #include "core/ray/ray_json.hpp"
 
-#include <cmath>
 #include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -13,20 +14,36 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int MAX_NESTING = 16;   // a ray needs 4; deeper is refused before it costs memory
+constexpr int MAX_NESTING = 16;  // a ray needs 4; deeper is refused before it costs memory
+
+// The deepest nesting of brackets outside strings. Counted beforehand: a parser callback would make reading
+// quadratic.
+int nesting(const std::string& text) {
+    int depth = 0;
+    int deepest = 0;
+    bool in_string = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (in_string && c == '\\') ++i;  // whatever is escaped, it does not end the string
+        if (c == '"') in_string = !in_string;
+        if (in_string) continue;
+        if (c == '[' || c == '{') deepest = std::max(deepest, ++depth);
+        if (c == ']' || c == '}') --depth;
+    }
+    return deepest;
+}
 
 json parse_bounded(const std::string& text) {
     if (text.size() > MAX_RAY_FILE_BYTES)
-        throw Error(fmt::format("The view ray is larger than {} MiB; give fewer fragments.", MAX_RAY_FILE_BYTES >> 20));
-    const auto too_deep = [](int depth, json::parse_event_t, json&) -> bool {
-        if (depth > MAX_NESTING) throw Error("The view ray is nested too deeply; see the README for its form.");
-        return true;
-    };
+        throw Error(fmt::format("The view ray is larger than {} MiB; give fewer fragments.",
+                                MAX_RAY_FILE_BYTES >> 20));
+    if (nesting(text) > MAX_NESTING)
+        throw Error("The view ray is nested too deeply; see the README for its form.");
     try {
-        return json::parse(text, too_deep);
+        return json::parse(text);
     } catch (const json::parse_error& error) {
         throw Error(fmt::format("The view ray is not valid JSON at byte {}; correct it there.", error.byte));
-    } catch (const json::exception&) {   // a number beyond a double, for instance
+    } catch (const json::exception&) {  // a number beyond a double, for instance
         throw Error("The view ray holds a value that JSON cannot carry; give finite numbers.");
     }
 }
@@ -49,10 +66,12 @@ DepthWarp warp_from(const json& root) {
         throw Error("The view ray's warp needs a \"kind\": \"none\" or \"log\".");
     const auto kind = (*found)["kind"].get<std::string>();
     if (kind == "none") return warp;
-    if (kind != "log") throw Error(fmt::format("The view ray's warp kind is '{}'; use \"none\" or \"log\".", kind));
+    if (kind != "log")
+        throw Error(fmt::format("The view ray's warp kind is '{}'; use \"none\" or \"log\".", kind));
     warp = {true, number(*found, "z_min", "warp"), number(*found, "z_max", "warp")};
-    if (!(warp.z_min >= 1e-30f && warp.z_max > warp.z_min))
-        throw Error("The view ray's warp needs 0 < z_min < z_max.");
+    // Closer together their logarithms would be the same float.
+    if (!(warp.z_min >= 1e-30f && warp.z_max >= 1.0001f * warp.z_min))
+        throw Error("The view ray's warp needs 0 < z_min, and a z_max at least 1.0001 times as far.");
     return warp;
 }
 
@@ -66,7 +85,8 @@ glm::vec3 color_from(const json& entry, const std::string& where) {
                                  ? (*found)[static_cast<std::size_t>(c)].get<double>()
                                  : -1.0;
         if (!(value >= 0 && value <= 65504))
-            throw Error(fmt::format("The view ray's {} needs a \"color\" of three numbers from 0 to 65504.", where));
+            throw Error(
+                fmt::format("The view ray's {} needs a \"color\" of three numbers from 0 to 65504.", where));
         color[c] = static_cast<float>(value);
     }
     return color;
@@ -81,12 +101,13 @@ Fragment fragment_from(const json& entry, std::size_t index, const DepthWarp& wa
     fragment.color = color_from(entry, where);
     fragment.draw = static_cast<std::uint32_t>(index);
     if (!(fragment.opacity >= 0 && fragment.opacity <= 1))
-        throw Error(fmt::format("The view ray's {} has opacity {}; give one from 0 to 1.", where, fragment.opacity));
+        throw Error(
+            fmt::format("The view ray's {} has opacity {}; give one from 0 to 1.", where, fragment.opacity));
     const float low = warp.logarithmic ? warp.z_min : -1.0f;
     const float high = warp.logarithmic ? warp.z_max : 1.0f;
     if (!(fragment.view_depth >= low && fragment.view_depth <= high))
-        throw Error(fmt::format("The view ray's {} has depth {}; give one from {} to {}.", where, fragment.view_depth,
-                                low, high));
+        throw Error(fmt::format("The view ray's {} has depth {}; give one from {} to {}.", where,
+                                fragment.view_depth, low, high));
     fragment.depth = to_depth(fragment.view_depth, warp);
     return fragment;
 }
@@ -118,17 +139,21 @@ ViewRay ray_from_json(const std::string& text) {
     ray.warp = warp_from(root);
     if (root.contains("near")) ray.near_plane = number(root, "near", "top level");
     if (root.contains("far")) ray.far_plane = number(root, "far", "top level");
-    for (std::size_t i = 0; i < entries.size(); ++i) ray.fragments.push_back(fragment_from(entries[i], i, ray.warp));
+    if (ray.near_plane < 0 || ray.far_plane < ray.near_plane)
+        throw Error("The view ray needs 0 <= near <= far.");
+    for (std::size_t i = 0; i < entries.size(); ++i)
+        ray.fragments.push_back(fragment_from(entries[i], i, ray.warp));
     return ray;
 }
 
 ViewRay read_ray_file(const std::filesystem::path& path) {
     std::error_code status;
     if (!std::filesystem::is_regular_file(path, status))
-        throw Error(fmt::format("There is no view ray file '{}'; give the path of a JSON file.", path.string()));
+        throw Error(
+            fmt::format("There is no view ray file '{}'; give the path of a JSON file.", path.string()));
     if (std::filesystem::file_size(path, status) > MAX_RAY_FILE_BYTES)
-        throw Error(fmt::format("The view ray file '{}' is larger than {} MiB; give fewer fragments.", path.string(),
-                                MAX_RAY_FILE_BYTES >> 20));
+        throw Error(fmt::format("The view ray file '{}' is larger than {} MiB; give fewer fragments.",
+                                path.string(), MAX_RAY_FILE_BYTES >> 20));
     std::ifstream file(path, std::ios::binary);
     const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
     if (!file) throw Error(fmt::format("The view ray file '{}' cannot be read.", path.string()));

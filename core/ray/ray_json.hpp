@@ -11,8 +11,8 @@ namespace momentscope {
 constexpr std::size_t MAX_RAY_FILE_BYTES = std::size_t{64} << 20;
 constexpr std::size_t MAX_RAY_FRAGMENTS = 100'000;
 
-/// {"fragments": [{"depth", "opacity", "color"}, ...], "warp": {"kind", "z_min", "z_max"}, "near", "far"}. Depth is linear
-/// view depth with "kind": "log", and lies in [-1, 1] with "none", the default.
+/// {"fragments": [{"depth", "opacity", "color"}, ...], "warp": {"kind", "z_min", "z_max"}, "near", "far"}.
+/// Depth is linear view depth with "kind": "log", and lies in [-1, 1] with "none", the default.
 nlohmann::json ray_to_json(const ViewRay& ray);
 
 /// Throws Error that names the offending entry.

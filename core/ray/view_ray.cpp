@@ -13,13 +13,18 @@ namespace glsl::fragment {
 #include "shaders/shared/fragment.glsl"
 }  // namespace glsl::fragment
 
-float fragment_absorbance(float opacity) { return glsl::fragment::absorbance_of_opacity(opacity); }
+float fragment_absorbance(float opacity) {
+    return glsl::fragment::absorbance_of_opacity(opacity);
+}
 
-float transmittance(float absorbance) { return glsl::fragment::transmittance_of(absorbance); }
+float transmittance(float absorbance) {
+    return glsl::fragment::transmittance_of(absorbance);
+}
 
 float to_depth(float view_depth, const DepthWarp& warp) {
     if (!warp.logarithmic) return std::clamp(view_depth, -1.0f, 1.0f);
-    return glsl::fragment::warped_depth(view_depth, glsl::fragment::depth_warp_factors(warp.z_min, warp.z_max));
+    return glsl::fragment::warped_depth(view_depth,
+                                        glsl::fragment::depth_warp_factors(warp.z_min, warp.z_max));
 }
 
 float to_view_depth(float depth, const DepthWarp& warp) {
@@ -34,14 +39,15 @@ glm::vec2 depth_warp_factors(const DepthWarp& warp) {
 
 double total_absorbance(const ViewRay& ray) {
     double sum = 0;
-    for (const Fragment& fragment : ray.fragments) sum += static_cast<double>(fragment_absorbance(fragment.opacity));
+    for (const Fragment& fragment : ray.fragments)
+        sum += static_cast<double>(fragment_absorbance(fragment.opacity));
     return sum;
 }
 
 std::vector<double> true_absorbance(const ViewRay& ray, std::span<const float> depths) {
     const std::vector<std::size_t> order = front_to_back(ray);
-    std::vector<float> steps;     // depths of the fragments, ascending
-    std::vector<double> before;   // absorbance in front of each, and in the end the total
+    std::vector<float> steps;    // depths of the fragments, ascending
+    std::vector<double> before;  // absorbance in front of each, and in the end the total
     double sum = 0;
     for (const std::size_t i : order) {
         steps.push_back(ray.fragments[i].depth);
@@ -52,7 +58,8 @@ std::vector<double> true_absorbance(const ViewRay& ray, std::span<const float> d
     std::vector<double> result;
     result.reserve(depths.size());
     for (const float depth : depths) {
-        const auto in_front = std::ranges::lower_bound(steps, depth) - steps.begin();   // z_l < depth, strictly
+        const auto in_front =
+            std::ranges::lower_bound(steps, depth) - steps.begin();  // z_l < depth, strictly
         result.push_back(before[static_cast<std::size_t>(in_front)]);
     }
     return result;

@@ -9,18 +9,18 @@ namespace momentscope {
 
 /// One transparent fragment of a pixel.
 struct Fragment {
-    float depth = 0;               // warped, [-1, 1]
-    float view_depth = 0;          // distance from the camera plane in scene units, > 0; equals depth without a warp
-    float opacity = 0;             // alpha_l in [0, 1]
-    glm::vec3 color{0};            // linear RGB, shaded, >= 0
-    std::uint32_t draw = 0;        // index of the draw call
-    std::uint32_t primitive = 0;   // index of the triangle within it
+    float depth = 0;       // warped, [-1, 1]
+    float view_depth = 0;  // distance from the camera plane in scene units, > 0; equals depth without a warp
+    float opacity = 0;     // alpha_l in [0, 1]
+    glm::vec3 color{0};    // linear RGB, shaded, >= 0
+    std::uint32_t draw = 0;       // index of the draw call
+    std::uint32_t primitive = 0;  // index of the triangle within it
 };
 
 /// How view depth became depth (Section 3.3). Without a warp they are the same.
 struct DepthWarp {
     bool logarithmic = false;
-    float z_min = -1;   // view depths that map to -1 and 1; 0 < z_min < z_max when logarithmic
+    float z_min = -1;  // view depths that map to -1 and 1; 0 < z_min < z_max when logarithmic
     float z_max = 1;
 };
 
@@ -28,7 +28,7 @@ struct DepthWarp {
 struct ViewRay {
     std::vector<Fragment> fragments;
     DepthWarp warp;
-    float near_plane = 0;   // of the camera, 0 when unknown
+    float near_plane = 0;  // of the camera, 0 when unknown
     float far_plane = 0;
 };
 
@@ -51,7 +51,8 @@ double total_absorbance(const ViewRay& ray);
 /// A(z), the sum of the absorbances of all fragments with z_l < z, at each depth; `depths` in any order.
 std::vector<double> true_absorbance(const ViewRay& ray, std::span<const float> depths);
 
-/// Indices of the fragments from front to back. Of a tie, what was submitted later lies in front, as in sorted.frag.
+/// Indices of the fragments from front to back. Of a tie, what was submitted later lies in front, as in
+/// sorted.frag.
 std::vector<std::size_t> front_to_back(const ViewRay& ray);
 
 }  // namespace momentscope

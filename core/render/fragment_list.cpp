@@ -9,7 +9,7 @@ namespace momentscope {
 
 namespace {
 
-constexpr std::size_t HEADER_BYTES = 16;   // count, capacity, padding
+constexpr std::size_t HEADER_BYTES = 16;  // count, capacity, padding
 
 std::size_t bounded_capacity(std::size_t wanted) {
     GLint64 most_bytes = 0;
@@ -24,17 +24,18 @@ FragmentList::FragmentList(glm::ivec2 size, std::size_t capacity, GLuint depth)
     GLuint name = 0;
     glCreateBuffers(1, &name);
     nodes_ = GlBuffer(name);
-    glNamedBufferStorage(nodes_, static_cast<GLsizeiptr>(HEADER_BYTES + capacity_ * sizeof(FragmentNode)), nullptr,
-                         GL_DYNAMIC_STORAGE_BIT);
+    glNamedBufferStorage(nodes_, static_cast<GLsizeiptr>(HEADER_BYTES + capacity_ * sizeof(FragmentNode)),
+                         nullptr, GL_DYNAMIC_STORAGE_BIT);
     target_ = make_framebuffer({}, depth);
 }
 
-std::size_t FragmentList::capture(const PassInput& input, GLuint program, glm::ivec2 corner, glm::ivec2 extent) {
+std::size_t FragmentList::capture(const PassInput& input, GLuint program, glm::ivec2 corner,
+                                  glm::ivec2 extent) {
     const std::array<std::uint32_t, 4> header = {0, static_cast<std::uint32_t>(capacity_), 0, 0};
     glNamedBufferSubData(nodes_, 0, sizeof(header), header.data());
     const std::uint32_t end_of_list = 0xffffffffU;
-    glClearTexSubImage(heads_, 0, corner.x, corner.y, 0, extent.x, extent.y, 1, GL_RED_INTEGER, GL_UNSIGNED_INT,
-                       &end_of_list);
+    glClearTexSubImage(heads_, 0, corner.x, corner.y, 0, extent.x, extent.y, 1, GL_RED_INTEGER,
+                       GL_UNSIGNED_INT, &end_of_list);
     bind();
     glBindFramebuffer(GL_FRAMEBUFFER, target_);
     glEnable(GL_SCISSOR_TEST);
@@ -46,7 +47,8 @@ std::size_t FragmentList::capture(const PassInput& input, GLuint program, glm::i
     glDepthMask(GL_TRUE);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_SCISSOR_TEST);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
+                    GL_BUFFER_UPDATE_BARRIER_BIT);
     std::uint32_t count = 0;
     glGetNamedBufferSubData(nodes_, 0, sizeof(count), &count);
     return count;
@@ -60,8 +62,8 @@ void FragmentList::bind() const {
 std::vector<FragmentNode> FragmentList::read(std::size_t count) const {
     std::vector<FragmentNode> nodes(std::min(count, capacity_));
     if (!nodes.empty())
-        glGetNamedBufferSubData(nodes_, HEADER_BYTES, static_cast<GLsizeiptr>(nodes.size() * sizeof(FragmentNode)),
-                                nodes.data());
+        glGetNamedBufferSubData(nodes_, HEADER_BYTES,
+                                static_cast<GLsizeiptr>(nodes.size() * sizeof(FragmentNode)), nodes.data());
     return nodes;
 }
 

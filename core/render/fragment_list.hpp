@@ -27,8 +27,8 @@ public:
     /// capacity: how many fragments fit; cut to what this GL allows in one buffer.
     FragmentList(glm::ivec2 size, std::size_t capacity, GLuint depth);
 
-    /// Captures the rows [y, y + height) from column x to x + width, in GL pixels, with `program` (capture.frag).
-    /// Returns how many fragments there are; only the first capacity() of them are stored.
+    /// Captures the rows [y, y + height) from column x to x + width, in GL pixels, with `program`
+    /// (capture.frag). Returns how many fragments there are; only the first capacity() of them are stored.
     std::size_t capture(const PassInput& input, GLuint program, glm::ivec2 corner, glm::ivec2 extent);
 
     void bind() const;
@@ -39,7 +39,7 @@ private:
     std::size_t capacity_;
     GlTexture heads_;
     GlBuffer nodes_;
-    GlFramebuffer target_;   // tests depth, draws no colour
+    GlFramebuffer target_;  // tests depth, draws no colour
 };
 
 }  // namespace momentscope

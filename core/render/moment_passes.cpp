@@ -39,7 +39,7 @@ MomentPasses::MomentPasses(const Technique& technique, glm::ivec2 size, GLuint d
     total_absorbance_ = make_texture(GL_R32F, size);
     moments_1_to_4_ = make_texture(GL_RGBA32F, size);
     if (floats > 4) moments_5_to_8_ = make_texture(floats > 6 ? GL_RGBA32F : GL_RG32F, size);
-    weighted_color_ = make_texture(GL_RGBA16F, size);   // half floats, as in the paper's evaluation
+    weighted_color_ = make_texture(GL_RGBA16F, size);  // half floats, as in the paper's evaluation
     const GLuint targets[] = {total_absorbance_, moments_1_to_4_, moments_5_to_8_};
     moment_target_ = make_framebuffer(targets, floats > 4 ? 3 : 2, depth);
     color_target_ = make_framebuffer({weighted_color_}, depth);

@@ -22,9 +22,10 @@ void require_gl_4_5() {
     glGetIntegerv(GL_MAJOR_VERSION, &major);
     glGetIntegerv(GL_MINOR_VERSION, &minor);
     if (major * 10 + minor < 45)
-        throw Error(fmt::format("This GL is version {}.{}; Momentscope needs OpenGL 4.5. Update the driver, or use "
-                                "--headless, which renders in software.",
-                                major, minor));
+        throw Error(
+            fmt::format("This GL is version {}.{}; Momentscope needs OpenGL 4.5. Update the driver, or use "
+                        "--headless, which renders in software.",
+                        major, minor));
 }
 
 }  // namespace
@@ -46,17 +47,17 @@ void Renderer::set_scene(const Scene& scene) {
     buffers_ = std::make_unique<SceneBuffers>(scene);
     scene_ = scene;
     scene_.meshes.clear();
-    view_.technique = nullptr;   // everything is stale
+    view_.technique = nullptr;  // everything is stale
 }
 
 void Renderer::render(const View& view) {
     const Stage stage = first_stale_stage(view_, view);
     if (stage == Stage::nothing) return;
-    view_.technique = nullptr;   // until all went well
+    view_.technique = nullptr;  // until all went well
     if (view.size != view_.size) resize(view.size);
     const bool technique_changed = transparency_of_ != view.technique;
     if (technique_changed || transparency_ == nullptr) {
-        transparency_.reset();   // free its memory before the next takes its own
+        transparency_.reset();  // free its memory before the next takes its own
         transparency_ = make_transparency(*view.technique, view.size, depth_);
         transparency_of_ = view.technique;
     }
@@ -73,8 +74,8 @@ void Renderer::render(const View& view) {
 
 void Renderer::resize(glm::ivec2 size) {
     if (std::min(size.x, size.y) < 1 || std::max(size.x, size.y) > MAX_PICTURE_SIDE)
-        throw Error(fmt::format("A picture of {}x{} pixels cannot be drawn; give a size from 1x1 to {}x{}.", size.x,
-                                size.y, MAX_PICTURE_SIDE, MAX_PICTURE_SIDE));
+        throw Error(fmt::format("A picture of {}x{} pixels cannot be drawn; give a size from 1x1 to {}x{}.",
+                                size.x, size.y, MAX_PICTURE_SIDE, MAX_PICTURE_SIDE));
     transparency_.reset();
     pixel_list_.reset();
     opaque_color_ = make_texture(GL_RGBA16F, size);
@@ -99,7 +100,9 @@ void Renderer::update_frame_block(const View& view) {
     glNamedBufferSubData(frame_block_, 0, sizeof(block), &block);
 }
 
-PassInput Renderer::pass_input() const { return {*buffers_, view_.size, opaque_color_, depth_}; }
+PassInput Renderer::pass_input() const {
+    return {*buffers_, view_.size, opaque_color_, depth_};
+}
 
 void Renderer::draw_opaque() {
     const float background[4] = {scene_.background.r, scene_.background.g, scene_.background.b, 1};
@@ -144,8 +147,8 @@ void Renderer::run_from(Stage stage) {
 
 Image Renderer::read_picture() const {
     Image image(view_.size.x, view_.size.y);
-    glGetTextureImage(picture_, 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(image.pixels.size() * sizeof(glm::vec4)),
-                      image.pixels.data());
+    glGetTextureImage(picture_, 0, GL_RGBA, GL_FLOAT,
+                      static_cast<GLsizei>(image.pixels.size() * sizeof(glm::vec4)), image.pixels.data());
     check_gl("reading the picture");
     image.flip_rows();
     return image;
@@ -161,7 +164,9 @@ PixelCapture Renderer::capture_pixel(glm::ivec2 pixel) {
             variant = moment_variant(*view_.technique);
             variant.defines["WITH_TRANSMITTANCE"] = "1";
         }
-        program = capture_programs_.emplace(key, link_program("passes/scene.vert", "passes/capture.frag", variant)).first;
+        program =
+            capture_programs_.emplace(key, link_program("passes/scene.vert", "passes/capture.frag", variant))
+                .first;
     }
     glViewport(0, 0, view_.size.x, view_.size.y);
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_block_);
@@ -171,7 +176,8 @@ PixelCapture Renderer::capture_pixel(glm::ivec2 pixel) {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     check_gl("capturing a pixel");
     // The order in which nodes were appended is not the order of submission.
-    std::ranges::sort(nodes, {}, [](const FragmentNode& node) { return std::pair(node.draw, node.primitive); });
+    std::ranges::sort(nodes, {},
+                      [](const FragmentNode& node) { return std::pair(node.draw, node.primitive); });
     PixelCapture capture;
     capture.ray.warp = warp_;
     capture.ray.near_plane = NEAR_PLANE;

@@ -20,11 +20,12 @@ struct PassCounts {
 /// A pixel as the GL computed it. Vectors run parallel to ray.fragments.
 struct PixelCapture {
     ViewRay ray;
-    std::vector<float> transmittance;   // of the second pass at each fragment; empty when the technique has none
+    std::vector<float>
+        transmittance;  // of the second pass at each fragment; empty when the technique has none
 };
 
-/// Draws into its own textures; needs a current OpenGL 4.5 context as long as it lives. Pixels count from the upper left
-/// corner.
+/// Draws into its own textures; needs a current OpenGL 4.5 context as long as it lives. Pixels count from the
+/// upper left corner.
 class Renderer {
 public:
     /// Throws Error when the GL is older than 4.5.
@@ -33,8 +34,8 @@ public:
 
     void set_scene(const Scene& scene);
 
-    /// Runs the stages that the change since the last picture made stale, and no others. Throws Error when GL fails; the
-    /// next call starts afresh.
+    /// Runs the stages that the change since the last picture made stale, and no others. Throws Error when GL
+    /// fails; the next call starts afresh.
     void render(const View& view);
 
     /// The picture in sRGB, as a texture of the view's size with the first row at the bottom.
@@ -55,7 +56,7 @@ private:
     void run_from(Stage stage);
     PassInput pass_input() const;
 
-    Scene scene_;   // without its meshes: camera, background, objects for the bounds
+    Scene scene_;  // without its meshes: camera, background, objects for the bounds
     Sphere bounds_;
     std::unique_ptr<SceneBuffers> buffers_;
     View view_;
@@ -69,7 +70,7 @@ private:
     std::unique_ptr<Transparency> transparency_;
     const Technique* transparency_of_ = nullptr;
     std::unique_ptr<FragmentList> pixel_list_;
-    std::map<std::string, GlProgram> capture_programs_;   // by technique id
+    std::map<std::string, GlProgram> capture_programs_;  // by technique id
 };
 
 }  // namespace momentscope

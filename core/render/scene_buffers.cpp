@@ -35,7 +35,8 @@ SceneBuffers::SceneBuffers(const Scene& scene) : objects_(scene.objects) {
 SceneBuffers::MeshBuffers SceneBuffers::upload(const Mesh& mesh) {
     std::vector<Vertex> vertices;
     vertices.reserve(mesh.positions.size());
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) vertices.push_back({mesh.positions[i], mesh.normals[i]});
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+        vertices.push_back({mesh.positions[i], mesh.normals[i]});
     MeshBuffers buffers;
     buffers.vertices = make_buffer(vertices);
     buffers.indices = make_buffer(mesh.indices);
@@ -45,7 +46,7 @@ SceneBuffers::MeshBuffers SceneBuffers::upload(const Mesh& mesh) {
     buffers.array = GlVertexArray(name);
     glVertexArrayVertexBuffer(name, 0, buffers.vertices, 0, sizeof(Vertex));
     glVertexArrayElementBuffer(name, buffers.indices);
-    for (GLuint attribute : {0U, 1U}) {   // position, normal
+    for (GLuint attribute : {0U, 1U}) {  // position, normal
         glEnableVertexArrayAttrib(name, attribute);
         glVertexArrayAttribFormat(name, attribute, 3, GL_FLOAT, GL_FALSE,
                                   attribute * static_cast<GLuint>(sizeof(glm::vec3)));
@@ -58,8 +59,8 @@ void SceneBuffers::draw(Surfaces surfaces) const {
     for (std::size_t i = 0; i < objects_.size(); ++i) {
         if (objects_[i].opaque() != (surfaces == Surfaces::opaque)) continue;
         const MeshBuffers& mesh = meshes_[objects_[i].mesh];
-        glBindBufferRange(GL_UNIFORM_BUFFER, 1, object_blocks_, static_cast<GLintptr>(i * sizeof(ObjectBlock)),
-                          sizeof(ObjectBlock));
+        glBindBufferRange(GL_UNIFORM_BUFFER, 1, object_blocks_,
+                          static_cast<GLintptr>(i * sizeof(ObjectBlock)), sizeof(ObjectBlock));
         glBindVertexArray(mesh.array);
         glDrawElements(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_INT, nullptr);
     }

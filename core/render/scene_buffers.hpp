@@ -14,8 +14,8 @@ class SceneBuffers {
 public:
     explicit SceneBuffers(const Scene& scene);
 
-    /// Draws the opaque or the transparent objects in submission order with the program in use. The index of an object in
-    /// Scene::objects is its draw id.
+    /// Draws the opaque or the transparent objects in submission order with the program in use. The index of
+    /// an object in Scene::objects is its draw id.
     void draw(Surfaces surfaces) const;
 
 private:

@@ -8,7 +8,7 @@ namespace momentscope {
 
 namespace {
 
-constexpr std::size_t LIST_CAPACITY = 2'500'000;   // 120 MB; fits into what OpenGL guarantees for one buffer
+constexpr std::size_t LIST_CAPACITY = 2'500'000;  // 120 MB, or what this GL allows in one buffer
 
 }  // namespace
 
@@ -26,9 +26,10 @@ void SortedPasses::draw_composite(const PassInput& input) {
         const std::size_t count = list_.capture(input, capture_program_, {0, y}, {input.size.x, rows});
         if (count > list_.capacity()) {
             if (rows == 1)
-                throw Error(fmt::format("One row of the picture has {} transparent fragments, more than the {} that "
-                                        "sorted can hold; use a smaller --size.",
-                                        count, list_.capacity()));
+                throw Error(
+                    fmt::format("One row of the picture has {} transparent fragments, more than the {} that "
+                                "sorted can hold; use a smaller --size.",
+                                count, list_.capacity()));
             rows = (rows + 1) / 2;
             continue;
         }

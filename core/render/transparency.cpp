@@ -7,8 +7,10 @@ namespace momentscope {
 
 std::unique_ptr<Transparency> make_transparency(const Technique& technique, glm::ivec2 size, GLuint depth) {
     switch (technique.path) {
-        case RenderPath::sorted: return std::make_unique<SortedPasses>(size, depth);
-        case RenderPath::moments: break;
+        case RenderPath::sorted:
+            return std::make_unique<SortedPasses>(size, depth);
+        case RenderPath::moments:
+            break;
     }
     return std::make_unique<MomentPasses>(technique, size, depth);
 }

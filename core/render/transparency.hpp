@@ -14,11 +14,11 @@ struct PassInput {
     const SceneBuffers& scene;
     glm::ivec2 size;
     GLuint opaque_color;
-    GLuint depth;   // of the opaque surfaces; tested, never written
+    GLuint depth;  // of the opaque surfaces; tested, never written
 };
 
-/// The passes of one technique at one picture size. Each function draws one stage and leaves no GL state behind but
-/// bindings; the renderer calls a stage again only when its input changed.
+/// The passes of one technique at one picture size. Each function draws one stage and leaves no GL state
+/// behind but bindings; the renderer calls a stage again only when its input changed.
 class Transparency {
 public:
     virtual ~Transparency() = default;
@@ -36,8 +36,8 @@ public:
     virtual bool bind_for_capture() const { return false; }
 };
 
-/// The passes of a technique; `depth` is the texture that its framebuffers test. Throws Error when GL lacks what it
-/// needs.
+/// The passes of a technique; `depth` is the texture that its framebuffers test. Throws Error when GL lacks
+/// what it needs.
 std::unique_ptr<Transparency> make_transparency(const Technique& technique, glm::ivec2 size, GLuint depth);
 
 /// Draws fullscreen.vert's triangle with the program in use.

@@ -12,7 +12,8 @@ struct FrameBlock {
     glm::vec4 parameters;
 };
 
-struct alignas(256) ObjectBlock {   // 256: the greatest offset alignment that OpenGL allows a driver to ask for
+struct alignas(256)
+    ObjectBlock {  // 256: the greatest offset alignment that OpenGL allows a driver to ask for
     glm::mat4 model;
     glm::vec4 color_opacity;
     glm::uvec4 draw;

@@ -18,8 +18,8 @@ struct View {
 
 constexpr int MAX_PICTURE_SIDE = 8192;
 
-/// The first stage that must run again for `after` when `before` was drawn last. Parameters that the technique does not
-/// read make nothing stale.
+/// The first stage that must run again for `after` when `before` was drawn last. Parameters that the
+/// technique does not read make nothing stale.
 Stage first_stale_stage(const View& before, const View& after);
 
 }  // namespace momentscope

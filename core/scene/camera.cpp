@@ -8,9 +8,11 @@ namespace momentscope {
 
 namespace {
 
-constexpr float DESIGN_ASPECT = 16.0f / 9.0f;   // for which scenes choose their cameras
+constexpr float DESIGN_ASPECT = 16.0f / 9.0f;  // for which scenes choose their cameras
 
-float narrowing(float aspect) { return std::max(DESIGN_ASPECT / aspect, 1.0f); }
+float narrowing(float aspect) {
+    return std::max(DESIGN_ASPECT / aspect, 1.0f);
+}
 
 }  // namespace
 

@@ -7,19 +7,20 @@
 
 namespace momentscope {
 
-constexpr float NEAR_PLANE = 0.05f;   // scene units; built-in scenes are 1 to 50 units large
+constexpr float NEAR_PLANE = 0.05f;  // scene units; built-in scenes are 1 to 50 units large
 constexpr float FAR_PLANE = 1000.0f;
 
-glm::mat4 view_matrix(const Camera& camera);                       // world to eye, which looks along -z
+glm::mat4 view_matrix(const Camera& camera);  // world to eye, which looks along -z
 
-/// aspect = width / height. The field of view holds for 16:9 and wider; narrower pictures see as much from left to right
-/// as a 16:9 one, and more above and below.
+/// aspect = width / height. The field of view holds for 16:9 and wider; narrower pictures see as much from
+/// left to right as a 16:9 one, and more above and below.
 glm::mat4 projection_matrix(const Camera& camera, float aspect);
 
 /// The pixel that shows what Scene::picked shows in a 16:9 picture.
 glm::ivec2 picked_pixel(const Scene& scene, glm::ivec2 size);
 
-/// The logarithmic warp of Section 3.3 for a bounding sphere: its view depths, cut at the near plane. Never empty.
+/// The logarithmic warp of Section 3.3 for a bounding sphere: its view depths, cut at the near plane. Never
+/// empty.
 DepthWarp depth_warp(const Camera& camera, const Sphere& bounds);
 
 }  // namespace momentscope

@@ -6,7 +6,7 @@
 
 namespace momentscope {
 
-constexpr std::size_t MAX_MESH_FILE_BYTES = std::size_t{1} << 30;   // larger files are refused
+constexpr std::size_t MAX_MESH_FILE_BYTES = std::size_t{1} << 30;  // larger files are refused
 constexpr std::size_t MAX_MESH_TRIANGLES = 20'000'000;
 
 /// All triangles of a file in one mesh, in file order, scaled and moved so that its bounding box is

@@ -17,32 +17,32 @@ struct Mesh {
 
 /// One draw call: a mesh placed in the world with one material.
 struct Object {
-    std::uint32_t mesh = 0;           // index into Scene::meshes
-    glm::mat4 model = glm::mat4(1);   // rigid or uniformly scaled, so that normals need no inverse
-    glm::vec3 color = glm::vec3(1);   // linear RGB albedo, >= 0
-    float opacity = 1.0f;             // alpha_l in [0, 1]; 1 is drawn in the opaque pass
+    std::uint32_t mesh = 0;          // index into Scene::meshes
+    glm::mat4 model = glm::mat4(1);  // rigid or uniformly scaled, so that normals need no inverse
+    glm::vec3 color = glm::vec3(1);  // linear RGB albedo, >= 0
+    float opacity = 1.0f;            // alpha_l in [0, 1]; 1 is drawn in the opaque pass
     bool opaque() const { return opacity >= 1.0f; }
 };
 
 /// A pinhole camera that orbits `target`. Angles in radians; y is up.
 struct Camera {
     glm::vec3 target = glm::vec3(0);
-    float distance = 5.0f;        // scene units, > 0
-    float azimuth = 0.0f;         // 0 looks along -z
-    float elevation = 0.0f;       // (-pi/2, pi/2), positive looks down
-    float field_of_view = 0.8f;   // vertical, radians
+    float distance = 5.0f;       // scene units, > 0
+    float azimuth = 0.0f;        // 0 looks along -z
+    float elevation = 0.0f;      // (-pi/2, pi/2), positive looks down
+    float field_of_view = 0.8f;  // vertical, radians
     friend bool operator==(const Camera&, const Camera&) = default;
 };
 
 /// Everything that is drawn. Objects are submitted in the order in which they stand here.
 struct Scene {
-    std::string id;                              // registry id or file name
+    std::string id;  // registry id or file name
     std::vector<Mesh> meshes;
     std::vector<Object> objects;
     Camera camera;
-    glm::vec3 background = glm::vec3(0.8f);      // linear RGB
-    glm::vec2 picked = glm::vec2(0.5f);          // the pixel worth seeing first, as a fraction of
-                                                 // the picture, from its upper left corner
+    glm::vec3 background = glm::vec3(0.8f);  // linear RGB
+    glm::vec2 picked = glm::vec2(0.5f);      // the pixel worth seeing first, as a fraction of
+                                             // the picture, from its upper left corner
 };
 
 struct Sphere {

@@ -10,7 +10,7 @@ namespace momentscope {
 /// One row of the registry of scenes.
 struct SceneEntry {
     const char* id;
-    const char* description;   // one sentence: what it shows, and which figure it follows
+    const char* description;  // one sentence: what it shows, and which figure it follows
     Scene (*build)();
 };
 

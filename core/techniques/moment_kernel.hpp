@@ -1,4 +1,5 @@
-// moment_kernel.hpp -- one moment-based technique as C++ functions: what shaders/shared says, compiled for the CPU.
+// moment_kernel.hpp -- one moment-based technique as C++ functions: what shaders/shared says, compiled for
+// the CPU.
 #pragma once
 #include <array>
 #include <span>
@@ -6,35 +7,35 @@
 namespace momentscope {
 
 constexpr int MAX_MOMENT_FLOATS = 8;
-constexpr int MAX_NODES = 4;   // of the canonical representation, beside the query depth
+constexpr int MAX_NODES = 4;  // of the canonical representation, beside the query depth
 
 /// Stored moments: the total absorbance b0 >= 0 and its other real moments, not normalised.
 struct MomentVector {
     float b0 = 0;
-    std::array<float, MAX_MOMENT_FLOATS> b{};   // the first MomentKernel::moment_floats count
+    std::array<float, MAX_MOMENT_FLOATS> b{};  // the first MomentKernel::moment_floats count
 };
 
 struct ReconstructionSettings {
-    float overestimation = 0.25f;           // beta in [0, 1]
-    float wrapping_zone_angle = 0;          // theta in [0, pi]; trigonometric moments only
-    float bias = 0;                         // moment bias alpha in [0, 1]
+    float overestimation = 0.25f;   // beta in [0, 1]
+    float wrapping_zone_angle = 0;  // theta in [0, pi]; trigonometric moments only
+    float bias = 0;                 // moment bias alpha in [0, 1]
 };
 
 /// Absorbances per depth, all in [0, b0]; the spans are as long as the depths.
 struct AbsorbanceCurves {
     std::span<float> reconstructed;
-    std::span<float> beta0;   // for power moments the lower bound
-    std::span<float> beta1;   // for power moments the upper bound
+    std::span<float> beta0;  // for power moments the lower bound
+    std::span<float> beta1;  // for power moments the upper bound
 };
 
 /// One way from moments to the absorbance at a single depth, with the numbers in between.
 struct ReconstructionSteps {
-    MomentVector biased;                           // normalised, b0 = 1
+    MomentVector biased;  // normalised, b0 = 1
     int floored_pivots = 0;
-    float query_weight = 0;                        // w_0
-    std::array<float, MAX_NODES + 1> kernel{};     // at_query, then the monic coefficients in t
+    float query_weight = 0;                     // w_0
+    std::array<float, MAX_NODES + 1> kernel{};  // at_query, then the monic coefficients in t
     std::array<float, MAX_NODES> t{}, weight{}, value{};
-    float in_front = 0;                            // fraction of b0 for beta = 0, before it is clamped
+    float in_front = 0;  // fraction of b0 for beta = 0, before it is clamped
     float absorbance = 0;
 };
 
@@ -50,7 +51,8 @@ struct MomentKernel {
     void (*evaluate)(const MomentVector& moments, const ReconstructionSettings& settings,
                      std::span<const float> depths, const AbsorbanceCurves& curves);
 
-    ReconstructionSteps (*steps)(const MomentVector& moments, const ReconstructionSettings& settings, float depth);
+    ReconstructionSteps (*steps)(const MomentVector& moments, const ReconstructionSettings& settings,
+                                 float depth);
 };
 
 }  // namespace momentscope

@@ -1,5 +1,5 @@
-// moment_kernel.inl -- the body of a MomentKernel. A file generated from moment_kernel.cpp.in defines KERNEL_ID,
-// MOMENT_COUNT and MOMENT_BASIS (a file of shaders/shared) and includes this.
+// moment_kernel.inl -- the body of a MomentKernel. A file generated from moment_kernel.cpp.in defines
+// KERNEL_ID, MOMENT_COUNT and MOMENT_BASIS (a file of shaders/shared) and includes this.
 #include "core/glsl.hpp"
 #include "core/techniques/moment_kernel.hpp"
 #include "core/techniques/moment_techniques.hpp"
@@ -16,9 +16,9 @@
 namespace momentscope {
 namespace glsl::KERNEL_ID {
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-parameter"   // the shape is the same for every basis
+#pragma GCC diagnostic ignored "-Wunused-parameter"  // the shape is the same for every basis
 #pragma GCC diagnostic ignored "-Wunused-function"
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"   // g++ 12 cannot follow the triangular loops
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"  // g++ 12 cannot follow the triangular loops
 #include "shaders/shared/portable_math.glsl"
 #include MOMENT_BASIS
 #include "shaders/shared/reconstruction.glsl"
@@ -54,10 +54,11 @@ void evaluate_wide(const g::Factor& factor, const g::Basis& basis, float b0, flo
     }
 }
 
-void evaluate(const MomentVector& vector, const ReconstructionSettings& settings, std::span<const float> depths,
-              const AbsorbanceCurves& curves) {
+void evaluate(const MomentVector& vector, const ReconstructionSettings& settings,
+              std::span<const float> depths, const AbsorbanceCurves& curves) {
     if (g::is_empty(to_shared(vector))) {
-        for (const auto& curve : {curves.reconstructed, curves.beta0, curves.beta1}) std::ranges::fill(curve, 0.0f);
+        for (const auto& curve : {curves.reconstructed, curves.beta0, curves.beta1})
+            std::ranges::fill(curve, 0.0f);
         return;
     }
     const g::Basis basis = g::make_basis(settings.wrapping_zone_angle);
@@ -75,7 +76,8 @@ ReconstructionSteps steps(const MomentVector& vector, const ReconstructionSettin
     const g::Kernel kernel = g::kernel_polynomial(g::query_at(depth, factor, basis), factor);
     const g::Reconstruction at_depth = g::reconstruct(factor, basis, depth);
     result.biased.b0 = 1;
-    for (std::size_t i = 0; i < MOMENT_FLOATS; ++i) result.biased.b[i] = (biased.b[i] + biased.pull[i]) / biased.b0;
+    for (std::size_t i = 0; i < MOMENT_FLOATS; ++i)
+        result.biased.b[i] = (biased.b[i] + biased.pull[i]) / biased.b0;
     result.floored_pivots = factor.floored;
     result.query_weight = at_depth.query_weight;
     result.in_front = at_depth.in_front;

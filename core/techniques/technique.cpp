@@ -1,7 +1,7 @@
 #include "core/techniques/technique.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -51,8 +51,9 @@ std::vector<Technique> make_rows() {
     };
     rows.push_back({.id = "sorted",
                     .name = "sorted fragments",
-                    .description = "The ground truth: every fragment of every pixel is captured, sorted by depth and "
-                                   "composited front to back. Fragments at the same depth keep their submission order.",
+                    .description =
+                        "The ground truth: every fragment of every pixel is captured, sorted by depth and "
+                        "composited front to back. Fragments at the same depth keep their submission order.",
                     .source = "Carpenter 1984; Yang et al. 2010",
                     .path = RenderPath::sorted,
                     .kernel = nullptr,

@@ -16,25 +16,25 @@ enum class RenderPath { moments, sorted };
 struct Technique {
     const char* id;
     const char* name;
-    const char* description;   // a short paragraph
-    const char* source;        // paper, section, algorithm
+    const char* description;  // a short paragraph
+    const char* source;       // paper, section, algorithm
     RenderPath path;
-    const MomentKernel* kernel;                  // how C++ evaluates it on a view ray; null for the truth itself
-    const char* basis;                           // shaders/shared/<basis>_moments.glsl, or null
-    int moment_count;                            // m, 0 without moments
-    std::span<const ParameterId> parameters;     // those that it reads
-    float recommended_bias;                      // what alpha = auto means
-    bool has_bounds;          // beta = 0 and beta = 1 bound the truth (of the biased moments)
-    int bits_per_pixel;       // beside the colour buffers; 0 where it grows with the fragments
-    int geometry_passes;      // how often transparent geometry is rasterised
-    bool order_dependent;     // does the submission order of geometry change the picture?
+    const MomentKernel* kernel;               // how C++ evaluates it on a view ray; null for the truth itself
+    const char* basis;                        // shaders/shared/<basis>_moments.glsl, or null
+    int moment_count;                         // m, 0 without moments
+    std::span<const ParameterId> parameters;  // those that it reads
+    float recommended_bias;                   // what alpha = auto means
+    bool has_bounds;                          // beta = 0 and beta = 1 bound the truth (of the biased moments)
+    int bits_per_pixel;    // beside the colour buffers; 0 where it grows with the fragments
+    int geometry_passes;   // how often transparent geometry is rasterised
+    bool order_dependent;  // does the submission order of geometry change the picture?
 
     bool uses(ParameterId parameter_id) const;
 };
 
 /// All techniques, in the order in which they are listed; ids are unique.
 std::span<const Technique> techniques();
-const Technique* find_technique(std::string_view id);   // nullptr when there is none
+const Technique* find_technique(std::string_view id);  // nullptr when there is none
 
 /// The technique with that id. Throws Error that lists the ids.
 const Technique& require_technique(std::string_view id);

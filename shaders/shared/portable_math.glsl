@@ -62,7 +62,7 @@ FN float portable_exp(float x)
 
 struct SinCos { float sine; float cosine; };
 
-/// sin and cos of an angle in [0, pi], absolute error below 1.5e-7: Taylor series about pi/2, where the
+/// sin and cos of an angle in [0, pi], absolute error below 2.2e-7: Taylor series about pi/2, where the
 /// sine is even and the cosine odd.
 FN SinCos portable_sincos(float angle)
 {

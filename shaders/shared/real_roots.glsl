@@ -59,8 +59,16 @@ FN float nearest_root(IN(MonicPolynomial) p)
                                   - 2.0f * n * (n - 1.0f) * p.e[1], 0.0f));
     PRECISE float t = (p.e[0] < 0.0f ? root - p.e[0] : -root - p.e[0]) / n;
     float s = abs(t) < 1.0e-6f ? 1.0e6f : 1.0f / t;
+    // Steps shrink until, within a close pair, value and slope are rounding noise; then a step may lead anywhere.
+    float last_size = 1.0e30f;
     UNROLL
-    for (int i = 0; i < LAGUERRE_STEPS; ++i) s = laguerre_step(p, s);
+    for (int i = 0; i < LAGUERRE_STEPS; ++i)
+    {
+        float next = laguerre_step(p, s);
+        float size = abs(next - s);
+        s = size < last_size ? next : s;
+        last_size = min(size, last_size);
+    }
     return s;
 }
 

@@ -31,7 +31,8 @@ Work work_for(const Technique& technique) {
 }
 
 void evaluate(const Work& work, const std::vector<float>& depths, std::vector<float> (&curves)[3]) {
-    work.technique->kernel->evaluate(work.moments, {work.parameters.beta, work.parameters.theta, work.parameters.alpha},
+    work.technique->kernel->evaluate(work.moments,
+                                     {work.parameters.beta, work.parameters.theta, work.parameters.alpha},
                                      depths, {curves[0], curves[1], curves[2]});
     benchmark::DoNotOptimize(curves[0].data());
     benchmark::ClobberMemory();
@@ -55,9 +56,11 @@ int main(int argc, char** argv) {
     for (const Technique& technique : techniques())
         if (technique.kernel != nullptr) all.push_back(work_for(technique));
     for (const Work& work : all)
-        benchmark::RegisterBenchmark(work.technique->id, [work](benchmark::State& state) { run(state, {work}); });
-    benchmark::RegisterBenchmark("all six", [all](benchmark::State& state) { run(state, all); })
-        ->Unit(benchmark::kMicrosecond);
+        benchmark::RegisterBenchmark(work.technique->id,
+                                     [work](benchmark::State& state) { run(state, {work}); });
+    benchmark::RegisterBenchmark("all six", [all](benchmark::State& state) {
+        run(state, all);
+    })->Unit(benchmark::kMicrosecond);
     benchmark::Initialize(&argc, argv);
     benchmark::RunSpecifiedBenchmarks();
 }

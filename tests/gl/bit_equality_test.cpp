@@ -1,4 +1,5 @@
-// bit_equality_test.cpp -- the shared source gives the same bits in C++ and on this GL, in compute and fragment shaders.
+// bit_equality_test.cpp -- the shared source gives the same bits in C++ and on this GL, in compute and
+// fragment shaders.
 #include <fmt/format.h>
 
 #include <bit>
@@ -14,9 +15,9 @@
 namespace momentscope::test {
 namespace {
 
-constexpr std::size_t COUNT = 262'144;   // 512 x 512
+constexpr std::size_t COUNT = 262'144;  // 512 x 512
 
-struct Item {   // shaders/tests/evaluate.glsl
+struct Item {  // shaders/tests/evaluate.glsl
     float b0, b[8], depth, view_depth, opacity;
 };
 struct Result {
@@ -72,27 +73,32 @@ protected:
         glCreateBuffers(2, names);
         const GlBuffer input(names[0]);
         const GlBuffer output(names[1]);
-        glNamedBufferStorage(input, static_cast<GLsizeiptr>(sizeof(Header) + items.size() * sizeof(Item)), nullptr,
-                             GL_DYNAMIC_STORAGE_BIT);
+        glNamedBufferStorage(input, static_cast<GLsizeiptr>(sizeof(Header) + items.size() * sizeof(Item)),
+                             nullptr, GL_DYNAMIC_STORAGE_BIT);
         glNamedBufferSubData(input, 0, sizeof(Header), &header);
-        glNamedBufferSubData(input, sizeof(Header), static_cast<GLsizeiptr>(items.size() * sizeof(Item)), items.data());
+        glNamedBufferSubData(input, sizeof(Header), static_cast<GLsizeiptr>(items.size() * sizeof(Item)),
+                             items.data());
         std::vector<Result> results(items.size());
-        glNamedBufferStorage(output, static_cast<GLsizeiptr>(results.size() * sizeof(Result)), results.data(), 0);
+        glNamedBufferStorage(output, static_cast<GLsizeiptr>(results.size() * sizeof(Result)), results.data(),
+                             0);
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, input);
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, output);
         draw();
         glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-        glGetNamedBufferSubData(output, 0, static_cast<GLsizeiptr>(results.size() * sizeof(Result)), results.data());
+        glGetNamedBufferSubData(output, 0, static_cast<GLsizeiptr>(results.size() * sizeof(Result)),
+                                results.data());
         return results;
     }
 
     void expect_same_bits(const std::vector<Result>& gl, const char* stage) {
         const ResolvedParameters p = resolve({}, *GetParam());
-        long different[5] = {};   // absorbance, transmittance, depth, b0, other moments
+        long different[5] = {};  // absorbance, transmittance, depth, b0, other moments
         float worst = 0;
         for (std::size_t i = 0; i < COUNT; ++i) {
             const Result cpp = evaluate(*GetParam(), p, items_[i]);
-            const auto differs = [](float a, float b) { return std::bit_cast<int>(a) != std::bit_cast<int>(b) ? 1 : 0; };
+            const auto differs = [](float a, float b) {
+                return std::bit_cast<int>(a) != std::bit_cast<int>(b) ? 1 : 0;
+            };
             different[0] += differs(cpp.absorbance, gl[i].absorbance);
             different[1] += differs(cpp.transmittance, gl[i].transmittance);
             different[2] += differs(cpp.warped, gl[i].warped);
@@ -101,9 +107,10 @@ protected:
                 different[4] += differs(cpp.fragment_b[k], gl[i].fragment_b[k]);
             worst = std::max(worst, std::abs(cpp.transmittance - gl[i].transmittance));
         }
-        fmt::print("{} {}: of {} differ: absorbance {}, transmittance {} (worst {}), depth {}, b0 {}, moments {}\n",
-                   GetParam()->id, stage, COUNT, different[0], different[1], worst, different[2], different[3],
-                   different[4]);
+        fmt::print(
+            "{} {}: of {} differ: absorbance {}, transmittance {} (worst {}), depth {}, b0 {}, moments {}\n",
+            GetParam()->id, stage, COUNT, different[0], different[1], worst, different[2], different[3],
+            different[4]);
         for (const long count : different) EXPECT_EQ(count, 0);
     }
 
@@ -125,7 +132,8 @@ TEST_P(BitEquality, InComputeShaders) {
 TEST_P(BitEquality, InFragmentShaders) {
     const ResolvedParameters p = resolve({}, *GetParam());
     items_ = random_items(*GetParam(), p);
-    const GlProgram program = link_program("passes/fullscreen.vert", "tests/evaluate.frag", moment_variant(*GetParam()));
+    const GlProgram program =
+        link_program("passes/fullscreen.vert", "tests/evaluate.frag", moment_variant(*GetParam()));
     const GlTexture target = make_texture(GL_R8, {512, 512});
     const GlFramebuffer framebuffer = make_framebuffer({target}, 0);
     expect_same_bits(run(items_, p,

@@ -86,7 +86,8 @@ TEST_F(RendererTest, SortedCompositesByHand) {
     opaque.set_scene(bare);
     opaque.render(view_of(bare, "sorted", size));
     const Image wall = opaque.read_picture();
-    for (const glm::ivec2 pixel : {glm::ivec2(80, 45), glm::ivec2(60, 50), glm::ivec2(100, 30), glm::ivec2(2, 2)}) {
+    for (const glm::ivec2 pixel :
+         {glm::ivec2(80, 45), glm::ivec2(60, 50), glm::ivec2(100, 30), glm::ivec2(2, 2)}) {
         const ViewRay ray = renderer.capture_pixel(pixel).ray;
         glm::dvec3 color(0);
         double transmittance = 1;
@@ -96,7 +97,7 @@ TEST_F(RendererTest, SortedCompositesByHand) {
             transmittance *= 1 - static_cast<double>(f.opacity);
         }
         color += transmittance * glm::dvec3(wall.at(pixel.x, pixel.y));
-        for (int c = 0; c < 3; ++c)   // float compositing of at most 4 fragments
+        for (int c = 0; c < 3; ++c)  // float compositing of at most 4 fragments
             EXPECT_NEAR(static_cast<double>(picture.at(pixel.x, pixel.y)[c]), color[c], 1e-6);
     }
     EXPECT_EQ(renderer.capture_pixel({80, 45}).ray.fragments.size(), 4u) << "the middle sees all four sheets";
@@ -104,7 +105,8 @@ TEST_F(RendererTest, SortedCompositesByHand) {
 
 class SecondPass : public GlTest<testing::TestWithParam<std::tuple<const Technique*, const char*>>> {};
 
-// T of every fragment of a picked pixel as the GL's second pass computes it, against C++ from the captured fragments.
+// T of every fragment of a picked pixel as the GL's second pass computes it, against C++ from the captured
+// fragments.
 TEST_P(SecondPass, ComputesTheBitsOfCpp) {
     const auto [technique, scene_id] = GetParam();
     const Scene scene = load_scene(scene_id, 0.4f);
@@ -115,14 +117,16 @@ TEST_P(SecondPass, ComputesTheBitsOfCpp) {
     long fragments = 0;
     long different = 0;
     for (int i = 0; i < 60; ++i) {
-        const glm::ivec2 pixel = i == 0 ? picked_pixel(scene, size) : glm::ivec2((i * 53) % size.x, (i * 37) % size.y);
+        const glm::ivec2 pixel =
+            i == 0 ? picked_pixel(scene, size) : glm::ivec2((i * 53) % size.x, (i * 37) % size.y);
         const PixelCapture capture = renderer.capture_pixel(pixel);
         std::vector<float> depths;
         for (const Fragment& f : capture.ray.fragments) depths.push_back(f.depth);
         const Curve curve = sample_curve(capture.ray, *technique, {}, depths);
         ASSERT_EQ(capture.transmittance.size(), depths.size());
         for (std::size_t k = 0; k < depths.size(); ++k) {
-            EXPECT_EQ(capture.ray.fragments[k].depth, to_depth(capture.ray.fragments[k].view_depth, capture.ray.warp));
+            EXPECT_EQ(capture.ray.fragments[k].depth,
+                      to_depth(capture.ray.fragments[k].view_depth, capture.ray.warp));
             const float cpp = transmittance(curve.reconstructed[k]);
             different += std::bit_cast<int>(cpp) != std::bit_cast<int>(capture.transmittance[k]) ? 1 : 0;
             ++fragments;

@@ -19,7 +19,7 @@ protected:
     Changed changed(const std::vector<unsigned char>& before, const std::vector<unsigned char>& after) const {
         Changed count;
         const int border = static_cast<int>(explorer_->scene_corner().x) + explorer_->result().picture_size.x;
-        for (int y = 0; y < explorer_->result().picture_size.y; ++y)   // not the status line below
+        for (int y = 0; y < explorer_->result().picture_size.y; ++y)  // not the status line below
             for (int x = 0; x < size_.x; ++x) {
                 const std::size_t at = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x) +
                                             static_cast<std::size_t>(x));
@@ -46,7 +46,7 @@ TEST_F(ExplorerTest, DraggingASliderChangesPlotAndPicture) {
         draw();
         const Changed difference = changed(before, screen());
         EXPECT_GT(difference.right, 0) << row.key << " moves its control";
-        if (id == ParameterId::alpha) continue;   // at its greatest it may leave these few sheets as they are
+        if (id == ParameterId::alpha) continue;  // at its greatest it may leave these few sheets as they are
         EXPECT_GT(difference.scene, 50) << row.key << " changes the picture";
     }
 }
@@ -60,7 +60,7 @@ TEST_F(ExplorerTest, TheBetaSliderFollowsTheMouse) {
     for (float y = 460; y < 700 && !moved; y += 8) {
         drag({1050, y}, {1230, y}, 0);
         moved = *explorer.state().parameters[ParameterId::beta] != before;
-        if (ImGui::GetCurrentContext()->OpenPopupStack.Size > 0) click({5, 5});   // a combo opened instead
+        if (ImGui::GetCurrentContext()->OpenPopupStack.Size > 0) click({5, 5});  // a combo opened instead
     }
     EXPECT_TRUE(moved);
     EXPECT_GT(*explorer.state().parameters[ParameterId::beta], before);

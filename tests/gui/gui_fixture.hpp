@@ -1,4 +1,5 @@
-// gui_fixture.hpp -- the real window's content, headless: tests move the mouse and press keys, and look at state and pixels.
+// gui_fixture.hpp -- the real window's content, headless: tests move the mouse and press keys, and look at
+// state and pixels.
 #pragma once
 #include <gtest/gtest.h>
 #include <imgui.h>

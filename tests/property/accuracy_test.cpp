@@ -1,5 +1,6 @@
-// accuracy_test.cpp -- errors of T at the fragments' own depths, against exact arithmetic, by quantiles: an odd ray in a
-// million is off whatever one does, because moments in floats do not determine it (docs/tolerances.md).
+// accuracy_test.cpp -- errors of T at the fragments' own depths, against exact arithmetic, by quantiles: an
+// odd ray in a million is off whatever one does, because moments in floats do not determine it
+// (docs/tolerances.md).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -16,14 +17,14 @@ namespace momentscope::test {
 namespace {
 
 struct Sample {
-    float error;          // of T
-    std::uint32_t ray;    // seed of its ray
+    float error;        // of T
+    std::uint32_t ray;  // seed of its ray
 };
 
 struct Errors {
     std::vector<Sample> against_exact_moments;
     std::vector<float> against_float_moments;
-    long without_exact_result = 0;   // the stored moments' matrix is not positive definite
+    long without_exact_result = 0;  // the stored moments' matrix is not positive definite
     long floored_pivots = 0;
     long rays = 0;
 };
@@ -57,7 +58,8 @@ void measure_ray(const Technique& technique, std::uint32_t seed, float beta, Err
         const Real ideal = transmittance((*exact.from_exact_moments)(depth), b0, beta);
         errors.against_exact_moments.push_back({static_cast<float>(std::abs(t - ideal)), seed});
         if (!exact.from_float_moments) continue;
-        const Real same = transmittance((*exact.from_float_moments)(depth), static_cast<Real>(curve.moments.b0), beta);
+        const Real same =
+            transmittance((*exact.from_float_moments)(depth), static_cast<Real>(curve.moments.b0), beta);
         errors.against_float_moments.push_back(static_cast<float>(std::abs(t - same)));
     }
 }
@@ -105,10 +107,13 @@ TEST_P(Accuracy, AtOwnDepthsAgainstExactArithmetic) {
     const double mean_exact = mean(errors.against_exact_moments, error_of);
     const double mean_float = mean(errors.against_float_moments, [](float error) { return error; });
     const Sample worst = errors.against_exact_moments.back();
-    fmt::print("{} beta {}: {} rays, error of T: mean {:.2e}, 99 % {:.2e}, 99.99 % {:.2e}, worst {:.2e}; from the same "
-               "float moments: mean {:.2e}; no exact result {}; pivots floored {}\n  worst ray {}\n",
-               technique->id, beta, errors.rays, mean_exact, quantile(0.99), quantile(0.9999), worst.error, mean_float,
-               errors.without_exact_result, errors.floored_pivots, ray_to_json(ray_of_seed(worst.ray)).dump());
+    fmt::print(
+        "{} beta {}: {} rays, error of T: mean {:.2e}, 99 % {:.2e}, 99.99 % {:.2e}, worst {:.2e}; from the "
+        "same "
+        "float moments: mean {:.2e}; no exact result {}; pivots floored {}\n  worst ray {}\n",
+        technique->id, beta, errors.rays, mean_exact, quantile(0.99), quantile(0.9999), worst.error,
+        mean_float, errors.without_exact_result, errors.floored_pivots,
+        ray_to_json(ray_of_seed(worst.ray)).dump());
     EXPECT_LE(mean_exact, 8e-6);
     EXPECT_LE(quantile(0.99), 1e-4f);
     EXPECT_LE(quantile(0.9999), 5e-2f);
@@ -116,7 +121,8 @@ TEST_P(Accuracy, AtOwnDepthsAgainstExactArithmetic) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Techniques, Accuracy,
-                         testing::Combine(testing::ValuesIn(moment_based_techniques()), testing::Values(0.0f, 0.25f)),
+                         testing::Combine(testing::ValuesIn(moment_based_techniques()),
+                                          testing::Values(0.0f, 0.25f)),
                          [](const auto& row) {
                              const bool lower = std::get<1>(row.param) == 0;
                              return test_name(*std::get<0>(row.param)) + (lower ? "_beta0" : "_beta25");

@@ -1,4 +1,5 @@
-// exact_technique.hpp -- what a technique of the registry would compute in long double, through tests/reference.
+// exact_technique.hpp -- what a technique of the registry would compute in long double, through
+// tests/reference.
 #pragma once
 #include <algorithm>
 #include <functional>
@@ -28,8 +29,8 @@ inline PointMasses point_masses(const ViewRay& ray) {
     return masses;
 }
 
-/// b* of Table 1 of the supplementary for float moments, with the digits of facts in docs/equations.md; typed again here so
-/// that a slip in shaders/ shows.
+/// b* of Table 1 of the supplementary for float moments, with the digits of facts in docs/equations.md; typed
+/// again here so that a slip in shaders/ shows.
 template <std::size_t M>
 reference::PowerMoments<M, Real> table1_bias() {
     if constexpr (M == 4) return {1, 0, 0.375L, 0, 0.375L};
@@ -37,8 +38,8 @@ reference::PowerMoments<M, Real> table1_bias() {
     if constexpr (M == 8) return {1, 0, 0.75L, 0, 0.67666666666666664L, 0, 0.63L, 0, 0.60030303030303034L};
 }
 
-/// Exact functions of one ray: from its exact moments, and from given stored float moments. nullopt where the biased
-/// matrix is not positive definite, so that there is no exact result.
+/// Exact functions of one ray: from its exact moments, and from given stored float moments. nullopt where the
+/// biased matrix is not positive definite, so that there is no exact result.
 struct ExactPair {
     std::optional<ExactFunction> from_exact_moments;
     std::optional<ExactFunction> from_float_moments;
@@ -46,7 +47,8 @@ struct ExactPair {
 
 template <std::size_t M>
 std::optional<ExactFunction> exact_power(const reference::PowerMoments<M, Real>& moments, Real bias) {
-    const auto factor = reference::factor_power<M, Real>(reference::normalise_and_bias(moments, table1_bias<M>(), bias));
+    const auto factor =
+        reference::factor_power<M, Real>(reference::normalise_and_bias(moments, table1_bias<M>(), bias));
     if (!factor) return std::nullopt;
     return [factor = *factor](Real depth) {
         const auto bounds = reference::power_bounds(factor, depth);
@@ -60,13 +62,14 @@ ExactPair exact_power_pair(const ViewRay& ray, const MomentVector& stored, Real 
     reference::PowerMoments<M, Real> floats{};
     floats[0] = static_cast<Real>(stored.b0);
     for (std::size_t i = 0; i < M; ++i) floats[i + 1] = static_cast<Real>(stored.b[i]);
-    return {exact_power<M>(reference::power_moments<M>(std::span<const reference::PointMass<Real>>(masses)), bias),
+    return {exact_power<M>(reference::power_moments<M>(std::span<const reference::PointMass<Real>>(masses)),
+                           bias),
             exact_power<M>(floats, bias)};
 }
 
 template <std::size_t M>
-std::optional<ExactFunction> exact_trigonometric(const reference::TrigonometricMoments<M, Real>& moments, Real bias,
-                                                 Real theta) {
+std::optional<ExactFunction> exact_trigonometric(const reference::TrigonometricMoments<M, Real>& moments,
+                                                 Real bias, Real theta) {
     const auto factor = reference::factor_trigonometric<M, Real>(
         reference::normalise_and_bias(moments, reference::uniform_bias<M, Real>(), bias));
     if (!factor) return std::nullopt;

@@ -1,5 +1,5 @@
-// random_rays.hpp -- the distribution that accuracy is measured on: 1 to 10 fragments, depths uniform in [-1, 1], opacities
-// uniform in [.05, .95] (the distribution of the published trials).
+// random_rays.hpp -- the distribution that accuracy is measured on: 1 to 10 fragments, depths uniform in [-1,
+// 1], opacities uniform in [.05, .95] (the distribution of the published trials).
 #pragma once
 #include <random>
 #include <vector>

@@ -19,14 +19,14 @@ protected:
         const float beta0 = steps.in_front;
         const float beta1 = steps.in_front + steps.query_weight;
         const bool fine = beta0 >= -1e-4f && beta1 <= 1 + 1e-4f && beta1 >= beta0 && steps.absorbance >= 0 &&
-                          steps.absorbance <= moments.b0;   // false for NaN
+                          steps.absorbance <= moments.b0;  // false for NaN
         failures_ += fine ? 0 : 1;
         clamped_ += beta1 > 1 ? 1 : 0;
         floored_ += steps.floored_pivots;
         ++queries_;
         if (!fine && failures_ <= 3)
-            ADD_FAILURE() << fmt::format("{}: depth {} b0 {} beta0 {} beta1 {}", GetParam()->id, depth, moments.b0, beta0,
-                                         beta1);
+            ADD_FAILURE() << fmt::format("{}: depth {} b0 {} beta0 {} beta1 {}", GetParam()->id, depth,
+                                         moments.b0, beta0, beta1);
     }
     void check_ray(const ViewRay& ray, const std::vector<float>& depths, const ParameterValues& values) {
         const ResolvedParameters p = resolve(values, *GetParam());
@@ -34,8 +34,8 @@ protected:
         for (const float depth : depths) check(moments, {p.beta, p.theta, p.alpha}, depth);
     }
     void report(const char* what) const {
-        fmt::print("{} {}: {} queries, {} failures, {} sums above 1 clamped, {} pivots floored\n", GetParam()->id, what,
-                   queries_, failures_, clamped_, floored_);
+        fmt::print("{} {}: {} queries, {} failures, {} sums above 1 clamped, {} pivots floored\n",
+                   GetParam()->id, what, queries_, failures_, clamped_, floored_);
         EXPECT_EQ(failures_, 0);
     }
 
@@ -66,8 +66,10 @@ TEST_P(Robustness, SingleFragmentsEverywhere) {
 
 TEST_P(Robustness, TiesEndsAndExtremeOpacities) {
     std::mt19937 random(2);
-    const std::vector<float> depths = {-1.0f, -0.999999f, -1e-30f, 0.0f, 1e-7f, 0.5f, 0.5000001f, 0.999999f, 1.0f};
-    const std::vector<float> opacities = {0.0f, 1e-38f, 1e-20f, 1e-7f, 1.0f / 255, 0.5f, 0.9999f, 0.99999f, 1.0f};
+    const std::vector<float> depths = {-1.0f, -0.999999f, -1e-30f,   0.0f, 1e-7f,
+                                       0.5f,  0.5000001f, 0.999999f, 1.0f};
+    const std::vector<float> opacities = {0.0f, 1e-38f,  1e-20f,   1e-7f, 1.0f / 255,
+                                          0.5f, 0.9999f, 0.99999f, 1.0f};
     const auto pick = [&](const std::vector<float>& from) {
         return from[std::uniform_int_distribution<std::size_t>(0, from.size() - 1)(random)];
     };
@@ -89,9 +91,10 @@ TEST_P(Robustness, AnyParameters) {
         ParameterValues values;
         for (const ParameterId id : {ParameterId::beta, ParameterId::theta, ParameterId::alpha}) {
             const Parameter& row = parameter(id);
-            const int choice = i % 4;   // the ends of the range too: no bias, no wrapping zone
+            const int choice = i % 4;  // the ends of the range too: no bias, no wrapping zone
             const float share = choice == 0 ? 0.0f : choice == 1 ? 1.0f : unit(random);
-            values.set(id, std::clamp(row.minimum + share * (row.maximum - row.minimum), row.minimum, row.maximum));
+            values.set(
+                id, std::clamp(row.minimum + share * (row.maximum - row.minimum), row.minimum, row.maximum));
         }
         const ViewRay ray = random_ray(random);
         std::vector<float> depths = own_depths(ray);

@@ -13,8 +13,10 @@ TEST_P(Wide, EqualsScalar) {
     std::mt19937 random(4);
     for (int i = 0; i < 300; ++i) {
         const ViewRay ray = random_ray(random);
-        const Curve curve = sample_curve(ray, *GetParam(), {}, even_depths(67));   // 67: leaves a rest for any width
-        const ReconstructionSettings settings = {curve.parameters.beta, curve.parameters.theta, curve.parameters.alpha};
+        const Curve curve =
+            sample_curve(ray, *GetParam(), {}, even_depths(67));  // 67: leaves a rest for any width
+        const ReconstructionSettings settings = {curve.parameters.beta, curve.parameters.theta,
+                                                 curve.parameters.alpha};
         for (std::size_t k = 0; k < curve.depth.size(); ++k)
             ASSERT_EQ(curve.reconstructed[k],
                       GetParam()->kernel->steps(curve.moments, settings, curve.depth[k]).absorbance);
