@@ -127,12 +127,19 @@ void draw_legend(ImDrawList& list, const Axes& axes, const Curve& curve) {
     }
     if (has_wrapping_zone(curve) && axes.depth_end > 1)
         entries.push_back({"wrapping zone θ", color::WRAPPING_ZONE});
+    // Absorbance only grows, so the lower right corner is the emptiest.
     const float line = ImGui::GetTextLineHeight() + 3;
-    float y = axes.upper_left.y + 8;
+    float width = 0;
+    for (const Entry& entry : entries) width = std::max(width, ImGui::CalcTextSize(entry.text).x);
+    const ImVec2 corner = {axes.x(1) - width - 50,
+                           axes.lower_right.y - line * static_cast<float>(entries.size()) - 14};
+    list.AddRectFilled({corner.x - 6, corner.y - 4}, {axes.x(1) - 8, axes.lower_right.y - 8},
+                       color::LEGEND_BACKGROUND, 3);
+    float y = corner.y;
     for (const Entry& entry : entries) {
-        const float x = axes.upper_left.x + 12;
-        list.AddLine({x, y + 0.5f * line}, {x + 22, y + 0.5f * line}, entry.tint | IM_COL32(0, 0, 0, 255), 3);
-        draw_text(list, {x + 30, y}, {0, 0}, entry.text);
+        list.AddLine({corner.x, y + 0.5f * line}, {corner.x + 22, y + 0.5f * line},
+                     entry.tint | IM_COL32(0, 0, 0, 255), 3);
+        draw_text(list, {corner.x + 30, y}, {0, 0}, entry.text);
         y += line;
     }
 }

@@ -14,6 +14,7 @@ constexpr ImU32 WRAPPING_ZONE = IM_COL32(204, 121, 167, 60);
 constexpr ImU32 GRID = IM_COL32(255, 255, 255, 28);
 constexpr ImU32 TEXT = IM_COL32(205, 210, 216, 255);
 constexpr ImU32 PLOT_BACKGROUND = IM_COL32(22, 24, 28, 255);
+constexpr ImU32 LEGEND_BACKGROUND = IM_COL32(22, 24, 28, 200);
 constexpr ImU32 MARK = IM_COL32(255, 255, 255, 255);
 constexpr ImU32 MARK_EDGE = IM_COL32(0, 0, 0, 255);
 }  // namespace color

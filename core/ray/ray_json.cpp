@@ -71,7 +71,7 @@ DepthWarp warp_from(const json& root) {
     warp = {true, number(*found, "z_min", "warp"), number(*found, "z_max", "warp")};
     // Closer together their logarithms would be the same float.
     if (!(warp.z_min >= 1e-30f && warp.z_max >= 1.0001f * warp.z_min))
-        throw Error("The view ray's warp needs 0 < z_min, and a z_max at least 1.0001 times as far.");
+        throw Error("The view ray's warp needs 0 < z_min < z_max, and 1.0001 z_min at least for z_max.");
     return warp;
 }
 

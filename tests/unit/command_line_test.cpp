@@ -94,7 +94,8 @@ TEST_F(CommandLine, RefusesUnknownScenesTechniquesOptionsAndFormats) {
     expect_refused("render --scene nowhere -o out/x.png", "no scene 'nowhere'");
     expect_refused("render --scene planes --technique power5-32 -o out/x.png", "no technique 'power5-32'");
     expect_all_refused("inspect --ray ray.json ", {"--gamma 2", "stray"}, "--help");
-    expect_all_refused("inspect --ray ray.json --technique ", {"power4-32,", "''"}, "no technique");
+    expect_all_refused("inspect --ray ray.json --technique ", {"power4-32,"}, "no technique");
+    expect_all_refused("inspect --ray ray.json --technique ", {"''"}, "has no value");
     expect_refused("inspect --ray ray.json --format xml -o out/x", "json, csv or table");
     expect_refused("list nonsense", "no list 'nonsense'");
     expect_refused("list techniques --format csv", "table or json");
