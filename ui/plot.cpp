@@ -113,7 +113,7 @@ void draw_wrapping_zone(ImDrawList& list, const Axes& axes) {
         draw_text(list, {middle, axes.upper_left.y + 4}, {0.5f, 0}, "θ");
 }
 
-void draw_legend(ImDrawList& list, const Axes& axes, const Curve& curve) {
+void draw_legend(ImDrawList& list, const Axes& axes, const ViewRay& ray, const Curve& curve) {
     struct Entry {
         const char* text;
         ImU32 tint;
@@ -127,12 +127,15 @@ void draw_legend(ImDrawList& list, const Axes& axes, const Curve& curve) {
     }
     if (has_wrapping_zone(curve) && axes.depth_end > 1)
         entries.push_back({"wrapping zone θ", color::WRAPPING_ZONE});
-    // Absorbance only grows, so the lower right corner is the emptiest.
     const float line = ImGui::GetTextLineHeight() + 3;
-    float width = 0;
-    for (const Entry& entry : entries) width = std::max(width, ImGui::CalcTextSize(entry.text).x);
-    const ImVec2 corner = {axes.x(1) - width - 50,
-                           axes.lower_right.y - line * static_cast<float>(entries.size()) - 14};
+    ImVec2 extent = {0, line * static_cast<float>(entries.size())};
+    for (const Entry& entry : entries) extent.x = std::max(extent.x, ImGui::CalcTextSize(entry.text).x + 30);
+    // Absorbance only grows: where it grows late the upper left corner is empty, otherwise the lower right
+    // one.
+    const float middle[] = {0.0f};
+    const bool late = 2 * true_absorbance(ray, middle).front() < curve.total_absorbance;
+    const ImVec2 corner = late ? ImVec2(axes.upper_left.x + 14, axes.upper_left.y + 12)
+                               : ImVec2(axes.x(1) - extent.x - 14, axes.lower_right.y - extent.y - 12);
     list.AddRectFilled({corner.x - 6, corner.y - 4}, {axes.x(1) - 8, axes.lower_right.y - 8},
                        color::LEGEND_BACKGROUND, 3);
     float y = corner.y;
@@ -178,7 +181,7 @@ void draw_plot(const ViewRay& ray, const Curve& curve, ImVec2 upper_left, ImVec2
     }
     draw_truth(list, axes, ray);
     if (!curve.beta0.empty()) draw_line(list, axes, curve, curve.reconstructed, color::RECONSTRUCTION, 2);
-    draw_legend(list, axes, curve);
+    draw_legend(list, axes, ray, curve);
     if (ray.fragments.empty())
         draw_text(list,
                   {0.5f * (axes.upper_left.x + axes.lower_right.x),
