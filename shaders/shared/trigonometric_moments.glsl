@@ -9,89 +9,17 @@
 #define ROOT_COUNT MOMENT_COUNT
 #define MOMENT_FLOATS (2 * MOMENT_COUNT)
 #define ORDER (MOMENT_COUNT + 1)   // of the Toeplitz matrix
+#include "moments.glsl"
+#include "complex.glsl"
+#include "depth_circle.glsl"
 #include "float_pair.glsl"
+#include "toeplitz_factor.glsl"
 #include "real_roots.glsl"
-
-/// A pivot below this is rounding noise (1 ulp of a normalised moment) and counts as this.
-const float PIVOT_FLOOR = 6.0e-8f;
 
 /// Bias pulls towards the uniform distribution on the circle, whose other moments are 0 (supplementary, Table 1).
 FN float bias_moment(int i)
 {
     return 0.0f;
-}
-
-/// The zeroth moment b0 (total absorbance, >= 0), then Re b_1, Im b_1, Re b_2, ..., not normalised.
-struct Moments { float b0; float b[MOMENT_FLOATS]; };
-
-/// Moments with what bias adds to them, kept apart: b[i] + pull[i], not normalised. Added up they would lose most digits
-/// of a small pull, which is all that keeps the matrix of a few fragments regular.
-struct BiasedMoments { float b0; float b[MOMENT_FLOATS]; float pull[MOMENT_FLOATS]; };
-
-struct Complex { float re; float im; };
-
-FN Complex make_complex(float re, float im)
-{
-    Complex result;
-    result.re = re;
-    result.im = im;
-    return result;
-}
-
-FN Complex product(IN(Complex) a, IN(Complex) b)
-{
-    PRECISE float re = a.re * b.re - a.im * b.im;
-    PRECISE float im = a.re * b.im + a.im * b.re;
-    return make_complex(re, im);
-}
-
-FN Complex conjugate(IN(Complex) a)
-{
-    Complex result;
-    result.re = a.re;
-    result.im = -a.im;
-    return result;
-}
-
-/// psi of Section 5.2: grows with the phase like an angle, from -1 at phase -pi/4 to 7; no inverse trigonometry.
-FN float phase_order(IN(Complex) x)
-{
-    PRECISE float r = abs(x.im) - abs(x.re);
-    r = x.re < 0.0f ? 2.0f - r : r;
-    return x.im < 0.0f ? 6.0f - r : r;
-}
-
-/// What depends on theta but not on depth.
-struct Basis
-{
-    float half_phase_scale;     // phi / 2 per (z + 1)
-    float quarter_sine;         // of theta / 2: from the end of the depth range to the end of the circle
-    float quarter_cosine;
-    float ramp_scale;           // v of a node in the wrapping zone is ramp_scale psi + ramp_offset (Eq. 6)
-    float ramp_offset;
-};
-
-/// wrapping_zone_angle theta in [0, pi].
-FN Basis make_basis(float wrapping_zone_angle)
-{
-    Basis basis;
-    basis.half_phase_scale = 0.5f * PI - 0.25f * wrapping_zone_angle;
-    SinCos half_zone = portable_sincos(0.5f * wrapping_zone_angle);
-    basis.quarter_sine = half_zone.sine;
-    basis.quarter_cosine = half_zone.cosine;
-    Complex end = make_complex(half_zone.cosine, -half_zone.sine);   // half of the phase 2 pi - theta, squared below
-    float zone_start = phase_order(product(end, end));
-    PRECISE float ramp = 1.0f / (7.0f - zone_start);
-    basis.ramp_scale = wrapping_zone_angle > 0.0f ? ramp : 0.0f;
-    basis.ramp_offset = wrapping_zone_angle > 0.0f ? 1.0f - 7.0f * ramp : 0.0f;
-    return basis;
-}
-
-/// exp(i phi / 2) of a depth in [-1, 1].
-FN Complex half_phase(float depth, IN(Basis) basis)
-{
-    SinCos half_angle = portable_sincos((depth + 1.0f) * basis.half_phase_scale);
-    return make_complex(half_angle.cosine, half_angle.sine);
 }
 
 /// Moments of one fragment, absorbance * (1, x, ..., x^m).
@@ -110,100 +38,6 @@ FN Moments fragment_moments(float depth, float absorbance, IN(Basis) basis)
         moments.b[2 * i + 1] = power.im;
     }
     return moments;
-}
-
-struct Factor
-{
-    Complex gamma[MOMENT_COUNT];           // Szego recurrence (Verblunsky) coefficients
-    float inverse_h[ORDER];     // 1 / pivot, h_k = E[|p_k|^2]
-    int floored;                           // how many pivots were raised to the floor
-};
-
-/// LDL^H of the Hermitian Toeplitz matrix G_ij = b_{i-j} of biased moments, normalised to b_0 = 1. Pivots come from this
-/// elimination, not from h_k (1 - |gamma_k|^2), which loses the small ones.
-///
-/// Where fragments are few, nearly all of the matrix cancels in the elimination, and what is left, hardly more than the
-/// bias, decides the result. So it runs on pairs of floats and without division (Bareiss): each step multiplies what is
-/// left by its pivot, which `scale` keeps track of, and by a power of two that keeps it near 1.
-///
-/// No PRECISE here: glslangValidator takes forever to follow it through these arrays, and every sum that could be
-/// re-associated is in a function that has it.
-FN Factor factor_moments(IN(BiasedMoments) biased)
-{
-    FloatPair re[ORDER * ORDER];       // entry (i, j) at i ORDER + j for i >= j: the rest of G, times scale
-    FloatPair im[ORDER * ORDER];
-    Complex lower[ORDER * ORDER];      // L, with 1 on its diagonal
-    float h[ORDER];
-    Factor factor;
-    factor.floored = 0;
-    float unit = inverse_power_of_two(biased.b0);   // brings b_0 into [1, 2) exactly, so that no product underflows
-    UNROLL
-    for (int i = 0; i < ORDER; ++i)
-    {
-        UNROLL
-        for (int j = 0; j <= i; ++j)
-        {
-            int moment = 2 * max(i - j - 1, 0);
-            re[i * ORDER + j] = i == j ? make_pair(biased.b0 * unit, 0.0f) : exact_sum(biased.b[moment] * unit, biased.pull[moment] * unit);
-            im[i * ORDER + j] =
-                i == j ? make_pair(0.0f, 0.0f) : exact_sum(biased.b[moment + 1] * unit, biased.pull[moment + 1] * unit);
-        }
-    }
-    float scale = biased.b0 * unit;
-    UNROLL
-    for (int k = 0; k < ORDER; ++k)
-    {
-        float normalised_pivot = re[k * ORDER + k].high / scale;
-        factor.floored += normalised_pivot < PIVOT_FLOOR ? 1 : 0;
-        h[k] = max(normalised_pivot, PIVOT_FLOOR);
-        factor.inverse_h[k] = 1.0f / h[k];
-        FloatPair pivot = re[k * ORDER + k];
-        float inverse_pivot = factor.inverse_h[k] / scale;
-        if (normalised_pivot < PIVOT_FLOOR) pivot = make_pair(PIVOT_FLOOR * scale, 0.0f);
-        float power_of_two = inverse_power_of_two(pivot.high);
-        UNROLL
-        for (int i = k + 1; i < ORDER; ++i)
-        {
-            FloatPair i_re = re[i * ORDER + k];
-            FloatPair i_im = im[i * ORDER + k];
-            lower[i * ORDER + k] = make_complex(i_re.high * inverse_pivot, i_im.high * inverse_pivot);
-            UNROLL
-            for (int j = k + 1; j <= i; ++j)
-            {
-                FloatPair j_re = re[j * ORDER + k];
-                FloatPair j_im = im[j * ORDER + k];
-                FloatPair j_im_minus = make_pair(-j_im.high, -j_im.low);
-                re[i * ORDER + j] = scaled_pair(
-                    pair_difference(pair_difference(pair_product(re[i * ORDER + j], pivot), pair_product(i_re, j_re)),
-                                    pair_product(i_im, j_im)), power_of_two);
-                if (i != j)
-                    im[i * ORDER + j] = scaled_pair(
-                        pair_difference(pair_difference(pair_product(im[i * ORDER + j], pivot),
-                                                        pair_product(i_im, j_re)),
-                                        pair_product(i_re, j_im_minus)), power_of_two);
-            }
-        }
-        scale = scale * pivot.high * power_of_two;
-    }
-    // gamma_k = p_{k+1}(0), from x^i = sum_j L_ij p_j(x) at x = 0.
-    Complex at_zero[ORDER];
-    at_zero[0] = make_complex(1.0f, 0.0f);
-    UNROLL
-    for (int i = 1; i <= MOMENT_COUNT; ++i)
-    {
-        float sum_re = 0.0f;
-        float sum_im = 0.0f;
-        UNROLL
-        for (int j = 0; j < i; ++j)
-        {
-            Complex term = product(lower[i * ORDER + j], at_zero[j]);
-            sum_re = sum_re - term.re;
-            sum_im = sum_im - term.im;
-        }
-        at_zero[i] = make_complex(sum_re, sum_im);
-        factor.gamma[i - 1] = at_zero[i];
-    }
-    return factor;
 }
 
 /// The query depth as the reconstruction needs it: half its phase, and gamma_k in the frame where it is x = 1.

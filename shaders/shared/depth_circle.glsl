@@ -1,0 +1,43 @@
+// depth_circle.glsl -- depths on the unit circle, x(z) = exp(i phi), phi = (z + 1)(pi - theta/2) (Eq. 5), and the wrapping
+// zone: the arc of theta that holds no depths.
+
+/// psi of Section 5.2: grows with the phase like an angle, from -1 at phase -pi/4 to 7; no inverse trigonometry.
+FN float phase_order(IN(Complex) x)
+{
+    PRECISE float r = abs(x.im) - abs(x.re);
+    r = x.re < 0.0f ? 2.0f - r : r;
+    return x.im < 0.0f ? 6.0f - r : r;
+}
+
+/// What depends on theta but not on depth.
+struct Basis
+{
+    float half_phase_scale;     // phi / 2 per (z + 1)
+    float quarter_sine;         // of theta / 2: from the end of the depth range to the end of the circle
+    float quarter_cosine;
+    float ramp_scale;           // v of a node in the wrapping zone is ramp_scale psi + ramp_offset (Eq. 6)
+    float ramp_offset;
+};
+
+/// wrapping_zone_angle theta in [0, pi].
+FN Basis make_basis(float wrapping_zone_angle)
+{
+    Basis basis;
+    basis.half_phase_scale = 0.5f * PI - 0.25f * wrapping_zone_angle;
+    SinCos half_zone = portable_sincos(0.5f * wrapping_zone_angle);
+    basis.quarter_sine = half_zone.sine;
+    basis.quarter_cosine = half_zone.cosine;
+    Complex end = make_complex(half_zone.cosine, -half_zone.sine);   // half of the phase 2 pi - theta, squared below
+    float zone_start = phase_order(product(end, end));
+    PRECISE float ramp = 1.0f / (7.0f - zone_start);
+    basis.ramp_scale = wrapping_zone_angle > 0.0f ? ramp : 0.0f;
+    basis.ramp_offset = wrapping_zone_angle > 0.0f ? 1.0f - 7.0f * ramp : 0.0f;
+    return basis;
+}
+
+/// exp(i phi / 2) of a depth in [-1, 1].
+FN Complex half_phase(float depth, IN(Basis) basis)
+{
+    SinCos half_angle = portable_sincos((depth + 1.0f) * basis.half_phase_scale);
+    return make_complex(half_angle.cosine, half_angle.sine);
+}
