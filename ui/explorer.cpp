@@ -10,6 +10,7 @@
 #include "core/scene/scenes.hpp"
 #include "ui/parameter_controls.hpp"
 #include "ui/plot.hpp"
+#include "ui/registry_combos.hpp"
 #include "ui/theme.hpp"
 
 namespace momentscope::ui {
@@ -75,24 +76,36 @@ glm::ivec2 Explorer::picked(glm::ivec2 size) const {
 void Explorer::update(glm::ivec2 size) {
     try {
         if (!state_.ray) return update_picture(size);
-        result_.capture = {*state_.ray, {}};
-        result_.curve = sample_curve(*state_.ray, *state_.technique, state_.parameters,
-                                     plot_depths(*state_.ray, PLOT_SAMPLES));
+        update_ray();
     } catch (const Error& error) {
         if (result_.curve.technique == nullptr) throw;  // nothing good to go on showing
         message_ = error.what();
     }
 }
 
+void Explorer::update_ray() {
+    const View view = {{}, {}, state_.technique, state_.parameters};
+    if (first_stale_stage(shown_view_, view) == Stage::nothing) return;
+    result_.capture = {*state_.ray, {}};
+    update_curve();
+    shown_view_ = view;
+}
+
+void Explorer::update_curve() {
+    const ViewRay& ray = result_.capture.ray;
+    result_.curve = sample_curve(ray, *state_.technique, state_.parameters, plot_depths(ray, PLOT_SAMPLES));
+}
+
 void Explorer::update_picture(glm::ivec2 size) {
     load_scene_if_changed();
     const View view = {state_.camera.value_or(scene_.camera), size, state_.technique, state_.parameters};
     const glm::ivec2 pixel = picked(size);
-    if (first_stale_stage(shown_view_, view) == Stage::nothing && pixel == result_.pixel) return;
+    const Stage stage = first_stale_stage(shown_view_, view);
+    if (stage == Stage::nothing && pixel == result_.pixel) return;
     renderer_.render(view);
-    result_.capture = renderer_.capture_pixel(pixel);
-    result_.curve = sample_curve(result_.capture.ray, *state_.technique, state_.parameters,
-                                 plot_depths(result_.capture.ray, PLOT_SAMPLES));
+    // The fragments of a pixel depend on nothing that comes after the opaque pass.
+    if (stage <= Stage::opaque || pixel != result_.pixel) result_.capture = renderer_.capture_pixel(pixel);
+    update_curve();
     result_.pixel = pixel;
     result_.picture_size = size;
     shown_view_ = view;
@@ -192,31 +205,6 @@ void Explorer::handle_scene_input() {
             state_.picked = fraction_of(picked(size) + arrow.step, size);
 }
 
-void Explorer::draw_technique_combo() {
-    if (!ImGui::BeginCombo("##technique",
-                           fmt::format("{} ({})", state_.technique->name, state_.technique->id).c_str()))
-        return;
-    for (const Technique& technique : techniques()) {
-        if (ImGui::Selectable(fmt::format("{} ({})", technique.name, technique.id).c_str(),
-                              &technique == state_.technique))
-            state_.technique = &technique;
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", technique.source);
-    }
-    ImGui::EndCombo();
-}
-
-void Explorer::draw_scene_combo() {
-    if (!ImGui::BeginCombo("##scene", state_.scene.c_str())) return;
-    for (const SceneEntry& entry : scene_entries()) {
-        if (ImGui::Selectable(entry.id, state_.scene == entry.id)) {
-            state_.scene = entry.id;
-            state_.ray.reset();
-        }
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", entry.description);
-    }
-    ImGui::EndCombo();
-}
-
 void Explorer::draw_controls() {
     const float label_width = 14.5f * ImGui::GetFontSize();
     const auto label = [&](const char* text) {
@@ -226,9 +214,9 @@ void Explorer::draw_controls() {
         ImGui::SetNextItemWidth(-1);
     };
     label("scene");
-    draw_scene_combo();
+    if (draw_scene_combo(state_.scene)) state_.ray.reset();
     label("technique");
-    draw_technique_combo();
+    draw_technique_combo(state_.technique);
     draw_parameter_controls(*state_.technique, state_.parameters);
     if (!is_builtin_scene(state_.scene))
         draw_parameter_control(parameter(ParameterId::opacity), 0, state_.parameters);

@@ -23,7 +23,7 @@ struct ExplorerState {
 
 /// What was computed for the state that was shown last.
 struct ExplorerResult {
-    PixelCapture capture;  // the picked pixel
+    PixelCapture capture;  // the picked pixel; its transmittance is of the moment it was picked
     Curve curve;           // as the plot draws it
     glm::ivec2 pixel{0};
     glm::ivec2 picture_size{0};
@@ -51,14 +51,14 @@ private:
     void load_scene_if_changed();
     void apply_opacity();
     void update(glm::ivec2 size);
+    void update_ray();
     void update_picture(glm::ivec2 size);
+    void update_curve();
     glm::ivec2 picked(glm::ivec2 size) const;
     void draw_scene(ImVec2 size);
     void draw_mark();
     void handle_scene_input();
     void draw_controls();
-    void draw_technique_combo();
-    void draw_scene_combo();
     void draw_status();
 
     Renderer& renderer_;
