@@ -229,9 +229,11 @@ void Explorer::draw_status() {
     const std::string memory = state_.technique->bits_per_pixel > 0
                                    ? fmt::format("{} bits per pixel", state_.technique->bits_per_pixel)
                                    : std::string("memory grows with the fragments");
-    const std::string status = fmt::format(
-        "pixel {}, {}   fragments {}   total absorbance {:.4g}   {}", result_.pixel.x, result_.pixel.y,
-        result_.capture.ray.fragments.size(), result_.curve.total_absorbance, memory);
+    const std::string place = state_.ray ? std::string("view ray from a file")
+                                         : fmt::format("pixel {}, {}", result_.pixel.x, result_.pixel.y);
+    const std::string status =
+        fmt::format("{}   fragments {}   total absorbance {:.4g}   {}", place,
+                    result_.capture.ray.fragments.size(), result_.curve.total_absorbance, memory);
     if (message_.empty())
         ImGui::TextUnformatted(status.c_str());
     else

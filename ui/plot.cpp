@@ -136,7 +136,7 @@ void draw_legend(ImDrawList& list, const Axes& axes, const ViewRay& ray, const C
     const bool late = 2 * true_absorbance(ray, middle).front() < curve.total_absorbance;
     const ImVec2 corner = late ? ImVec2(axes.upper_left.x + 14, axes.upper_left.y + 12)
                                : ImVec2(axes.x(1) - extent.x - 14, axes.lower_right.y - extent.y - 12);
-    list.AddRectFilled({corner.x - 6, corner.y - 4}, {axes.x(1) - 8, axes.lower_right.y - 8},
+    list.AddRectFilled({corner.x - 6, corner.y - 4}, {corner.x + extent.x + 6, corner.y + extent.y + 4},
                        color::LEGEND_BACKGROUND, 3);
     float y = corner.y;
     for (const Entry& entry : entries) {
