@@ -19,7 +19,7 @@ window=$!
 
 # Waits until the picture has at least $1 colours and, if given, differs from file $2. The picture goes to $folder/now.png.
 wait_for_picture() {
-    for _ in $(seq 60); do
+    for _ in $(seq 120); do
         sleep 0.5
         kill -0 "$window" 2>/dev/null || { echo "The window closed: $(cat "$folder/errors")"; exit 1; }
         import -window root "$folder/now.png" 2>/dev/null || continue
