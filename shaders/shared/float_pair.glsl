@@ -54,6 +54,11 @@ FN FloatPair pair_difference(IN(FloatPair) a, IN(FloatPair) b)
     return exact_sum(high.high, low);
 }
 
+FN FloatPair negative_pair(IN(FloatPair) pair)
+{
+    return make_pair(-pair.high, -pair.low);
+}
+
 /// pair times a power of two: exact.
 FN FloatPair scaled_pair(IN(FloatPair) pair, float power_of_two)
 {

@@ -7,6 +7,3 @@ struct Moments { float b0; float b[MOMENT_FLOATS]; };
 /// Moments with what bias adds to them, kept apart: b[i] + pull[i], not normalised. Added up they would lose most digits
 /// of a small pull, which is all that keeps the matrix of a few fragments regular.
 struct BiasedMoments { float b0; float b[MOMENT_FLOATS]; float pull[MOMENT_FLOATS]; };
-
-/// A pivot below this is rounding noise (1 ulp of a normalised moment) and counts as this.
-const float PIVOT_FLOOR = 6.0e-8f;

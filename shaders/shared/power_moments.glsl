@@ -10,6 +10,7 @@
 #define ORDER (ROOT_COUNT + 1)   // of the Hankel matrix
 #include "moments.glsl"
 #include "float_pair.glsl"
+#include "elimination.glsl"
 #include "hankel_factor.glsl"
 #include "real_roots.glsl"
 

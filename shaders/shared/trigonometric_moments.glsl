@@ -13,6 +13,7 @@
 #include "complex.glsl"
 #include "depth_circle.glsl"
 #include "float_pair.glsl"
+#include "elimination.glsl"
 #include "toeplitz_factor.glsl"
 #include "real_roots.glsl"
 
@@ -58,66 +59,70 @@ FN Query query_at(float depth, IN(Factor) factor, IN(Basis) basis)
     return query;
 }
 
+/// Coefficients of t^j on the way to the kernel: of q_k, and of the sum of conj(p_k(1)) / h_k q_k (t - i)^(m-k) so far.
+struct KernelTerms { float re[ORDER]; float im[ORDER]; float sum_re[ORDER]; float sum_im[ORDER]; };
+
+/// From q_k to q_{k+1} = y + gamma conj(y), y = (t + i) q_k, and the sum times (t - i).
+FN KernelTerms next_terms(IN(KernelTerms) terms, IN(Complex) gamma)
+{
+    KernelTerms next;
+    PRECISE float plus = 1.0f + gamma.re;
+    PRECISE float minus = 1.0f - gamma.re;
+    UNROLL
+    for (int j = 0; j < ORDER; ++j)
+    {
+        int below = max(j - 1, 0);   // multiplying by t moves coefficients up
+        PRECISE float y_re = (j == 0 ? 0.0f : terms.re[below]) - terms.im[j];
+        PRECISE float y_im = (j == 0 ? 0.0f : terms.im[below]) + terms.re[j];
+        PRECISE float sum_re = (j == 0 ? 0.0f : terms.sum_re[below]) + terms.sum_im[j];
+        PRECISE float sum_im = (j == 0 ? 0.0f : terms.sum_im[below]) - terms.sum_re[j];
+        PRECISE float re = plus * y_re + gamma.im * y_im;
+        PRECISE float im = gamma.im * y_re + minus * y_im;
+        next.re[j] = re;
+        next.im[j] = im;
+        next.sum_re[j] = sum_re;
+        next.sum_im[j] = sum_im;
+    }
+    return next;
+}
+
 /// (t - i)^m K(1, x(t)) = at_query (t^m + e[0] t^(m-1) + ...), real for real t; at_query = 1 / w_0 >= 1.
 struct Kernel { float at_query; MonicPolynomial in_t; };
 
 FN Kernel kernel_polynomial(IN(Query) query, IN(Factor) factor)
 {
-    float re[ORDER];       // q_k, coefficients of t^j
-    float im[ORDER];
-    float sum_re[ORDER];   // sum of conj(p_k(1)) / h_k q_k (t - i)^(m-k), by Horner's rule
-    float sum_im[ORDER];
+    KernelTerms terms;
     UNROLL
-    for (int j = 0; j <= MOMENT_COUNT; ++j)
+    for (int j = 0; j < ORDER; ++j)
     {
-        re[j] = j == 0 ? 1.0f : 0.0f;
-        im[j] = 0.0f;
-        sum_re[j] = re[j];
-        sum_im[j] = 0.0f;
+        terms.re[j] = j == 0 ? 1.0f : 0.0f;
+        terms.im[j] = 0.0f;
+        terms.sum_re[j] = terms.re[j];
+        terms.sum_im[j] = 0.0f;
     }
     // The leading coefficient is a sum of squares. As the sum of leading coefficients it would cancel.
     PRECISE float at_query = 1.0f;
     UNROLL
     for (int k = 0; k < MOMENT_COUNT; ++k)
     {
-        PRECISE float plus = 1.0f + query.gamma[k].re;
-        PRECISE float minus = 1.0f - query.gamma[k].re;
-        PRECISE float cross = query.gamma[k].im;
-        PRECISE float carried_re = 0.0f;
-        PRECISE float carried_im = 0.0f;
-        PRECISE float carried_sum_re = 0.0f;
-        PRECISE float carried_sum_im = 0.0f;
+        terms = next_terms(terms, query.gamma[k]);
+        PRECISE float scale_re = terms.re[k + 1] * factor.inverse_h[k + 1];
+        PRECISE float scale_im = terms.im[k + 1] * factor.inverse_h[k + 1];
+        at_query = at_query + (terms.re[k + 1] * scale_re + terms.im[k + 1] * scale_im);
         UNROLL
-        for (int j = 0; j <= MOMENT_COUNT; ++j)
+        for (int j = 0; j < ORDER; ++j)
         {
-            PRECISE float y_re = carried_re - im[j];             // y = (t + i) q
-            PRECISE float y_im = carried_im + re[j];
-            PRECISE float s_re = carried_sum_re + sum_im[j];     // sum (t - i)
-            PRECISE float s_im = carried_sum_im - sum_re[j];
-            carried_re = re[j];
-            carried_im = im[j];
-            carried_sum_re = sum_re[j];
-            carried_sum_im = sum_im[j];
-            re[j] = plus * y_re + cross * y_im;
-            im[j] = cross * y_re + minus * y_im;
-            sum_re[j] = s_re;
-            sum_im[j] = s_im;
-        }
-        PRECISE float scale_re = re[k + 1] * factor.inverse_h[k + 1];
-        PRECISE float scale_im = im[k + 1] * factor.inverse_h[k + 1];
-        at_query = at_query + (re[k + 1] * scale_re + im[k + 1] * scale_im);
-        UNROLL
-        for (int j = 0; j <= MOMENT_COUNT; ++j)
-        {
-            sum_re[j] = sum_re[j] + (scale_re * re[j] + scale_im * im[j]);
-            sum_im[j] = sum_im[j] + (scale_re * im[j] - scale_im * re[j]);
+            PRECISE float sum_re = terms.sum_re[j] + (scale_re * terms.re[j] + scale_im * terms.im[j]);
+            PRECISE float sum_im = terms.sum_im[j] + (scale_re * terms.im[j] - scale_im * terms.re[j]);
+            terms.sum_re[j] = sum_re;
+            terms.sum_im[j] = sum_im;
         }
     }
     Kernel kernel;
     kernel.at_query = at_query;
     PRECISE float inverse = 1.0f / at_query;
     UNROLL
-    for (int j = 0; j < MOMENT_COUNT; ++j) kernel.in_t.e[j] = sum_re[MOMENT_COUNT - 1 - j] * inverse;
+    for (int j = 0; j < MOMENT_COUNT; ++j) kernel.in_t.e[j] = terms.sum_re[MOMENT_COUNT - 1 - j] * inverse;
     return kernel;
 }
 

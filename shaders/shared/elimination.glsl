@@ -1,0 +1,58 @@
+// elimination.glsl -- what the factorisations of both bases share.
+//
+// Where fragments are few, nearly all of the matrix of moments cancels in its elimination, and what is left, hardly more
+// than the bias, decides the result. So it runs on pairs of floats and without division (Bareiss): each step multiplies
+// what is left by its pivot, which a scale keeps track of, and by a power of two that keeps the scale near 1.
+
+/// A pivot below this is rounding noise (1 ulp of a normalised moment) and counts as this.
+const float PIVOT_FLOOR = 6.0e-8f;
+
+/// b[i] + pull[i] times a power of two, without rounding.
+FN FloatPair biased_moment(IN(BiasedMoments) biased, int i, float power_of_two)
+{
+    return exact_sum(biased.b[i] * power_of_two, biased.pull[i] * power_of_two);
+}
+
+struct Pivot
+{
+    FloatPair value;       // as it stands in the matrix, that is times the scale, raised to the floor
+    float h;               // normalised: what LDL^T would have
+    float inverse_h;
+    float power_of_two;    // what the step multiplies the rest by, beside the pivot
+    int floored;           // 1 if it was raised
+};
+
+/// The pivot of one step. scale: what the matrix has been multiplied by so far, in [1, 2^ORDER).
+FN Pivot make_pivot(IN(FloatPair) diagonal, float scale)
+{
+    PRECISE float h = diagonal.high / scale;
+    Pivot pivot;
+    pivot.floored = h < PIVOT_FLOOR ? 1 : 0;
+    pivot.value.high = h < PIVOT_FLOOR ? PIVOT_FLOOR * scale : diagonal.high;
+    pivot.value.low = h < PIVOT_FLOOR ? 0.0f : diagonal.low;
+    pivot.h = max(h, PIVOT_FLOOR);
+    pivot.inverse_h = 1.0f / pivot.h;
+    pivot.power_of_two = inverse_power_of_two(pivot.value.high);
+    return pivot;
+}
+
+/// The scale after the step.
+FN float next_scale(float scale, IN(Pivot) pivot)
+{
+    PRECISE float next = scale * pivot.value.high * pivot.power_of_two;
+    return next;
+}
+
+/// (entry pivot - a b) times the power of two: an entry after the step.
+FN FloatPair eliminated(IN(FloatPair) entry, IN(Pivot) pivot, IN(FloatPair) a, IN(FloatPair) b)
+{
+    return scaled_pair(pair_difference(pair_product(entry, pivot.value), pair_product(a, b)), pivot.power_of_two);
+}
+
+/// (entry pivot - a b - c d) times the power of two: half of a complex entry after the step.
+FN FloatPair eliminated_half(IN(FloatPair) entry, IN(Pivot) pivot, IN(FloatPair) a, IN(FloatPair) b, IN(FloatPair) c,
+                             IN(FloatPair) d)
+{
+    FloatPair first = pair_difference(pair_product(entry, pivot.value), pair_product(a, b));
+    return scaled_pair(pair_difference(first, pair_product(c, d)), pivot.power_of_two);
+}
