@@ -2,99 +2,141 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
-#include <cstdio>
-
 #include "app/commands.hpp"
-#include "app/gl_context.hpp"
-#include "app/gui_session.hpp"
+#include "app/event_player.hpp"
 #include "core/error.hpp"
+#include "core/image/image.hpp"
+#include "core/output_file.hpp"
 #include "core/ray/ray_json.hpp"
-#include "ui/explorer.hpp"
+#include "ui/session.hpp"
 
 namespace momentscope {
 
 namespace {
 
-constexpr int SETTLING_FRAMES =
-    3;  // ImGui needs a few to lay out and to let hovered and active states settle
-
 ui::ExplorerState initial_state(const Options& options) {
+    if (!options.session.empty()) {
+        ui::Session session = ui::read_session_file(options.session);
+        if (!session.ignored.empty())
+            std::fputs(fmt::format("momentscope: The session has what this version does not know: {}.\n",
+                                   fmt::join(session.ignored, ", "))
+                           .c_str(),
+                       stderr);
+        return session.state;
+    }
     ui::ExplorerState state;
     state.parameters = parse_parameters(options);
     const auto techniques = parse_techniques(options, "power6-32");
-    if (techniques.size() != 1) throw Error("The window shows one technique; give a single --technique.");
     state.technique = techniques.front();
+    state.compared.assign(techniques.begin() + 1, techniques.end());
     state.scene = options.scene;
     if (!options.ray.empty()) state.ray = read_ray_file(options.ray);
+    if (options.theme == "light") state.theme = ui::ThemeKind::light;
     return state;
 }
 
 // --pixel counts in the scene's picture, whose size only a drawn frame knows.
 void pick_option(const Options& options, ui::Explorer& explorer) {
     if (options.pixel.empty()) return;
-    const glm::ivec2 size = explorer.result().picture_size;
-    explorer.state().picked = (glm::vec2(parse_pixel(options.pixel, size)) + 0.5f) / glm::vec2(size);
+    const glm::ivec2 size = explorer.measurement().picture_size;
+    explorer.state().picked = ui::fraction_of(parse_pixel(options.pixel, size), size);
 }
 
-void draw_frame(GuiSession& gui, ui::Explorer& explorer, glm::ivec2 size) {
-    gui.begin_frame(size);
-    explorer.frame();
-    gui.end_frame(size);
+void explore_headless(const Options& options, glm::ivec2 size, float scale) {
+    if (options.screenshot.empty() && options.events.empty())
+        throw Error("--headless draws into a file; add --screenshot FILE.png, or --events FILE.");
+    if (!options.screenshot.empty()) {
+        require_writable(options.screenshot);
+        if (std::filesystem::path(options.screenshot).extension() != ".png")
+            throw Error(fmt::format("A screenshot is a .png; '{}' is not.", options.screenshot));
+    }
+    FrameLog log(options.log);
+    HeadlessWindow window(size, initial_state(options), {scale, false}, log);
+    window.settle();
+    pick_option(options, window.explorer());
+    window.settle();
+    if (!window.explorer().message().empty()) throw Error(window.explorer().message());
+    if (!options.events.empty()) EventPlayer(window).play_file(options.events);
+    if (!options.screenshot.empty()) window.write_png(options.screenshot);
 }
 
-void explore_headless(const Options& options, glm::ivec2 size) {
-    if (options.screenshot.empty()) throw Error("--headless draws into a file; add --screenshot FILE.png.");
-    require_writable(options.screenshot);
-    if (std::filesystem::path(options.screenshot).extension() != ".png")
-        throw Error(fmt::format("A screenshot is a .png; '{}' is not.", options.screenshot));
-    const ui::ExplorerState state = initial_state(options);
-    const auto context = make_gl_context("osmesa", size);
-    Renderer renderer;
-    GuiSession gui(nullptr, 1.0f);
-    ui::Explorer explorer(renderer, state);
-    draw_frame(gui, explorer, size);
-    pick_option(options, explorer);
-    for (int i = 0; i < SETTLING_FRAMES; ++i) draw_frame(gui, explorer, size);
-    if (!explorer.message().empty()) throw Error(explorer.message());
-    write_png(read_framebuffer(size), size.x, size.y, options.screenshot);
-}
+// A window, the explorer in it, and the loop that draws when there is something new to see.
+class OpenWindow {
+public:
+    OpenWindow(const Options& options, glm::ivec2 size, float scale)
+        : options_(options),
+          context_(make_gl_context("glfw", size)),
+          gui_(context_->window(), scale),
+          explorer_(renderer_, initial_state(options), {scale, true}),
+          log_(options.log) {
+        glfwSetWindowSizeLimits(context_->window(), 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    }
 
-void explore_window(const Options& options, glm::ivec2 size) {
-    if (!options.screenshot.empty()) throw Error("--screenshot needs --headless; add it.");
-    const auto context = make_gl_context("glfw", size);
-    const ui::ExplorerState state = initial_state(options);
-    Renderer renderer;
-    GuiSession gui(context->window(), 1.0f);
-    ui::Explorer explorer(renderer, state);
-    bool picked = false;
-    // Draws while there is input and shortly after; then waits for more.
-    for (int frames = SETTLING_FRAMES; glfwWindowShouldClose(context->window()) == GLFW_FALSE;) {
-        glm::ivec2 framebuffer;
-        glfwGetFramebufferSize(context->window(), &framebuffer.x, &framebuffer.y);
-        if (framebuffer.x > 0 && framebuffer.y > 0) {
-            draw_frame(gui, explorer, framebuffer);
-            if (!picked) pick_option(options, explorer);
-            picked = true;
-            glfwSwapBuffers(context->window());
-        }
-        if (frames > 0) {
-            --frames;
-            glfwPollEvents();
-        } else {
-            glfwWaitEvents();
-            frames = SETTLING_FRAMES;
+    void run() {
+        while (glfwWindowShouldClose(context_->window()) == GLFW_FALSE) {
+            draw();
+            if (need_.due(explorer_) && !explorer_.busy()) {
+                glfwPollEvents();
+            } else if (explorer_.busy()) {
+                glfwWaitEventsTimeout(0.05);
+            } else {
+                glfwWaitEvents();
+                need_.input();
+            }
         }
     }
-}
+
+private:
+    void draw() {
+        glm::ivec2 size;
+        glfwGetFramebufferSize(context_->window(), &size.x, &size.y);
+        if (size.x < 1 || size.y < 1) {  // minimised
+            glfwWaitEvents();
+            need_.input();
+            return;
+        }
+        gui_.begin_frame(size);
+        explorer_.frame();
+        gui_.end_frame(size);
+        log_.frame(explorer_);
+        need_.drawn();
+        if (!picked_ && !explorer_.busy()) {
+            pick_option(options_, explorer_);
+            picked_ = true;
+        }
+        if (const auto path = explorer_.take_window_export()) export_window(size, path->string());
+        glfwSwapBuffers(context_->window());
+    }
+
+    void export_window(glm::ivec2 size, const std::string& path) {
+        try {
+            write_png(read_framebuffer(size), size.x, size.y, path);
+        } catch (const Error& error) {
+            explorer_.say(error.what());
+        }
+    }
+
+    const Options& options_;
+    std::unique_ptr<GlContext> context_;
+    Renderer renderer_;
+    GuiSession gui_;
+    ui::Explorer explorer_;
+    FrameLog log_;
+    FrameNeed need_;
+    bool picked_ = false;
+};
 
 }  // namespace
 
 void run_explore(const Options& options) {
     const glm::ivec2 size = parse_size(options.size.empty() ? "1280x800" : options.size);
-    if (options.headless)
-        explore_headless(options, size);
-    else
-        explore_window(options, size);
+    const float scale = parse_scale(options.ui_scale);
+    if (!options.theme.empty() && options.theme != "dark" && options.theme != "light")
+        throw Error(fmt::format("There is no theme '{}'; use dark or light.", options.theme));
+    if (options.headless) return explore_headless(options, size, scale);
+    if (!options.screenshot.empty() || !options.events.empty())
+        throw Error("--screenshot and --events need --headless; add it.");
+    OpenWindow(options, size, scale).run();
 }
 
 }  // namespace momentscope

@@ -6,17 +6,18 @@
 #include <imgui_impl_glfw.h>
 #include <imgui_impl_opengl3.h>
 
+#include "ui/shortcut.hpp"
 #include "ui/theme.hpp"
 
 namespace momentscope {
 
 GuiSession::GuiSession(GLFWwindow* window, float ui_scale) : window_(window) {
     ImGui::CreateContext();
-    ui::apply_theme(ui_scale);
+    ui::load_fonts(ui_scale);
     if (window_ != nullptr)
         ImGui_ImplGlfw_InitForOpenGL(window_, true);
-    else  // the keys by their own numbers, as GLFW would map them
-        for (int key = 0; key < ImGuiKey_COUNT; ++key) ImGui::GetIO().KeyMap[key] = key;
+    else
+        ui::use_key_numbers();
     ImGui_ImplOpenGL3_Init("#version 450 core");
 }
 
@@ -26,14 +27,14 @@ GuiSession::~GuiSession() {
     ImGui::DestroyContext();
 }
 
-void GuiSession::begin_frame(glm::ivec2 size) {
+void GuiSession::begin_frame(glm::ivec2 size, float seconds) {
     ImGui_ImplOpenGL3_NewFrame();
     if (window_ != nullptr) {
         ImGui_ImplGlfw_NewFrame();
     } else {
         ImGuiIO& io = ImGui::GetIO();
         io.DisplaySize = {static_cast<float>(size.x), static_cast<float>(size.y)};
-        io.DeltaTime = 1.0f / 60.0f;
+        io.DeltaTime = seconds;
     }
     ImGui::NewFrame();
 }

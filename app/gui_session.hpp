@@ -15,8 +15,8 @@ public:
     GuiSession(const GuiSession&) = delete;
     GuiSession& operator=(const GuiSession&) = delete;
 
-    /// size: of the default framebuffer in pixels.
-    void begin_frame(glm::ivec2 size);
+    /// size: of the default framebuffer in pixels. seconds: since the last frame; a window measures by itself.
+    void begin_frame(glm::ivec2 size, float seconds = 1.0f / 60);
     void end_frame(glm::ivec2 size);
 
 private:

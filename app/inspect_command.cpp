@@ -9,7 +9,7 @@
 #include "core/ray/ray_json.hpp"
 #include "core/render/renderer.hpp"
 #include "core/scene/camera.hpp"
-#include "core/text_file.hpp"
+#include "core/output_file.hpp"
 
 namespace momentscope {
 

@@ -23,6 +23,11 @@ struct Options {
     std::string samples = "512";
     bool headless = false;
     std::string screenshot;
+    std::string session;
+    std::string events;
+    std::string log;
+    std::string ui_scale = "1";
+    std::string theme;
     std::map<std::string, std::string> parameters;  // by registry key
 };
 
@@ -34,6 +39,9 @@ glm::ivec2 parse_size(const std::string& text);
 
 /// "X,Y" within a picture of that size.
 glm::ivec2 parse_pixel(const std::string& text, glm::ivec2 size);
+
+/// From 0.5 to 4.
+float parse_scale(const std::string& text);
 
 /// "z1,z2,...", each in [-1, 1].
 std::vector<float> parse_depths(const std::string& text);

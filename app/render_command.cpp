@@ -1,6 +1,7 @@
 #include "app/commands.hpp"
 #include "app/gl_context.hpp"
 #include "core/error.hpp"
+#include "core/output_file.hpp"
 #include "core/render/renderer.hpp"
 
 namespace momentscope {

@@ -86,11 +86,4 @@ std::optional<float> parse_parameter(const Parameter& row, std::string_view text
     return value;
 }
 
-Stage first_stale_stage(const ParameterValues& before, const ParameterValues& after) {
-    Stage first = Stage::nothing;
-    for (const Parameter& row : ROWS)
-        if (before[row.id] != after[row.id]) first = std::min(first, row.invalidates);
-    return first;
-}
-
 }  // namespace momentscope

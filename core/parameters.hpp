@@ -57,7 +57,4 @@ private:
 /// The value that a text on the command line or in a file means: a number or `auto`. Throws Error.
 std::optional<float> parse_parameter(const Parameter& row, std::string_view text);
 
-/// The first stage at which a picture made with `before` is stale for `after`.
-Stage first_stale_stage(const ParameterValues& before, const ParameterValues& after);
-
 }  // namespace momentscope

@@ -1,74 +1,149 @@
-// explorer.hpp -- the window's content: scene, plot and controls over one state.
+// explorer.hpp -- the window's content: scene, plot and panels over one state.
 #pragma once
 #include <imgui.h>
 
+#include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
-#include "core/inspect/curve.hpp"
+#include "core/gl/gl_info.hpp"
 #include "core/render/renderer.hpp"
+#include "ui/command_palette.hpp"
+#include "ui/file_dialog.hpp"
+#include "ui/history.hpp"
+#include "ui/measurement.hpp"
+#include "ui/plot_panel.hpp"
+#include "ui/scene_loader.hpp"
+#include "ui/scene_panel.hpp"
 
 namespace momentscope::ui {
 
-/// All that the user chose. Everything shown follows from it.
-struct ExplorerState {
-    std::string scene;           // registry id or path of a mesh file
-    std::optional<ViewRay> ray;  // a ray from a file; then its plot is shown without a scene
-    const Technique* technique = nullptr;
-    ParameterValues parameters;
-    std::optional<Camera> camera;  // nullopt: the scene's own
-    std::optional<glm::vec2>
-        picked;  // fraction of the picture from its upper left corner; nullopt: the scene's own
+struct ExplorerOptions {
+    float scale = 1;        // of fonts and spacing
+    bool show_times = true; // milliseconds in the status line; off where pictures must repeat bit by bit
 };
 
-/// What was computed for the state that was shown last.
-struct ExplorerResult {
-    PixelCapture capture;  // the picked pixel; its transmittance is of the moment it was picked
-    Curve curve;           // as the plot draws it
-    glm::ivec2 pixel{0};
-    glm::ivec2 picture_size{0};
+/// What a frame had to compute; all false when nothing had changed.
+struct FrameReport {
+    bool opaque = false, first_pass = false, second_pass = false, composite = false;
+    bool failures = false, truth = false, capture = false, plot = false;
+
+    /// "second pass, composite, plot", or "" when nothing was computed.
+    std::string text() const;
 };
 
-/// Draws one ImGui frame after another. Needs a current GL context through the renderer, and an ImGui frame
-/// begun.
+/// Draws one ImGui frame after another. Needs a current GL context through the renderer, and an ImGui frame begun.
 class Explorer {
 public:
-    Explorer(Renderer& renderer, ExplorerState state);
+    Explorer(Renderer& renderer, ExplorerState state, ExplorerOptions options = {});
 
-    /// Fills the whole ImGui viewport. Recomputes what the state's changes made stale. Failures become the
-    /// message line; the last good picture stays.
+    /// Fills the whole ImGui viewport. Recomputes what the state's changes made stale. Failures become the message
+    /// line; the last good picture stays. Throws Error only when there never was a good one.
     void frame();
 
-    const ExplorerState& state() const { return state_; }
-    ExplorerState& state() { return state_; }
-    const ExplorerResult& result() const { return result_; }
-    const std::string& message() const { return message_; }
+    /// Does what is shown lag behind the state, so that another frame is needed without any input?
+    bool wants_frame() const { return !(state_ == shown_state_) || busy(); }
 
-    /// Where the scene and the plot were drawn last, for tests that point at them.
-    ImVec2 scene_corner() const { return scene_corner_; }
+    /// Is a scene being read? Frames are then only needed to show how long.
+    bool busy() const { return loader_.busy(); }
+
+    // What commands, event files and tests act on.
+    ExplorerState& state() { return state_; }
+    const ExplorerState& state() const { return state_; }
+    bool can_undo() const { return history_.can_undo(); }
+    bool can_redo() const { return history_.can_redo(); }
+    void undo();
+    void redo();
+    void open_session_dialog();
+    void save_session_dialog();
+    void open_mesh_dialog();
+    void open_ray_dialog();
+    void export_dialog();
+    void toggle_help() { help_ = !help_; }
+    void toggle_palette() { palette_.toggle(); }
+    void type_pixel() { focus_go_to_ = true; }
+    void move_pick(glm::ivec2 by);
+    void toggle_pin();
+    void mark_next(int step);
+    void close_topmost();
+    Camera camera() const { return state_.camera.value_or(scene_.camera); }
+
+    // What is shown.
+    const Measurement& measurement() const { return measurement_; }
+    const FrameReport& report() const { return report_; }
+    const std::string& message() const { return message_; }
+    const Anchors& anchors() const { return anchors_; }
+    bool shows_truth() const { return truth_shown_; }
+    bool shows_help() const { return help_; }
+    bool shows_palette() const { return palette_.is_open(); }
+    bool shows_file_dialog() const { return files_.is_open(); }
+
+    /// The file to which the window as it is drawn now shall be written; asked for once per frame.
+    std::optional<std::filesystem::path> take_window_export();
+
+    /// Reports the failure of something that the window asked for.
+    void say(const std::string& message) { message_ = message; }
 
 private:
+    enum class FilePurpose { open_session, save_session, open_mesh, open_ray, save_export };
+
     void load_scene_if_changed();
+    void show_scene(Scene scene);
     void apply_opacity();
     void update(glm::ivec2 size);
     void update_ray();
     void update_picture(glm::ivec2 size);
-    void update_curve();
-    glm::ivec2 picked(glm::ivec2 size) const;
-    void draw_scene(ImVec2 size);
-    void draw_mark();
-    void handle_scene_input();
-    void draw_controls();
-    void draw_status();
+    void update_capture(const View& view, Stage stage);
+    void update_pins(Stage stage);
+    void update_scene_picture(const View& view, Stage stage);
+    void show_truth(const View& view);
+    void measure_if_changed(bool captured);
+    void report_passes(const PassCounts& before);
+
+    void message_until_input();
+    void draw_menu(const Ui& ui);
+    void draw_lessons(const Ui& ui);
+    void draw_card(const Ui& ui);
+    void draw_work_area(const Ui& ui);
+    void draw_right_side(const Ui& ui, ImVec2 size);
+    void draw_tabs(const Ui& ui);
+    void draw_status(const Ui& ui);
+    void draw_loading(const Ui& ui);
+    void draw_files(const Ui& ui);
+    void use_file(const FileDialog::Choice& choice);
+    void export_to(const FileDialog::Choice& choice);
 
     Renderer& renderer_;
+    ExplorerOptions options_;
+    GlInfo gl_ = gl_info();
     ExplorerState state_;
-    ExplorerResult result_;
+    ExplorerState shown_state_;  // for which everything below was computed
+    History history_;
+    Measurement measurement_;
+    FrameReport report_;
     std::string message_;
+    Anchors anchors_;
 
-    Scene scene_;      // what the renderer holds
-    View shown_view_;  // technique is null when nothing is shown
-    ImVec2 scene_corner_{0, 0};
+    Scene scene_;       // what the renderer holds
+    View shown_view_;   // technique is null when nothing is shown
+    SceneLoader loader_;
+    std::unique_ptr<Renderer> truth_;  // of the same scene, made when it is first asked for
+    bool truth_shown_ = false;
+    bool truth_button_held_ = false;
+    bool transmittance_stale_ = true;
+
+    ScenePanel scene_panel_;
+    ScenePicture picture_;
+    PlotPanel plot_panel_;
+    FileDialog files_;
+    FilePurpose file_purpose_ = FilePurpose::open_session;
+    CommandPalette palette_;
+    bool help_ = false;
+    bool focus_go_to_ = false;
+    std::optional<std::filesystem::path> window_export_;
+    int frames_to_export_ = 0;
+    std::optional<ThemeKind> styled_;
 };
 
 }  // namespace momentscope::ui

@@ -1,40 +1,31 @@
 #include "ui/parameter_controls.hpp"
 
 #include <fmt/format.h>
-#include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cmath>
-#include <string>
+
+#include "core/error.hpp"
 
 namespace momentscope::ui {
 
 namespace {
 
-constexpr float LEAST_EXPONENT = -9;  // sliders of logarithmic parameters start at 10^-9
+constexpr float LEAST_EXPONENT = -9;  // sliders of logarithmic parameters start at 10^-9, and left of it at 0
 
-void draw_tooltip(const Parameter& row) {
-    if (!ImGui::IsItemHovered()) return;
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(26 * ImGui::GetFontSize());
-    const std::string range = fmt::format("--{}, from {:g} to {:g}{}{}", row.key, row.minimum, row.maximum,
-                                          *row.unit != '\0' ? " " : "", row.unit);
-    ImGui::Text("%s  %s", row.symbol, row.name);
-    ImGui::TextUnformatted(row.help);
-    ImGui::TextDisabled("%s\n%s", range.c_str(), row.source);
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
+std::string shown_name(const Parameter& row) {
+    return fmt::format("{} {}", row.name, row.symbol);  // never a bare alpha
 }
 
 // ImGui's own logarithmic sliders do not reach this far down, so the slider moves the exponent.
 bool draw_logarithmic(const Parameter& row, float& value) {
     const float most = std::log10(row.maximum);
-    float exponent = std::clamp(value > 0 ? std::log10(value) : LEAST_EXPONENT, LEAST_EXPONENT, most);
-    const std::string shown = fmt::format("{:.2e}", static_cast<double>(value));
-    if (!ImGui::SliderFloat("##value", &exponent, LEAST_EXPONENT, most, shown.c_str(),
-                            ImGuiSliderFlags_NoInput))
-        return false;
-    value = std::clamp(std::pow(10.0f, exponent), row.minimum, row.maximum);
+    const float least = LEAST_EXPONENT - 0.25f;
+    float exponent = value > 0 ? std::clamp(std::log10(value), LEAST_EXPONENT, most) : least;
+    const std::string shown = value > 0 ? fmt::format("{:.2e}", static_cast<double>(value)) : "0";
+    if (!ImGui::SliderFloat("##value", &exponent, least, most, shown.c_str(), ImGuiSliderFlags_NoInput)) return false;
+    value = exponent < LEAST_EXPONENT ? row.minimum : std::clamp(std::pow(10.0f, exponent), row.minimum, row.maximum);
     return true;
 }
 
@@ -51,47 +42,82 @@ bool draw_value(const Parameter& row, float& value) {
         case Scale::linear:
             break;
     }
-    return ImGui::SliderFloat("##value", &value, row.minimum, row.maximum, "%.3f",
-                              ImGuiSliderFlags_AlwaysClamp);
+    const std::string format = *row.unit != '\0' ? fmt::format("%.3f {}", row.unit) : "%.3f";
+    return ImGui::SliderFloat("##value", &value, row.minimum, row.maximum, format.c_str(),
+                              ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
+}
+
+// Ctrl+click on the slider opens a text field in its place. What is typed goes the way of the command line, so it is
+// checked and explained alike.
+enum Typing { not_typing, begin_typing, typing };
+
+int& typing_state() {
+    return *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("typing"), not_typing);
+}
+
+void draw_typed(const Parameter& row, ParameterValues& values, std::string& message) {
+    int& state = typing_state();
+    if (state == begin_typing) ImGui::SetKeyboardFocusHere();
+    std::string typed;  // ImGui keeps what is typed until Enter
+    const bool entered = ImGui::InputTextWithHint("##typed", row.standard ? "a number" : "a number, or auto", &typed,
+                                                  ImGuiInputTextFlags_EnterReturnsTrue);
+    if (entered && !typed.empty()) {
+        try {
+            values.set(row.id, parse_parameter(row, typed));
+        } catch (const Error& error) {
+            message = error.what();
+        }
+    }
+    state = entered || ImGui::IsItemDeactivated() ? not_typing : typing;
+}
+
+void draw_tooltip(const Parameter& row) {
+    tooltip(parameter_help(row), "Ctrl+click types a value, double-click resets it.");
+}
+
+bool double_clicked() {
+    return ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
 }
 
 }  // namespace
 
-bool draw_parameter_control(const Parameter& row, float recommended, ParameterValues& values) {
-    ImGui::PushID(row.key);
-    const bool automatic = !values[row.id].has_value();
-    float value = values[row.id].value_or(recommended);
-    bool changed = false;
-    const float label_width = 14.5f * ImGui::GetFontSize();
-    ImGui::AlignTextToFramePadding();
-    ImGui::Text("%s %s", row.name, row.symbol);
-    draw_tooltip(row);
-    ImGui::SameLine(label_width);
-    ImGui::SetNextItemWidth(row.standard ? -1.0f : -4.5f * ImGui::GetFontSize());
-    if (draw_value(row, value)) {
-        values.set(row.id, value);
-        changed = true;
-    }
-    draw_tooltip(row);
-    if (!row.standard) {
-        ImGui::SameLine();
-        bool on = automatic && !changed;
-        if (ImGui::Checkbox("auto", &on)) {
-            values.set(row.id, on ? std::nullopt : std::optional(value));
-            changed = true;
-        }
-        if (ImGui::IsItemHovered())
-            ImGui::SetTooltip("the technique's own recommendation, %.1e", static_cast<double>(recommended));
-    }
-    ImGui::PopID();
-    return changed;
+std::string parameter_help(const Parameter& row) {
+    const std::string unit = *row.unit != '\0' ? fmt::format(" {}", row.unit) : "";
+    const std::string standard = row.standard ? fmt::format("{:.4g}{}", *row.standard, unit) : "auto";
+    return fmt::format("{}. {}\n--{}, from {:g} to {:.4g}{}, normally {}. Source: {}.", shown_name(row), row.help, row.key,
+                       row.minimum, row.maximum, unit, standard, row.source);
 }
 
-bool draw_parameter_controls(const Technique& technique, ParameterValues& values) {
-    bool changed = false;
-    for (const ParameterId id : technique.parameters)
-        changed |= draw_parameter_control(parameter(id), technique.recommended_bias, values);
-    return changed;
+void draw_parameter_control(const Ui& ui, const Parameter& row, float recommended, float label_width,
+                            ParameterValues& values, std::string& message) {
+    ImGui::PushID(row.key);
+    float value = values[row.id].value_or(recommended);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(shown_name(row).c_str());
+    draw_tooltip(row);
+    bool reset = double_clicked();
+    ImGui::SameLine(label_width);
+    ImGui::SetNextItemWidth(row.standard ? -1.0f : -4.3f * em());
+    if (typing_state() != not_typing) {
+        draw_typed(row, values, message);
+    } else {
+        const bool to_type = ImGui::GetIO().KeyCtrl && row.scale != Scale::toggle;
+        if (draw_value(row, value) && !to_type) values.set(row.id, value);
+        reset |= row.scale != Scale::toggle && double_clicked();
+        if (to_type && ImGui::IsItemHovered() && ImGui::IsMouseReleased(ImGuiMouseButton_Left))
+            typing_state() = begin_typing;
+    }
+    ui.mark(fmt::format("parameter.{}", row.key));
+    draw_tooltip(row);
+    if (reset) values.set(row.id, row.standard);
+    if (!row.standard) {
+        ImGui::SameLine();
+        bool on = !values[row.id].has_value();
+        if (ImGui::Checkbox("auto", &on)) values.set(row.id, on ? std::nullopt : std::optional(value));
+        ui.mark(fmt::format("parameter.{}.auto", row.key));
+        tooltip(fmt::format("The technique's own recommendation, {:.1e}.", static_cast<double>(recommended)));
+    }
+    ImGui::PopID();
 }
 
 }  // namespace momentscope::ui

@@ -1,13 +1,18 @@
 // parameter_controls.hpp -- one control per row of the registry of parameters.
 #pragma once
+#include <string>
+
 #include "core/techniques/technique.hpp"
+#include "ui/ui.hpp"
 
 namespace momentscope::ui {
 
-/// Draws the controls of the parameters that the technique reads, with tooltips. True when a value changed.
-bool draw_parameter_controls(const Technique& technique, ParameterValues& values);
+/// Draws the control of a parameter: slider with typed values, tooltip, `auto` where there is one. Double-clicking the
+/// name or the slider resets it. `recommended` is what auto means. A value that was refused is explained in `message`.
+void draw_parameter_control(const Ui& ui, const Parameter& row, float recommended, float label_width,
+                            ParameterValues& values, std::string& message);
 
-/// Draws one control. `recommended` is what `auto` means.
-bool draw_parameter_control(const Parameter& row, float recommended, ParameterValues& values);
+/// What the tooltip says: meaning, option, range, standard and source.
+std::string parameter_help(const Parameter& row);
 
 }  // namespace momentscope::ui

@@ -49,6 +49,9 @@ inline void program(GLuint name) {
 inline void shader(GLuint name) {
     glDeleteShader(name);
 }
+inline void query(GLuint name) {
+    glDeleteQueries(1, &name);
+}
 }  // namespace gl_destroy
 
 using GlTexture = GlHandle<gl_destroy::texture>;
@@ -57,5 +60,6 @@ using GlFramebuffer = GlHandle<gl_destroy::framebuffer>;
 using GlVertexArray = GlHandle<gl_destroy::vertex_array>;
 using GlProgram = GlHandle<gl_destroy::program>;
 using GlShader = GlHandle<gl_destroy::shader>;
+using GlQuery = GlHandle<gl_destroy::query>;
 
 }  // namespace momentscope

@@ -2,33 +2,23 @@
 
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/output_file.hpp"
 
 namespace momentscope {
 
 namespace {
 
-// Writes beside the target and renames, so that a failure leaves no half file and keeps the old one.
-void write_pixels(const std::filesystem::path& path, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
+void write_pixels(const std::filesystem::path& path, const OIIO::ImageSpec& spec, const OIIO::TypeDesc& type,
                   const void* pixels) {
-    require_writable(path);
-    std::filesystem::path partial = path;
-    partial.replace_filename(fmt::format(".{}.partial{}", path.stem().string(), path.extension().string()));
-    auto file = OIIO::ImageOutput::create(partial.string());
-    const bool written =
-        file && file->open(partial.string(), spec) && file->write_image(type, pixels) && file->close();
-    std::error_code status;
-    if (written) std::filesystem::rename(partial, path, status);
-    if (!written || status) {
-        std::filesystem::remove(partial, status);
-        throw Error(fmt::format("The picture '{}' could not be written; check the folder and free space.",
-                                path.string()));
-    }
+    replace_file(path, [&](const std::filesystem::path& partial) {
+        auto file = OIIO::ImageOutput::create(partial.string());
+        return file && file->open(partial.string(), spec) && file->write_image(type, pixels) && file->close();
+    });
 }
 
 }  // namespace
@@ -41,20 +31,6 @@ void Image::flip_rows() {
 float srgb_from_linear(float linear) {
     const float x = std::clamp(linear, 0.0f, 1.0f);
     return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
-}
-
-void require_writable(const std::filesystem::path& path) {
-    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-    std::error_code status;
-    if (std::filesystem::is_directory(path, status))
-        throw Error(fmt::format("'{}' is a folder; give the name of a file.", path.string()));
-    if (!std::filesystem::is_directory(folder, status))
-        throw Error(
-            fmt::format("There is no folder '{}'; make it first, or write elsewhere.", folder.string()));
-    const bool exists = std::filesystem::exists(path, status);
-    if (access((exists ? path : folder).c_str(), W_OK) != 0)
-        throw Error(
-            fmt::format("'{}' cannot be written; check its permissions, or write elsewhere.", path.string()));
 }
 
 void write_image(const Image& image, const std::filesystem::path& path) {

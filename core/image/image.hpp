@@ -38,10 +38,6 @@ void write_image(const Image& image, const std::filesystem::path& path);
 void write_png(const std::vector<unsigned char>& rgba, int width, int height,
                const std::filesystem::path& path);
 
-/// Throws Error with the reason when a file could not be written there: a missing folder, no permission, a
-/// folder.
-void require_writable(const std::filesystem::path& path);
-
 /// Root mean square of the difference of the RGB channels. Images of equal size.
 double rms_difference(const Image& a, const Image& b);
 

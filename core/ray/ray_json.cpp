@@ -6,6 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/bounded_json.hpp"
 #include "core/error.hpp"
 
 namespace momentscope {
@@ -14,37 +15,11 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int MAX_NESTING = 16;  // a ray needs 4; deeper is refused before it costs memory
-
-// The deepest nesting of brackets outside strings. Counted beforehand: a parser callback would make reading
-// quadratic.
-int nesting(const std::string& text) {
-    int depth = 0;
-    int deepest = 0;
-    bool in_string = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (in_string && c == '\\') ++i;  // whatever is escaped, it does not end the string
-        if (c == '"') in_string = !in_string;
-        if (in_string) continue;
-        if (c == '[' || c == '{') deepest = std::max(deepest, ++depth);
-        if (c == ']' || c == '}') --depth;
-    }
-    return deepest;
-}
-
-json parse_bounded(const std::string& text) {
-    if (text.size() > MAX_RAY_FILE_BYTES)
-        throw Error(fmt::format("The view ray is larger than {} MiB; give fewer fragments.",
-                                MAX_RAY_FILE_BYTES >> 20));
-    if (nesting(text) > MAX_NESTING)
-        throw Error("The view ray is nested too deeply; see the README for its form.");
+json parse_ray(const std::string& text) {
     try {
-        return json::parse(text);
-    } catch (const json::parse_error& error) {
-        throw Error(fmt::format("The view ray is not valid JSON at byte {}; correct it there.", error.byte));
-    } catch (const json::exception&) {  // a number beyond a double, for instance
-        throw Error("The view ray holds a value that JSON cannot carry; give finite numbers.");
+        return parse_bounded_json(text, MAX_RAY_FILE_BYTES);
+    } catch (const Error& error) {
+        throw Error(fmt::format("The view ray cannot be read: {}", error.what()));
     }
 }
 
@@ -128,7 +103,7 @@ json ray_to_json(const ViewRay& ray) {
 }
 
 ViewRay ray_from_json(const std::string& text) {
-    const json root = parse_bounded(text);
+    const json root = parse_ray(text);
     if (!root.is_object() || !root.contains("fragments") || !root["fragments"].is_array())
         throw Error("The view ray needs a list \"fragments\"; see the README for its form.");
     const json& entries = root["fragments"];

@@ -15,6 +15,7 @@ struct Fragment {
     glm::vec3 color{0};    // linear RGB, shaded, >= 0
     std::uint32_t draw = 0;       // index of the draw call
     std::uint32_t primitive = 0;  // index of the triangle within it
+    friend bool operator==(const Fragment&, const Fragment&) = default;
 };
 
 /// How view depth became depth (Section 3.3). Without a warp they are the same.
@@ -22,6 +23,7 @@ struct DepthWarp {
     bool logarithmic = false;
     float z_min = -1;  // view depths that map to -1 and 1; 0 < z_min < z_max when logarithmic
     float z_max = 1;
+    friend bool operator==(const DepthWarp&, const DepthWarp&) = default;
 };
 
 /// All fragments of a ray in submission order, which is the order in which moments are summed.
@@ -30,6 +32,7 @@ struct ViewRay {
     DepthWarp warp;
     float near_plane = 0;  // of the camera, 0 when unknown
     float far_plane = 0;
+    friend bool operator==(const ViewRay&, const ViewRay&) = default;
 };
 
 /// Absorbance -ln(1 - alpha_l) as the shaders compute it, in [0, 10].

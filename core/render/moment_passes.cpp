@@ -34,7 +34,8 @@ ShaderVariant moment_variant(const Technique& technique) {
             .technique = fmt::format("shared/{}_moments.glsl", technique.basis)};
 }
 
-MomentPasses::MomentPasses(const Technique& technique, glm::ivec2 size, GLuint depth) {
+MomentPasses::MomentPasses(const Technique& technique, glm::ivec2 size, GLuint depth)
+    : technique_(technique) {
     const int floats = technique.kernel->moment_floats;
     total_absorbance_ = make_texture(GL_R32F, size);
     moments_1_to_4_ = make_texture(GL_RGBA32F, size);
@@ -70,6 +71,20 @@ void MomentPasses::draw_composite(const PassInput& input) {
     glBindTextureUnit(1, weighted_color_);
     glBindTextureUnit(2, total_absorbance_);
     draw_fullscreen();
+}
+
+bool MomentPasses::draw_failures(const PassInput& input) {
+    if (failure_program_ == 0)
+        failure_program_ = link_program("passes/scene.vert", "passes/failures.frag", moment_variant(technique_));
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    glUseProgram(failure_program_);
+    bind_moments();
+    input.scene.draw(Surfaces::transparent);
+    end_additive();
+    return true;
 }
 
 bool MomentPasses::bind_for_capture() const {

@@ -15,6 +15,7 @@ public:
     void draw_color(const PassInput& input) override;
     void draw_composite(const PassInput& input) override;
     bool bind_for_capture() const override;
+    bool draw_failures(const PassInput& input) override;
 
 private:
     void bind_moments() const;
@@ -22,6 +23,8 @@ private:
     GlTexture total_absorbance_, moments_1_to_4_, moments_5_to_8_, weighted_color_;
     GlFramebuffer moment_target_, color_target_;
     GlProgram moment_program_, color_program_, composite_program_;
+    GlProgram failure_program_;  // linked when it is first asked for
+    const Technique& technique_;
 };
 
 }  // namespace momentscope

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 
 #include "core/error.hpp"
 #include "core/gl/texture.hpp"
@@ -38,6 +39,8 @@ Renderer::Renderer() {
     glNamedBufferStorage(frame_block_, sizeof(FrameBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
     opaque_program_ = link_program("passes/scene.vert", "passes/opaque.frag");
     display_program_ = link_program("passes/fullscreen.vert", "passes/display.frag");
+    glCreateQueries(GL_TIME_ELAPSED, 1, &name);
+    timer_ = GlQuery(name);
 }
 
 Renderer::~Renderer() = default;
@@ -45,8 +48,7 @@ Renderer::~Renderer() = default;
 void Renderer::set_scene(const Scene& scene) {
     bounds_ = transparent_bounds(scene);
     buffers_ = std::make_unique<SceneBuffers>(scene);
-    scene_ = scene;
-    scene_.meshes.clear();
+    background_ = scene.background;
     view_.technique = nullptr;  // everything is stale
 }
 
@@ -54,7 +56,10 @@ void Renderer::render(const View& view) {
     const Stage stage = first_stale_stage(view_, view);
     if (stage == Stage::nothing) return;
     view_.technique = nullptr;  // until all went well
-    if (view.size != view_.size) resize(view.size);
+    if (view.size != view_.size) {
+        view_.size = {0, 0};  // a failure halfway must not leave textures of one size beside the other
+        resize(view.size);
+    }
     const bool technique_changed = transparency_of_ != view.technique;
     if (technique_changed || transparency_ == nullptr) {
         transparency_.reset();  // free its memory before the next takes its own
@@ -78,6 +83,7 @@ void Renderer::resize(glm::ivec2 size) {
                                 size.x, size.y, MAX_PICTURE_SIDE, MAX_PICTURE_SIDE));
     transparency_.reset();
     pixel_list_.reset();
+    failure_counts_ = {};
     opaque_color_ = make_texture(GL_RGBA16F, size);
     depth_ = make_texture(GL_DEPTH_COMPONENT32F, size);
     picture_ = make_texture(GL_RGBA32F, size);
@@ -105,7 +111,7 @@ PassInput Renderer::pass_input() const {
 }
 
 void Renderer::draw_opaque() {
-    const float background[4] = {scene_.background.r, scene_.background.g, scene_.background.b, 1};
+    const float background[4] = {background_.r, background_.g, background_.b, 1};
     const float far = 1;
     glClearNamedFramebufferfv(opaque_target_, GL_COLOR, 0, background);
     glClearNamedFramebufferfv(opaque_target_, GL_DEPTH, 0, &far);
@@ -116,6 +122,17 @@ void Renderer::draw_opaque() {
     glDisable(GL_DEPTH_TEST);
 }
 
+// Waits for the GL, as the capture that follows a picture does anyway.
+template <typename Draw>
+void Renderer::timed(double& milliseconds, const Draw& draw) {
+    glBeginQuery(GL_TIME_ELAPSED, timer_);
+    draw();
+    glEndQuery(GL_TIME_ELAPSED);
+    GLuint64 nanoseconds = 0;
+    glGetQueryObjectui64v(timer_, GL_QUERY_RESULT, &nanoseconds);
+    milliseconds = 1e-6 * static_cast<double>(nanoseconds);
+}
+
 void Renderer::run_from(Stage stage) {
     glViewport(0, 0, view_.size.x, view_.size.y);
     glDisable(GL_BLEND);
@@ -124,19 +141,19 @@ void Renderer::run_from(Stage stage) {
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_block_);
     const PassInput input = pass_input();
     if (stage <= Stage::opaque) {
-        draw_opaque();
+        timed(times_.opaque, [&] { draw_opaque(); });
         ++counts_.opaque;
     }
     if (stage <= Stage::moments) {
-        transparency_->draw_moments(input);
+        timed(times_.moments, [&] { transparency_->draw_moments(input); });
         ++counts_.moments;
     }
     if (stage <= Stage::color) {
-        transparency_->draw_color(input);
+        timed(times_.color, [&] { transparency_->draw_color(input); });
         ++counts_.color;
     }
     glBindFramebuffer(GL_FRAMEBUFFER, picture_target_);
-    transparency_->draw_composite(input);
+    timed(times_.composite, [&] { transparency_->draw_composite(input); });
     ++counts_.composite;
     glBindFramebuffer(GL_FRAMEBUFFER, display_target_);
     glUseProgram(display_program_);
@@ -154,7 +171,53 @@ Image Renderer::read_picture() const {
     return image;
 }
 
+Image Renderer::read_region(glm::ivec2 corner, glm::ivec2 extent) const {
+    Image image(extent.x, extent.y);
+    glGetTextureSubImage(picture_, 0, corner.x, view_.size.y - corner.y - extent.y, 0, extent.x, extent.y, 1,
+                         GL_RGBA, GL_FLOAT, static_cast<GLsizei>(image.pixels.size() * sizeof(glm::vec4)),
+                         image.pixels.data());
+    check_gl("reading pixels");
+    image.flip_rows();
+    return image;
+}
+
+std::optional<FailureCounts> Renderer::draw_failures() {
+    if (failure_counts_ == 0) {
+        failure_counts_ = make_texture(GL_RG16F, view_.size);
+        failure_color_ = make_texture(GL_RGBA8, view_.size);
+        failure_target_ = make_framebuffer({failure_counts_}, depth_);
+        failure_color_target_ = make_framebuffer({failure_color_}, 0);
+    }
+    if (failure_color_program_ == 0)
+        failure_color_program_ = link_program("passes/fullscreen.vert", "passes/failure_colors.frag");
+    const float zero[4] = {0, 0, 0, 0};
+    glClearNamedFramebufferfv(failure_target_, GL_COLOR, 0, zero);
+    glViewport(0, 0, view_.size.x, view_.size.y);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_block_);
+    glBindFramebuffer(GL_FRAMEBUFFER, failure_target_);
+    if (!transparency_->draw_failures(pass_input())) return std::nullopt;
+    glBindFramebuffer(GL_FRAMEBUFFER, failure_color_target_);
+    glUseProgram(failure_color_program_);
+    glBindTextureUnit(0, failure_counts_);
+    draw_fullscreen();
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    std::vector<glm::vec2> counts(static_cast<std::size_t>(view_.size.x) *
+                                  static_cast<std::size_t>(view_.size.y));
+    glGetTextureImage(failure_counts_, 0, GL_RG, GL_FLOAT, static_cast<GLsizei>(counts.size() * sizeof(glm::vec2)),
+                      counts.data());
+    check_gl("marking failed reconstructions");
+    FailureCounts total;
+    for (const glm::vec2& count : counts) {
+        if (count.x > 0.5f)
+            ++total.failed;
+        else if (count.y > 0.5f)
+            ++total.clamped;
+    }
+    return total;
+}
+
 PixelCapture Renderer::capture_pixel(glm::ivec2 pixel) {
+    assert(transparency_ != nullptr && "capture_pixel needs a picture");
     const bool has_transmittance = transparency_->bind_for_capture();
     const std::string key = has_transmittance ? view_.technique->id : "";
     auto program = capture_programs_.find(key);

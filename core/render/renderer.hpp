@@ -17,6 +17,17 @@ struct PassCounts {
     int opaque = 0, moments = 0, color = 0, composite = 0;
 };
 
+/// Milliseconds that the GL took for each stage when it last ran; 0 when it never did.
+struct PassTimes {
+    double opaque = 0, moments = 0, color = 0, composite = 0;
+};
+
+/// Where a picture cannot be trusted: how many of its pixels have a fragment whose matrix was singular, and
+/// how many others one whose sum left [0, 1] and was clamped.
+struct FailureCounts {
+    long failed = 0, clamped = 0;
+};
+
 /// A pixel as the GL computed it. Vectors run parallel to ray.fragments.
 struct PixelCapture {
     ViewRay ray;
@@ -47,7 +58,18 @@ public:
     /// All transparent fragments that cover a pixel of the last picture and are not behind opaque surfaces.
     PixelCapture capture_pixel(glm::ivec2 pixel);
 
+    /// A rectangle of the picture in linear RGBA; corner is its upper left. Throws Error unless it lies within.
+    Image read_region(glm::ivec2 corner, glm::ivec2 extent) const;
+
+    /// Counts failed and clamped reconstructions of the last picture, and draws where they are into
+    /// failure_texture(). nullopt, and no picture, for techniques that reconstruct nothing.
+    std::optional<FailureCounts> draw_failures();
+
+    /// sRGB with alpha, to be laid over display_texture(); valid after draw_failures().
+    GLuint failure_texture() const { return failure_color_; }
+
     const PassCounts& pass_counts() const { return counts_; }
+    const PassTimes& pass_times() const { return times_; }
 
 private:
     void resize(glm::ivec2 size);
@@ -56,12 +78,16 @@ private:
     void run_from(Stage stage);
     PassInput pass_input() const;
 
-    Scene scene_;  // without its meshes: camera, background, objects for the bounds
+    template <typename Draw>
+    void timed(double& milliseconds, const Draw& draw);
+
+    glm::vec3 background_{0};
     Sphere bounds_;
     std::unique_ptr<SceneBuffers> buffers_;
     View view_;
     DepthWarp warp_;
     PassCounts counts_;
+    PassTimes times_;
 
     GlBuffer frame_block_;
     GlTexture opaque_color_, depth_, picture_, display_color_;
@@ -71,6 +97,11 @@ private:
     const Technique* transparency_of_ = nullptr;
     std::unique_ptr<FragmentList> pixel_list_;
     std::map<std::string, GlProgram> capture_programs_;  // by technique id
+
+    GlQuery timer_;
+    GlTexture failure_counts_, failure_color_;  // made when they are first asked for
+    GlFramebuffer failure_target_, failure_color_target_;
+    GlProgram failure_color_program_;
 };
 
 }  // namespace momentscope

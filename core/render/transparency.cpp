@@ -1,6 +1,7 @@
 #include "core/render/transparency.hpp"
 
 #include "core/render/moment_passes.hpp"
+#include "core/render/peeling_passes.hpp"
 #include "core/render/sorted_passes.hpp"
 
 namespace momentscope {
@@ -9,6 +10,8 @@ std::unique_ptr<Transparency> make_transparency(const Technique& technique, glm:
     switch (technique.path) {
         case RenderPath::sorted:
             return std::make_unique<SortedPasses>(size, depth);
+        case RenderPath::peeling:
+            return std::make_unique<PeelingPasses>(size, depth);
         case RenderPath::moments:
             break;
     }

@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -40,15 +41,20 @@ void write_all(int pipe, const void* data, std::size_t size) {
     }
 }
 
-std::vector<char> read_all(int pipe) {
+/// Reads until the other end closes or a stop is requested.
+std::vector<char> read_all(int pipe, const std::stop_token& stop) {
+    constexpr int STOP_CHECK_MS = 50;
     std::vector<char> bytes;
     std::vector<char> chunk(std::size_t{1} << 16);
-    for (;;) {
+    while (!stop.stop_requested()) {
+        pollfd ready{pipe, POLLIN, 0};
+        if (::poll(&ready, 1, STOP_CHECK_MS) == 0) continue;
         const ssize_t got = ::read(pipe, chunk.data(), chunk.size());
         if (got < 0 && errno == EINTR) continue;
         if (got <= 0) return bytes;
         bytes.insert(bytes.end(), chunk.begin(), chunk.begin() + got);
     }
+    return bytes;
 }
 
 /// Bounds time and memory, and keeps the library's messages and core files out of the user's way.
@@ -116,7 +122,8 @@ std::optional<Mesh> unpack(const std::vector<char>& bytes) {
 
 }  // namespace
 
-std::optional<Mesh> read_isolated(const std::function<Mesh()>& read, unsigned seconds) {
+std::optional<Mesh> read_isolated(const std::function<Mesh()>& read, unsigned seconds,
+                                  const std::stop_token& stop) {
     int ends[2];
     if (::pipe2(ends, O_CLOEXEC) != 0)
         throw Error("There are too many open files; close some and try again.");
@@ -127,14 +134,16 @@ std::optional<Mesh> read_isolated(const std::function<Mesh()>& read, unsigned se
         serve(read, ends[1]);
     }
     ::close(ends[1]);
-    const std::vector<char> bytes = child > 0 ? read_all(ends[0]) : std::vector<char>();
+    const std::vector<char> bytes = child > 0 ? read_all(ends[0], stop) : std::vector<char>();
     ::close(ends[0]);
     if (child < 0)
         throw Error("No process could be started to read the mesh; close some programs and try again.");
 
+    if (stop.stop_requested()) ::kill(child, SIGKILL);
     int status = 0;
     while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
+    if (stop.stop_requested()) throw Error("Reading the mesh was cancelled; the last scene stays.");
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || bytes.empty()) return std::nullopt;
     if (bytes.front() == IS_ERROR) throw Error(std::string(bytes.begin() + 1, bytes.end()));
     return unpack(bytes);

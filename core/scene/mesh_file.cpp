@@ -208,11 +208,11 @@ Mesh read_with_assimp(const std::filesystem::path& path) {
 
 // Assimp 5.2.5 falls over broken files: of files with a few flipped bytes, one in five ASE files ended
 // in a segmentation fault, and a PLY file without "end_header" in a loop without end.
-Mesh read_mesh_file(const std::filesystem::path& path) {
+Mesh read_mesh_file(const std::filesystem::path& path, const std::stop_token& stop) {
     const std::uintmax_t size = check_file(path);
     // Assimp reads some 10 MB/s of text; ten times as long is allowed, and never less than 10 s.
     const auto seconds = static_cast<unsigned>(10 + size / 1'000'000);
-    std::optional<Mesh> mesh = read_isolated([&] { return read_with_assimp(path); }, seconds);
+    std::optional<Mesh> mesh = read_isolated([&] { return read_with_assimp(path); }, seconds, stop);
     if (!mesh)
         fail(path, std::string("is broken in a way that stops its reader; export it again, perhaps as ") +
                        FORMATS + ".");

@@ -3,6 +3,7 @@
 #include "core/scene/scene.hpp"
 
 #include <filesystem>
+#include <stop_token>
 
 namespace momentscope {
 
@@ -11,7 +12,8 @@ constexpr std::size_t MAX_MESH_TRIANGLES = 20'000'000;
 
 /// All triangles of a file in one mesh, in file order, scaled and moved so that its bounding box is
 /// centred at the origin with a half diagonal of 1. Missing normals are made smooth.
-/// Throws Error for a folder, a file that is missing, too large, broken or without triangles.
-Mesh read_mesh_file(const std::filesystem::path& path);
+/// Throws Error for a folder, a file that is missing, too large, broken or without triangles, and soon after
+/// a stop is requested.
+Mesh read_mesh_file(const std::filesystem::path& path, const std::stop_token& stop = {});
 
 }  // namespace momentscope

@@ -29,12 +29,12 @@ std::string scene_ids() {
 }
 
 /// The mesh alone above an opaque ground, seen obliquely from a height.
-Scene scene_of_mesh(const std::string& path, float opacity) {
+Scene scene_of_mesh(const std::string& path, float opacity, const std::stop_token& stop) {
     if (!(opacity >= 0.0f && opacity < 1.0f))  // also when it is no number
         throw Error("The opacity of a mesh must be at least 0 and less than 1, such as 0.5.");
     Scene scene;
     scene.id = path;
-    Mesh mesh = read_mesh_file(path);
+    Mesh mesh = read_mesh_file(path, stop);
     float lowest = std::numeric_limits<float>::infinity();
     for (const glm::vec3& position : mesh.positions) lowest = std::min(lowest, position.y);
     const std::uint32_t index = add_mesh(scene, std::move(mesh));
@@ -51,7 +51,11 @@ std::span<const SceneEntry> scene_entries() {
     return ENTRIES;
 }
 
-Scene load_scene(const std::string& id_or_path, float opacity) {
+bool is_builtin_scene(const std::string& id) {
+    return std::ranges::any_of(ENTRIES, [&](const SceneEntry& entry) { return id == entry.id; });
+}
+
+Scene load_scene(const std::string& id_or_path, float opacity, const std::stop_token& stop) {
     for (const SceneEntry& entry : ENTRIES) {
         if (id_or_path == entry.id) return entry.build();
     }
@@ -59,7 +63,7 @@ Scene load_scene(const std::string& id_or_path, float opacity) {
     if (!std::filesystem::exists(id_or_path, code))
         throw Error("There is no scene '" + id_or_path + "'; use one of " + scene_ids() +
                     ", or the path of a mesh file.");
-    return scene_of_mesh(id_or_path, opacity);
+    return scene_of_mesh(id_or_path, opacity, stop);
 }
 
 }  // namespace momentscope

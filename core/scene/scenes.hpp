@@ -3,6 +3,7 @@
 #include "core/scene/scene.hpp"
 
 #include <span>
+#include <stop_token>
 #include <string>
 
 namespace momentscope {
@@ -18,7 +19,11 @@ struct SceneEntry {
 std::span<const SceneEntry> scene_entries();
 
 /// The built-in scene of that id, or the mesh file at that path as one transparent object of
-/// the given opacity in [0, 1). Throws Error when it is neither, or the file cannot be used.
-Scene load_scene(const std::string& id_or_path, float opacity);
+/// the given opacity in [0, 1). Throws Error when it is neither, the file cannot be used, or a stop is
+/// requested while it is read.
+Scene load_scene(const std::string& id_or_path, float opacity, const std::stop_token& stop = {});
+
+/// Is it in the registry? What is not is the path of a mesh file, which may take long to read.
+bool is_builtin_scene(const std::string& id);
 
 }  // namespace momentscope

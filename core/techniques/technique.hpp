@@ -10,7 +10,7 @@ namespace momentscope {
 struct MomentKernel;
 
 /// Which passes render a technique (core/render).
-enum class RenderPath { moments, sorted };
+enum class RenderPath { moments, sorted, peeling };
 
 /// One row: everything that is said about a technique anywhere.
 struct Technique {
@@ -26,7 +26,7 @@ struct Technique {
     float recommended_bias;                   // what alpha = auto means
     bool has_bounds;                          // beta = 0 and beta = 1 bound the truth (of the biased moments)
     int bits_per_pixel;    // beside the colour buffers; 0 where it grows with the fragments
-    int geometry_passes;   // how often transparent geometry is rasterised
+    int geometry_passes;   // how often transparent geometry is rasterised; 0 where it grows with the layers
     bool order_dependent;  // does the submission order of geometry change the picture?
 
     bool uses(ParameterId parameter_id) const;

@@ -65,12 +65,18 @@ FN Reconstruction reconstruct(IN(Factor) factor, IN(Basis) basis, float depth)
     return result;
 }
 
-/// A(z_f, b, beta): absorbance in front of the query depth, in [0, b0]. overestimation beta in [0, 1] is the share of
+/// The fraction of b0 in front of the query depth, before it is clamped. overestimation beta in [0, 1] is the share of
 /// the mass at the query depth that counts as in front of it: 0 and 1 give the bounds of power moments.
-FN float absorbance_in_front(IN(Reconstruction) reconstruction, float b0, float overestimation)
+FN float fraction_in_front(IN(Reconstruction) reconstruction, float overestimation)
 {
     PRECISE float fraction = reconstruction.in_front + overestimation * reconstruction.query_weight;
-    return b0 * clamp(fraction, 0.0f, 1.0f);
+    return fraction;
+}
+
+/// A(z_f, b, beta): absorbance in front of the query depth, in [0, b0].
+FN float absorbance_in_front(IN(Reconstruction) reconstruction, float b0, float overestimation)
+{
+    return b0 * clamp(fraction_in_front(reconstruction, overestimation), 0.0f, 1.0f);
 }
 
 /// Absorbance in front of a depth straight from stored moments: what the second pass computes for a fragment.

@@ -1,5 +1,5 @@
 // exact_technique.hpp -- what a technique of the registry would compute in long double, through
-// tests/reference.
+// core/reference.
 #pragma once
 #include <algorithm>
 #include <functional>
@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/inspect/curve.hpp"
-#include "tests/reference/exact_reconstruction.hpp"
+#include "core/reference/exact_reconstruction.hpp"
 
 namespace momentscope::test {
 

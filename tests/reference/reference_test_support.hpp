@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "tests/reference/exact_reconstruction.hpp"
+#include "core/reference/exact_reconstruction.hpp"
 
 namespace momentscope::reference {
 

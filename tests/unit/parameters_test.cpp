@@ -180,13 +180,4 @@ TEST(FirstStaleStage, IsMomentsForAnotherTechnique) {
                 << a.id << " to " << b.id;
 }
 
-TEST(FirstStaleStage, OfValuesAloneCountsEveryParameter) {
-    for (const Parameter& row : parameters()) {
-        const View view = changed(View(), row.id);
-        EXPECT_EQ(first_stale_stage(ParameterValues(), view.parameters), row.invalidates) << row.key;
-        EXPECT_EQ(first_stale_stage(view.parameters, view.parameters), Stage::nothing);
-    }
-    EXPECT_EQ(parameter(ParameterId::opacity).invalidates, Stage::scene);
-}
-
 }  // namespace

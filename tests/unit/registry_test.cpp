@@ -2,7 +2,7 @@
 #include "core/glsl.hpp"
 #include "core/techniques/moment_kernel.hpp"
 #include "core/techniques/technique.hpp"
-#include "tests/reference/exact_reconstruction.hpp"
+#include "core/reference/exact_reconstruction.hpp"
 #include "tests/unit/expect_error.hpp"
 
 #include <gtest/gtest.h>

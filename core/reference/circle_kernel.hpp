@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <limits>
 
-#include "tests/reference/bracketed_root.hpp"
-#include "tests/reference/complex.hpp"
-#include "tests/reference/triangular_factor.hpp"
+#include "core/reference/bracketed_root.hpp"
+#include "core/reference/complex.hpp"
+#include "core/reference/triangular_factor.hpp"
 
 namespace momentscope::reference {
 

@@ -5,6 +5,6 @@
 // bracket each root between the nodes that theory says it interlaces with, and match the moments for the
 // weights. Use long double in bulk, and boost::multiprecision::cpp_bin_float_50 to judge long double.
 #pragma once
-#include "tests/reference/point_masses.hpp"
-#include "tests/reference/power_reference.hpp"
-#include "tests/reference/trigonometric_reference.hpp"
+#include "core/reference/point_masses.hpp"
+#include "core/reference/power_reference.hpp"
+#include "core/reference/trigonometric_reference.hpp"

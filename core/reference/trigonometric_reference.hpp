@@ -8,10 +8,10 @@
 #include <cstddef>
 #include <optional>
 
-#include "tests/reference/bracketed_root.hpp"
-#include "tests/reference/circle_kernel.hpp"
-#include "tests/reference/point_masses.hpp"
-#include "tests/reference/triangular_factor.hpp"
+#include "core/reference/bracketed_root.hpp"
+#include "core/reference/circle_kernel.hpp"
+#include "core/reference/point_masses.hpp"
+#include "core/reference/triangular_factor.hpp"
 
 namespace momentscope::reference {
 

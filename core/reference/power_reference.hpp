@@ -9,9 +9,9 @@
 #include <limits>
 #include <optional>
 
-#include "tests/reference/bracketed_root.hpp"
-#include "tests/reference/point_masses.hpp"
-#include "tests/reference/triangular_factor.hpp"
+#include "core/reference/bracketed_root.hpp"
+#include "core/reference/point_masses.hpp"
+#include "core/reference/triangular_factor.hpp"
 
 namespace momentscope::reference {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-#include "tests/reference/complex.hpp"
+#include "core/reference/complex.hpp"
 
 namespace momentscope::reference {
 

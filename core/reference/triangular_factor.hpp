@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "tests/reference/complex.hpp"
+#include "core/reference/complex.hpp"
 
 namespace momentscope::reference {
 

@@ -1,0 +1,226 @@
+#include "app/event_player.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+
+#include "core/error.hpp"
+#include "ui/session.hpp"
+#include "ui/shortcut.hpp"
+
+namespace momentscope {
+
+namespace {
+
+constexpr std::uintmax_t MAX_EVENT_BYTES = 16U << 20;
+constexpr int DRAG_STEPS = 8;
+
+std::vector<std::string> words_of(const std::string& line) {
+    std::istringstream stream(line);
+    std::vector<std::string> words;
+    for (std::string word; stream >> word && !word.starts_with('#');) words.push_back(word);
+    return words;
+}
+
+std::optional<float> as_number(const std::string& text) {
+    float value = 0;
+    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (status != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+float need_number(const std::vector<std::string>& words, std::size_t at, float least, float most) {
+    const auto value = at < words.size() ? as_number(words[at]) : std::nullopt;
+    if (!value || !(*value >= least && *value <= most))
+        throw Error(fmt::format("'{}' needs a number from {:g} to {:g}", words[0], least, most));
+    return *value;
+}
+
+const std::string& need_word(const std::vector<std::string>& words, std::size_t at, const char* what) {
+    if (at >= words.size()) throw Error(fmt::format("'{}' needs {}", words[0], what));
+    return words[at];
+}
+
+int button_of(const std::vector<std::string>& words, std::size_t at) {
+    if (at >= words.size() || words[at] == "left") return ImGuiMouseButton_Left;
+    if (words[at] == "right") return ImGuiMouseButton_Right;
+    if (words[at] == "middle") return ImGuiMouseButton_Middle;
+    throw Error(fmt::format("there is no mouse button '{}'; use left, right or middle", words[at]));
+}
+
+std::string after_first_word(const std::string& line) {
+    const std::size_t begin = line.find_first_not_of(" \t");
+    const std::size_t space = line.find(' ', begin);
+    return space == std::string::npos ? "" : line.substr(space + 1);
+}
+
+}  // namespace
+
+// "X Y" in pixels, "@name" for the middle of a control, "@name FX FY" for a fraction of it.
+ImVec2 EventPlayer::place(const std::vector<std::string>& words, std::size_t& next) const {
+    const std::string& first = need_word(words, next, "a place: X Y, or @control");
+    if (!first.starts_with('@')) {
+        const ImVec2 at = {need_number(words, next, -1e5f, 1e5f), need_number(words, next + 1, -1e5f, 1e5f)};
+        next += 2;
+        return at;
+    }
+    const auto& anchors = window_.explorer().anchors();
+    const auto found = anchors.find(first.substr(1));
+    if (found == anchors.end())
+        throw Error(fmt::format("there is no control '{}' in the window now", first));
+    ++next;
+    ImVec2 share = {0.5f, 0.5f};
+    if (next + 1 < words.size() && as_number(words[next]) && as_number(words[next + 1])) {
+        share = {*as_number(words[next]), *as_number(words[next + 1])};
+        next += 2;
+    }
+    const ui::Rect& rect = found->second;
+    return {rect.low.x + share.x * (rect.high.x - rect.low.x), rect.low.y + share.y * (rect.high.y - rect.low.y)};
+}
+
+void EventPlayer::move(ImVec2 to) {
+    ImGui::GetIO().MousePos = to;
+    window_.settle();
+}
+
+void EventPlayer::button(int which, bool down) {
+    ImGui::GetIO().MouseDown[which] = down;
+    window_.settle();
+}
+
+void EventPlayer::click(ImVec2 at, int which) {
+    move(at);
+    button(which, true);
+    button(which, false);
+}
+
+void EventPlayer::drag(ImVec2 from, ImVec2 to, int which) {
+    move(from);
+    button(which, true);
+    for (int i = 1; i <= DRAG_STEPS; ++i) {
+        const float share = static_cast<float>(i) / DRAG_STEPS;
+        move({from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)});
+    }
+    button(which, false);
+}
+
+void EventPlayer::key(const std::string& name, bool down) {
+    const auto shortcut = ui::parse_shortcut(name);
+    if (!shortcut) throw Error(fmt::format("there is no key '{}'; use names such as Ctrl+Z, Left, F1 or a letter", name));
+    ImGuiIO& io = ImGui::GetIO();
+    io.KeyCtrl = down && shortcut->ctrl;
+    io.KeyShift = down && shortcut->shift;
+    if (shortcut->key != 0) io.KeysDown[shortcut->key] = down;
+    // A keyboard also sends the character.
+    if (down && shortcut->character != 0) io.AddInputCharacter(static_cast<unsigned>(shortcut->character));
+    const bool letter = shortcut->key > ' ' && shortcut->key < 128;
+    if (down && letter && !shortcut->ctrl) {
+        const int c = shortcut->key;
+        io.AddInputCharacter(static_cast<unsigned>(shortcut->shift ? c : std::tolower(c)));
+    }
+    window_.settle();
+}
+
+// Time passes; only frames that are needed are drawn.
+void EventPlayer::wait(double seconds) {
+    const long before = window_.log().frames();
+    window_.idle();
+    window_.log().line(fmt::format("waited {:g} s: {} frames", seconds, window_.log().frames() - before));
+}
+
+void EventPlayer::expect(const std::string& pointer, const std::string& value) const {
+    const nlohmann::json session = nlohmann::json::parse(ui::session_to_json(window_.explorer().state()).dump());
+    nlohmann::json wanted = nlohmann::json::parse(value, nullptr, false);
+    if (wanted.is_discarded()) wanted = value;  // a bare word is a text
+    nlohmann::json found;
+    try {
+        found = session.at(nlohmann::json::json_pointer(pointer));
+    } catch (const nlohmann::json::exception&) {
+        throw Error(fmt::format("there is no '{}' in a session", pointer));
+    }
+    const bool close = found.is_number() && wanted.is_number() &&
+                       std::abs(found.get<double>() - wanted.get<double>()) <= 1e-6 * (1 + std::abs(wanted.get<double>()));
+    if (!close && found != wanted) throw Error(fmt::format("{} is {}, not {}", pointer, found.dump(), value));
+}
+
+void EventPlayer::play_line(const std::string& line) {
+    const std::vector<std::string> words = words_of(line);
+    if (words.empty()) return;
+    const std::string& what = words[0];
+    std::size_t next = 1;
+    if (what == "move") {
+        move(place(words, next));
+    } else if (what == "press" || what == "release") {
+        button(button_of(words, 1), what == "press");
+    } else if (what == "click") {
+        const ImVec2 at = place(words, next);
+        click(at, button_of(words, next));
+    } else if (what == "doubleclick") {
+        const ImVec2 at = place(words, next);
+        click(at, ImGuiMouseButton_Left);
+        click(at, ImGuiMouseButton_Left);
+    } else if (what == "drag") {
+        const ImVec2 from = place(words, next);
+        if (need_word(words, next, "'to' and a second place") != "to") throw Error("'drag' needs 'to' and a second place");
+        ++next;
+        const ImVec2 to = place(words, next);
+        drag(from, to, button_of(words, next));
+    } else if (what == "wheel") {
+        ImGui::GetIO().MouseWheel = need_number(words, 1, -100, 100);
+        window_.settle();
+    } else if (what == "key") {
+        key(need_word(words, 1, "the name of a key"), true);
+        key(words[1], false);
+    } else if (what == "hold" || what == "let") {
+        key(need_word(words, 1, "the name of a key"), what == "hold");
+    } else if (what == "type") {
+        ImGui::GetIO().AddInputCharactersUTF8(after_first_word(line).c_str());
+        window_.settle();
+    } else if (what == "wait") {
+        wait(static_cast<double>(need_number(words, 1, 0, 1e6f)));
+    } else if (what == "later") {  // so that two clicks are no double click
+        window_.draw(1.0f);
+    } else if (what == "resize") {
+        window_.resize({static_cast<int>(need_number(words, 1, 1, 16384)), static_cast<int>(need_number(words, 2, 1, 16384))});
+        window_.settle();
+    } else if (what == "screenshot") {
+        window_.write_png(need_word(words, 1, "the name of a .png"));
+    } else if (what == "expect") {
+        expect(need_word(words, 1, "a JSON pointer"), need_word(words, 2, "a value"));
+    } else if (what == "expect-message") {
+        const std::string wanted = after_first_word(line);
+        if (window_.explorer().message().find(wanted) == std::string::npos)
+            throw Error(fmt::format("the message is '{}'", window_.explorer().message()));
+    } else {
+        throw Error(fmt::format("there is no event '{}'; docs/events.md lists them", what));
+    }
+}
+
+void EventPlayer::play(const std::string& text) {
+    std::istringstream stream(text);
+    int number = 0;
+    window_.idle();
+    for (std::string line; std::getline(stream, line);) {
+        ++number;
+        try {
+            play_line(line);
+        } catch (const Error& error) {
+            throw Error(fmt::format("Line {} of the events, '{}': {}.", number, line, error.what()));
+        }
+    }
+}
+
+void EventPlayer::play_file(const std::filesystem::path& path) {
+    std::error_code status;
+    if (!std::filesystem::is_regular_file(path, status) || std::filesystem::file_size(path, status) > MAX_EVENT_BYTES)
+        throw Error(fmt::format("There is no event file '{}' of at most 16 MiB.", path.string()));
+    std::ifstream file(path, std::ios::binary);
+    play(std::string((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>()));
+}
+
+}  // namespace momentscope

@@ -1,0 +1,33 @@
+// event_player.hpp -- replays mouse and keyboard from a text file: docs/events.md.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/headless_window.hpp"
+
+namespace momentscope {
+
+class EventPlayer {
+public:
+    explicit EventPlayer(HeadlessWindow& window) : window_(window) {}
+
+    /// Plays events line by line; each is drawn before the next. Throws Error that names the line.
+    void play(const std::string& text);
+    void play_file(const std::filesystem::path& path);
+
+private:
+    void play_line(const std::string& line);
+    void move(ImVec2 to);
+    void button(int which, bool down);
+    void click(ImVec2 at, int which);
+    void drag(ImVec2 from, ImVec2 to, int which);
+    void key(const std::string& name, bool down);
+    void wait(double seconds);
+    void expect(const std::string& pointer, const std::string& value) const;
+    ImVec2 place(const std::vector<std::string>& words, std::size_t& next) const;
+
+    HeadlessWindow& window_;
+};
+
+}  // namespace momentscope

@@ -1,0 +1,20 @@
+// frame_need.hpp -- when the window must be drawn: after input, and while what is shown lags behind the state.
+#pragma once
+#include "ui/explorer.hpp"
+
+namespace momentscope {
+
+class FrameNeed {
+public:
+    /// ImGui needs a few frames to lay out, and to let hovered and active states settle.
+    static constexpr int SETTLING_FRAMES = 3;
+
+    void input() { left_ = SETTLING_FRAMES; }
+    void drawn() { left_ = left_ > 0 ? left_ - 1 : 0; }
+    bool due(const ui::Explorer& explorer) const { return left_ > 0 || explorer.wants_frame(); }
+
+private:
+    int left_ = SETTLING_FRAMES;
+};
+
+}  // namespace momentscope

@@ -1,0 +1,50 @@
+#include "app/headless_window.hpp"
+
+#include <chrono>
+#include <thread>
+
+#include "core/error.hpp"
+#include "core/image/image.hpp"
+
+namespace momentscope {
+
+HeadlessWindow::HeadlessWindow(glm::ivec2 size, const ui::ExplorerState& state, ui::ExplorerOptions options, FrameLog& log)
+    : size_(size),
+      most_(size),
+      context_(make_gl_context("osmesa", size)),
+      gui_(nullptr, options.scale),
+      explorer_(renderer_, state, options),
+      log_(log) {}
+
+void HeadlessWindow::draw(float seconds) {
+    gui_.begin_frame(size_, seconds);
+    explorer_.frame();
+    gui_.end_frame(size_);
+    log_.frame(explorer_);
+    need_.drawn();
+    if (const auto path = explorer_.take_window_export()) {
+        try {
+            write_png(path->string());
+        } catch (const Error& error) {
+            explorer_.say(error.what());
+        }
+    }
+}
+
+void HeadlessWindow::settle() {
+    need_.input();
+    idle();
+}
+
+void HeadlessWindow::idle() {
+    while (need_.due(explorer_)) {
+        draw();
+        if (explorer_.busy()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+}
+
+void HeadlessWindow::write_png(const std::string& path) const {
+    momentscope::write_png(pixels(), size_.x, size_.y, path);
+}
+
+}  // namespace momentscope

@@ -1,0 +1,48 @@
+#include "core/output_file.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "core/error.hpp"
+
+namespace momentscope {
+
+void require_writable(const std::filesystem::path& path) {
+    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    std::error_code status;
+    if (!path.has_filename() || std::filesystem::is_directory(path, status))
+        throw Error(fmt::format("'{}' is a folder; give the name of a file.", path.string()));
+    if (!std::filesystem::is_directory(folder, status))
+        throw Error(
+            fmt::format("There is no folder '{}'; make it first, or write elsewhere.", folder.string()));
+    const bool exists = std::filesystem::exists(path, status);
+    if (access((exists ? path : folder).c_str(), W_OK) != 0)
+        throw Error(
+            fmt::format("'{}' cannot be written; check its permissions, or write elsewhere.", path.string()));
+}
+
+void replace_file(const std::filesystem::path& path,
+                  const std::function<bool(const std::filesystem::path& partial)>& write) {
+    require_writable(path);
+    std::filesystem::path partial = path;
+    partial.replace_filename(fmt::format(".{}.partial{}", path.stem().string(), path.extension().string()));
+    const bool written = write(partial);
+    std::error_code status;
+    if (written) std::filesystem::rename(partial, path, status);
+    if (written && !status) return;
+    std::filesystem::remove(partial, status);
+    throw Error(fmt::format("'{}' could not be written; check the folder and free space.", path.string()));
+}
+
+void write_text_file(const std::string& text, const std::filesystem::path& path) {
+    replace_file(path, [&](const std::filesystem::path& partial) {
+        std::ofstream file(partial, std::ios::binary);
+        file << text;
+        file.close();
+        return file.good();
+    });
+}
+
+}  // namespace momentscope

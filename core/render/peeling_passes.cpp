@@ -1,0 +1,67 @@
+#include "core/render/peeling_passes.hpp"
+
+#include "core/gl/texture.hpp"
+
+namespace momentscope {
+
+PeelingPasses::PeelingPasses(glm::ivec2 size, GLuint /*depth: copied for every layer*/)
+    : layer_(make_texture(GL_RGBA32F, size)),
+      sum_(make_texture(GL_RGBA32F, size)),
+      sum_target_(make_framebuffer({sum_}, 0)),
+      peel_program_(link_program("passes/scene.vert", "passes/peel.frag")),
+      add_program_(link_program("passes/fullscreen.vert", "passes/copy.frag")),
+      composite_program_(link_program("passes/fullscreen.vert", "passes/peel_composite.frag")) {
+    for (int i = 0; i < 2; ++i) {
+        depths_[i] = make_texture(GL_DEPTH_COMPONENT32F, size);
+        layer_targets_[i] = make_framebuffer({layer_}, depths_[i]);
+    }
+    GLuint name = 0;
+    glCreateQueries(GL_ANY_SAMPLES_PASSED, 1, &name);
+    any_fragment_ = GlQuery(name);
+}
+
+bool PeelingPasses::draw_layer(const PassInput& input, int layer) {
+    const int now = layer % 2;
+    const float zero[4] = {0, 0, 0, 0};
+    if (layer == 0) glClearNamedFramebufferfv(layer_targets_[1], GL_DEPTH, 0, zero);  // nothing lies before it
+    glCopyImageSubData(input.depth, GL_TEXTURE_2D, 0, 0, 0, 0, depths_[now], GL_TEXTURE_2D, 0, 0, 0, 0,
+                       input.size.x, input.size.y, 1);
+    glClearNamedFramebufferfv(layer_targets_[now], GL_COLOR, 0, zero);
+    glBindFramebuffer(GL_FRAMEBUFFER, layer_targets_[now]);
+    glEnable(GL_DEPTH_TEST);
+    glUseProgram(peel_program_);
+    glBindTextureUnit(0, depths_[1 - now]);
+    glBeginQuery(GL_ANY_SAMPLES_PASSED, any_fragment_);
+    input.scene.draw(Surfaces::transparent);
+    glEndQuery(GL_ANY_SAMPLES_PASSED);
+    glDisable(GL_DEPTH_TEST);
+    GLuint any = 0;
+    glGetQueryObjectuiv(any_fragment_, GL_QUERY_RESULT, &any);
+    return any != 0;
+}
+
+// sum += T layer, T *= 1 - opacity, with T in the target's alpha.
+void PeelingPasses::add_layer() {
+    glBindFramebuffer(GL_FRAMEBUFFER, sum_target_);
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
+    glUseProgram(add_program_);
+    glBindTextureUnit(0, layer_);
+    draw_fullscreen();
+    glDisable(GL_BLEND);
+}
+
+void PeelingPasses::draw_color(const PassInput& input) {
+    const float nothing[4] = {0, 0, 0, 1};
+    glClearNamedFramebufferfv(sum_target_, GL_COLOR, 0, nothing);
+    for (int layer = 0; draw_layer(input, layer); ++layer) add_layer();
+}
+
+void PeelingPasses::draw_composite(const PassInput& input) {
+    glUseProgram(composite_program_);
+    glBindTextureUnit(0, input.opaque_color);
+    glBindTextureUnit(1, sum_);
+    draw_fullscreen();
+}
+
+}  // namespace momentscope

@@ -1,0 +1,29 @@
+// peeling_passes.hpp -- a second ground truth: depth peeling (Everitt 2001).
+#pragma once
+#include "core/gl/program.hpp"
+#include "core/render/transparency.hpp"
+
+namespace momentscope {
+
+class PeelingPasses : public Transparency {
+public:
+    PeelingPasses(glm::ivec2 size, GLuint depth);
+    void draw_moments(const PassInput&) override {}
+
+    /// Peels layer after layer until one is empty everywhere. Each lies strictly behind the one before, so
+    /// there are at most as many as a pixel has fragments.
+    void draw_color(const PassInput& input) override;
+    void draw_composite(const PassInput& input) override;
+
+private:
+    bool draw_layer(const PassInput& input, int layer);  // false when it is empty
+    void add_layer();
+
+    GlTexture depths_[2];  // of this layer and of the one before, in turn
+    GlTexture layer_, sum_;
+    GlFramebuffer layer_targets_[2], sum_target_;
+    GlProgram peel_program_, add_program_, composite_program_;
+    GlQuery any_fragment_;
+};
+
+}  // namespace momentscope

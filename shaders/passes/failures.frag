@@ -1,0 +1,26 @@
+// failures.frag -- counts per pixel the fragments whose reconstruction failed or had to be clamped, by additive blending.
+#include "passes/blocks.glsl"
+#include "passes/shading.glsl"
+#include "passes/transparent_fragment.glsl"
+#include "technique"
+#include "passes/stored_moments.glsl"
+
+layout(early_fragment_tests) in;
+
+layout(location = 0) out vec2 failed_clamped;
+
+/// Rounding alone takes sums this far beyond [0, 1]; see docs/tolerances.md.
+const float CLAMP_TOLERANCE = 1.0e-4;
+
+void main()
+{
+    Moments moments = stored_moments(ivec2(gl_FragCoord.xy));
+    failed_clamped = vec2(0.0);
+    if (is_empty(moments)) return;
+    Factor factor = factor_moments(biased_moments(moments, frame.parameters.z));
+    Reconstruction at_depth = reconstruct(factor, make_basis(frame.parameters.y), fragment_depth());
+    float fraction = fraction_in_front(at_depth, frame.parameters.x);
+    bool within = fraction >= -CLAMP_TOLERANCE && fraction <= 1.0 + CLAMP_TOLERANCE;
+    bool failed = factor.floored > 0 || isnan(fraction) || isinf(fraction);
+    failed_clamped = vec2(failed ? 1.0 : 0.0, !failed && !within ? 1.0 : 0.0);
+}

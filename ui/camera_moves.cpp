@@ -1,0 +1,47 @@
+#include "ui/camera_moves.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/scene/camera.hpp"
+
+namespace momentscope::ui {
+
+namespace {
+
+constexpr float STEEPEST = 1.5f;  // short of the poles, where up would be undefined
+constexpr float QUARTER = 1.57079633f;
+constexpr NamedView VIEWS[] = {{"front", "Front", 0, 0},       {"back", "Back", 2 * QUARTER, 0},
+                               {"left", "Left", -QUARTER, 0},  {"right", "Right", QUARTER, 0},
+                               {"top", "Top", 0, STEEPEST},    {"below", "From below", 0, -STEEPEST}};
+
+}  // namespace
+
+std::span<const NamedView> named_views() {
+    return VIEWS;
+}
+
+Camera orbited(Camera camera, ImVec2 moved) {
+    constexpr float RADIANS_PER_PIXEL = 0.008f;
+    camera.azimuth = std::remainder(camera.azimuth - RADIANS_PER_PIXEL * moved.x, 4 * QUARTER);
+    camera.elevation = std::clamp(camera.elevation + RADIANS_PER_PIXEL * moved.y, -STEEPEST, STEEPEST);
+    return camera;
+}
+
+Camera panned(Camera camera, ImVec2 moved, float picture_height) {
+    const glm::mat4 view = view_matrix(camera);
+    const glm::vec3 right(view[0][0], view[1][0], view[2][0]);
+    const glm::vec3 up(view[0][1], view[1][1], view[2][1]);
+    const float unit = 2 * camera.distance * std::tan(0.5f * camera.field_of_view) / std::max(picture_height, 1.0f);
+    constexpr float FAR = 1000;
+    const glm::vec3 target = camera.target + unit * (-moved.x * right + moved.y * up);
+    camera.target = glm::clamp(target, glm::vec3(-FAR), glm::vec3(FAR));
+    return camera;
+}
+
+Camera zoomed(Camera camera, float notches) {
+    camera.distance = std::clamp(camera.distance * std::pow(0.9f, notches), 0.1f, 500.0f);
+    return camera;
+}
+
+}  // namespace momentscope::ui

@@ -1,0 +1,25 @@
+// camera_moves.hpp -- what the mouse and the named views do to the camera.
+#pragma once
+#include <imgui.h>
+
+#include <span>
+
+#include "core/scene/scene.hpp"
+
+namespace momentscope::ui {
+
+struct NamedView {
+    const char* id;
+    const char* name;
+    float azimuth, elevation;
+};
+std::span<const NamedView> named_views();
+
+/// By a mouse movement in pixels.
+Camera orbited(Camera camera, ImVec2 moved);
+Camera panned(Camera camera, ImVec2 moved, float picture_height);
+
+/// Towards the target for positive notches.
+Camera zoomed(Camera camera, float notches);
+
+}  // namespace momentscope::ui

@@ -1,0 +1,145 @@
+#include "ui/command_palette.hpp"
+
+#include <fmt/format.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+
+namespace momentscope::ui {
+
+namespace {
+
+std::string lower(std::string text) {
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
+std::string menu_title(const Command& command) {
+    for (const Menu& menu : menus())
+        if (command.id.starts_with(std::string(menu.id) + ".")) return menu.title;
+    return "";
+}
+
+void place_window(float width, float height, float top) {
+    const ImVec2 room = ImGui::GetMainViewport()->Size;
+    ImGui::SetNextWindowSize({std::min(width * em(), 0.95f * room.x), std::min(height * em(), 0.9f * room.y)});
+    ImGui::SetNextWindowPos({0.5f * room.x, top * room.y}, ImGuiCond_Always, {0.5f, top});
+}
+
+void key_row(const std::string& keys, const std::string& name, const std::string& help) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(keys.c_str());
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(name.c_str());
+    ImGui::TableNextColumn();
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    ImGui::TextWrapped("%s", help.c_str());
+    ImGui::PopStyleColor();
+}
+
+}  // namespace
+
+bool matches(const Command& command, const std::string& typed) {
+    const std::string text = lower(menu_title(command) + " " + command.name + " " + command.help);
+    std::istringstream words(lower(typed));
+    for (std::string word; words >> word;)
+        if (text.find(word) == std::string::npos) return false;
+    return true;
+}
+
+void CommandPalette::toggle() {
+    open_ = begin_ = !open_;
+    typed_.clear();
+    chosen_ = 0;
+}
+
+const Command* CommandPalette::draw(const Ui& ui, const Explorer& explorer) {
+    if (!open_) return nullptr;
+    if (begin_) ImGui::OpenPopup("###palette");
+    place_window(40, 26, 0.15f);
+    const Command* chosen = nullptr;
+    if (!ImGui::BeginPopup("###palette", ImGuiWindowFlags_NoSavedSettings)) {
+        open_ = false;
+        return nullptr;
+    }
+    ImGui::SetNextItemWidth(-1);
+    if (begin_) ImGui::SetKeyboardFocusHere();
+    begin_ = false;
+    const std::string before = typed_;
+    bool accept =
+        ImGui::InputTextWithHint("##typed", "type what you want to do", &typed_, ImGuiInputTextFlags_EnterReturnsTrue);
+    ui.mark("palette.typed");
+    std::vector<const Command*> found;
+    for (const Command& command : commands())
+        if (command.run && is_enabled(command, explorer) && matches(command, typed_)) found.push_back(&command);
+    if (typed_ != before) chosen_ = 0;
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow))) ++chosen_;
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_UpArrow))) --chosen_;
+    chosen_ = std::clamp(chosen_, 0, std::max(static_cast<int>(found.size()) - 1, 0));
+    ImGui::BeginChild("found");
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const Command& command = *found[i];
+        const bool selected = static_cast<int>(i) == chosen_;
+        const std::string label = fmt::format("{}: {}##{}", menu_title(command), command.name, command.id);
+        if (ImGui::Selectable(label.c_str(), selected)) chosen = &command;
+        ui.mark("palette." + command.id);
+        if (selected && accept) chosen = &command;
+        if (selected) ImGui::SetScrollHereY();
+        tooltip(command.help);
+        if (command.keys.empty()) continue;
+        ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - 9 * em());
+        ImGui::TextDisabled("%s", command.keys.front().c_str());
+    }
+    if (found.empty()) ImGui::TextDisabled("No command has these words.");
+    ImGui::EndChild();
+    if (chosen != nullptr) {
+        open_ = false;
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndPopup();
+    return chosen;
+}
+
+void draw_help(const Ui& ui, bool& open) {
+    if (!open) return;
+    place_window(60, 44, 0.5f);
+    if (!ImGui::Begin("Keys and mouse###help", &open, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings |
+                                                          ImGuiWindowFlags_NoCollapse)) {
+        ImGui::End();
+        return;
+    }
+    ui.anchors["help"] = {ImGui::GetWindowPos(),
+                          {ImGui::GetWindowPos().x + ImGui::GetWindowWidth(), ImGui::GetWindowPos().y + ImGui::GetWindowHeight()}};
+    const auto begin_table = [](const char* id) {
+        if (!ImGui::BeginTable(id, 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings)) return false;
+        ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 12 * em());
+        ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 16 * em());
+        ImGui::TableSetupColumn("help", ImGuiTableColumnFlags_WidthStretch);
+        return true;
+    };
+    for (const Menu& menu : menus()) {
+        ImGui::PushFont(bold_font());
+        ImGui::TextUnformatted(menu.title);
+        ImGui::PopFont();
+        if (!begin_table(menu.id)) continue;
+        for (const Command& command : commands()) {
+            if (!command.id.starts_with(std::string(menu.id) + ".") || command.keys.empty()) continue;
+            key_row(fmt::format("{}", fmt::join(command.keys, ", ")), command.name, command.help);
+        }
+        ImGui::EndTable();
+    }
+    ImGui::PushFont(bold_font());
+    ImGui::TextUnformatted("Mouse");
+    ImGui::PopFont();
+    if (begin_table("mouse")) {
+        for (const MouseAction& action : mouse_actions())
+            key_row(action.how, action.where, action.what);
+        ImGui::EndTable();
+    }
+    ImGui::End();
+}
+
+}  // namespace momentscope::ui

@@ -1,0 +1,32 @@
+// command_palette.hpp -- finds commands by typing parts of their names; and the list of all keys.
+#pragma once
+#include <string>
+
+#include "ui/commands.hpp"
+#include "ui/ui.hpp"
+
+namespace momentscope::ui {
+
+class CommandPalette {
+public:
+    void toggle();
+    bool is_open() const { return open_; }
+    void close() { open_ = false; }
+
+    /// Draws it, if it is open. Returns the command that was chosen, in the frame in which it was.
+    const Command* draw(const Ui& ui, const Explorer& explorer);
+
+private:
+    bool open_ = false;
+    bool begin_ = false;
+    std::string typed_;
+    int chosen_ = 0;
+};
+
+/// Does every word that was typed occur in the command's menu, name or help? Case does not matter.
+bool matches(const Command& command, const std::string& typed);
+
+/// All keys and mouse actions, in a window that `open` closes.
+void draw_help(const Ui& ui, bool& open);
+
+}  // namespace momentscope::ui

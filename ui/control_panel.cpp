@@ -1,0 +1,96 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/scene/scenes.hpp"
+#include "ui/parameter_controls.hpp"
+#include "ui/side_panels.hpp"
+
+namespace momentscope::ui {
+
+namespace {
+
+constexpr float LABEL_WIDTH = 13.5f;  // font heights
+
+void label(const char* text) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(text);
+    ImGui::SameLine(LABEL_WIDTH * em());
+    ImGui::SetNextItemWidth(-1);
+}
+
+std::string technique_label(const Technique& row) {
+    return fmt::format("{} ({})", row.name, row.id);
+}
+
+void draw_scene_combo(const Ui& ui, ExplorerState& state) {
+    const std::string shown = state.ray ? "view ray from a file" : state.scene;
+    const bool open = ImGui::BeginCombo("##scene", shown.c_str());
+    ui.mark("controls.scene");
+    tooltip("The scene. Mesh files are opened with File > Open mesh.", "--scene");
+    if (!open) return;
+    for (const SceneEntry& entry : scene_entries()) {
+        if (ImGui::Selectable(entry.id, !state.ray && state.scene == entry.id)) choose_scene(state, entry.id);
+        ui.mark(fmt::format("controls.scene.{}", entry.id));
+        tooltip(entry.description);
+    }
+    ImGui::EndCombo();
+}
+
+void draw_technique_combo(const Ui& ui, ExplorerState& state) {
+    const bool open = ImGui::BeginCombo("##technique", technique_label(*state.technique).c_str(), ImGuiComboFlags_HeightLarge);
+    ui.mark("controls.technique");
+    tooltip("The technique that draws the picture and the orange curve; 1 to 9 choose one.", "--technique");
+    if (!open) return;
+    for (const Technique& row : techniques()) {
+        if (ImGui::Selectable(technique_label(row).c_str(), &row == state.technique)) state.technique = &row;
+        ui.mark(fmt::format("controls.technique.{}", row.id));
+        tooltip(row.description, row.source);
+    }
+    ImGui::EndCombo();
+}
+
+void draw_compared_combo(const Ui& ui, ExplorerState& state) {
+    std::string shown;
+    for (const Technique* technique : state.compared)
+        shown += fmt::format("{}{}", shown.empty() ? "" : ", ", technique->id);
+    const bool open = ImGui::BeginCombo("##compared", shown.empty() ? "none" : shown.c_str(), ImGuiComboFlags_HeightLarge);
+    ui.mark("controls.compared");
+    tooltip("Techniques whose reconstruction the plot shows beside that of the picture.");
+    if (!open) return;
+    for (const Technique& row : techniques()) {
+        if (row.kernel == nullptr) continue;
+        bool on = std::ranges::find(state.compared, &row) != state.compared.end();
+        if (ImGui::Checkbox(technique_label(row).c_str(), &on)) {
+            if (on)
+                state.compared.push_back(&row);
+            else
+                std::erase(state.compared, &row);
+        }
+        ui.mark(fmt::format("controls.compared.{}", row.id));
+        tooltip(row.description, row.source);
+    }
+    ImGui::EndCombo();
+}
+
+}  // namespace
+
+void draw_control_panel(const Ui& ui, ExplorerState& state, std::string& message) {
+    label("scene");
+    draw_scene_combo(ui, state);
+    label("technique");
+    draw_technique_combo(ui, state);
+    label("also plot");
+    draw_compared_combo(ui, state);
+    ImGui::Spacing();
+    bool any = false;
+    for (const Parameter& row : parameters()) {
+        const bool of_mesh = row.id == ParameterId::opacity && !is_builtin_scene(state.scene) && !state.ray;
+        if (!state.technique->uses(row.id) && !of_mesh) continue;
+        draw_parameter_control(ui, row, state.technique->recommended_bias, LABEL_WIDTH * em(), state.parameters, message);
+        any = true;
+    }
+    if (!any) ImGui::TextDisabled("This technique reads no parameters.");
+}
+
+}  // namespace momentscope::ui

@@ -1,0 +1,271 @@
+// explorer_layout.cpp -- where things stand in the window.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/explorer.hpp"
+#include "ui/lessons.hpp"
+#include "ui/side_panels.hpp"
+
+namespace momentscope::ui {
+
+namespace {
+
+constexpr float LEAST_SHARE = 0.2f, MOST_SHARE = 0.8f;
+
+ImVec4 color_of(ImU32 tint) {
+    return ImGui::ColorConvertU32ToFloat4(tint);
+}
+
+// A bar that is dragged to divide room; double-click puts it back. Changes the share of what lies before it.
+void splitter(const Ui& ui, const char* name, bool vertical, ImVec2 size, float room, float standard, float& share) {
+    ImGui::InvisibleButton(name, {std::max(size.x, 1.0f), std::max(size.y, 1.0f)});
+    ui.mark(name);
+    const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
+    if (hot) ImGui::SetMouseCursor(vertical ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
+    const float moved = vertical ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y;
+    if (ImGui::IsItemActive() && room > 1) share = std::clamp(share + moved / room, LEAST_SHARE, MOST_SHARE);
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) share = standard;
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    const ImVec2 middle = {0.5f * (low.x + high.x), 0.5f * (low.y + high.y)};
+    const ImU32 tint = ImGui::GetColorU32(hot ? ImGuiCol_CheckMark : ImGuiCol_Border);
+    const float half = 1.2f * em();
+    ImGui::GetWindowDrawList()->AddLine({middle.x - (vertical ? 0 : half), middle.y - (vertical ? half : 0)},
+                                        {middle.x + (vertical ? 0 : half), middle.y + (vertical ? half : 0)}, tint,
+                                        0.15f * em());
+}
+
+}  // namespace
+
+void Explorer::frame() {
+    if (styled_ != state_.theme) {
+        apply_style(state_.theme, options_.scale);
+        styled_ = state_.theme;
+    }
+    anchors_.clear();
+    const Ui ui = {palette(state_.theme), anchors_};
+    const ImGuiViewport& viewport = *ImGui::GetMainViewport();
+    ImGui::SetNextWindowPos(viewport.Pos);
+    ImGui::SetNextWindowSize(viewport.Size);
+    ImGui::Begin("Momentscope", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_MenuBar |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse |
+                     ImGuiWindowFlags_NoSavedSettings);
+    const bool dialog = files_.is_open() || palette_.is_open();
+    truth_shown_ = !state_.ray && !dialog && (held({.key = 'G'}) || truth_button_held_);
+    draw_menu(ui);
+    draw_lessons(ui);
+    draw_work_area(ui);
+    draw_status(ui);
+    ImGui::End();
+    draw_help(ui, help_);
+    draw_files(ui);
+    if (const Command* chosen = palette_.draw(ui, *this)) chosen->run(*this);
+    draw_loading(ui);
+    run_pressed_commands(*this);
+    // A drag is one step: nothing is recorded while a button is down or a scene is read.
+    if (!busy() && !ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive()) history_.record(state_);
+}
+
+void Explorer::draw_menu(const Ui& ui) {
+    if (!ImGui::BeginMenuBar()) return;
+    for (const Menu& menu : menus()) {
+        const bool open = ImGui::BeginMenu(menu.title);
+        ui.mark(fmt::format("menu.{}", menu.id));
+        if (!open) continue;
+        for (const Command& command : commands()) {
+            if (!command.id.starts_with(std::string(menu.id) + ".")) continue;
+            const std::string key = command.keys.empty() ? "" : command.keys.front() + (command.run ? "" : " (hold)");
+            const bool checked = command.checked && command.checked(*this);
+            if (ImGui::MenuItem(command.name.c_str(), key.c_str(), checked, command.run && is_enabled(command, *this)))
+                command.run(*this);
+            ui.mark(command.id);
+            tooltip(command.help);
+        }
+        ImGui::EndMenu();
+    }
+    ImGui::EndMenuBar();
+}
+
+void Explorer::draw_lessons(const Ui& ui) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("Try this");
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    int number = 1;
+    for (const Lesson& lesson : lessons()) {
+        const std::string label = fmt::format("{}  {}", number, lesson.title);
+        const float width = ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+        ImGui::SameLine();
+        if (ImGui::GetCursorScreenPos().x + width > right) ImGui::NewLine();
+        const bool open = state_.card == lesson.id;
+        if (toggle_button(label.c_str(), open)) {
+            if (open)
+                state_.card.clear();
+            else
+                open_lesson(state_, lesson);
+        }
+        ui.mark(fmt::format("card.{}", lesson.id));
+        tooltip(lesson.question, "click to start from there; Ctrl+Z brings everything back");
+        ++number;
+    }
+    draw_card(ui);
+}
+
+void Explorer::draw_card(const Ui& ui) {
+    const Lesson* lesson = find_lesson(state_.card);
+    if (lesson == nullptr) return;
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
+    const float pad = 0.5f * em();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float wrap = std::max(width - 12 * em(), 10 * em());
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    float height = 2 * pad + ImGui::CalcTextSize(lesson->text, nullptr, false, wrap).y + 0.4f * line +
+                   ImGui::CalcTextSize(lesson->question, nullptr, false, wrap).y;
+    if (state_.answer) height += 0.4f * line + ImGui::CalcTextSize(lesson->answer, nullptr, false, wrap).y;
+    height = std::max(height, 2 * pad + 2 * ImGui::GetFrameHeightWithSpacing());
+    ImGui::BeginChild("card", {0, height}, false, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::SetCursorPos({pad, pad});
+    ImGui::BeginGroup();
+    ImGui::PushTextWrapPos(pad + wrap);
+    ImGui::TextUnformatted(lesson->text);
+    ImGui::PushFont(bold_font());
+    ImGui::TextUnformatted(lesson->question);
+    ImGui::PopFont();
+    if (state_.answer) ImGui::TextUnformatted(lesson->answer);
+    ImGui::PopTextWrapPos();
+    ImGui::EndGroup();
+    const float button = 9.5f * em();
+    ImGui::SetCursorPos({width - button - pad, pad});
+    if (ImGui::Button(state_.answer ? "hide answer" : "show answer", {button, 0})) state_.answer = !state_.answer;
+    ui.mark("card.answer");
+    ImGui::SetCursorPos({width - button - pad, pad + ImGui::GetFrameHeightWithSpacing()});
+    if (ImGui::Button("close card", {button, 0})) state_.card.clear();
+    ui.mark("card.close");
+    ImGui::EndChild();
+    anchors_["card"] = {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
+    ImGui::PopStyleColor();
+}
+
+void Explorer::draw_work_area(const Ui& ui) {
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const float bar = 0.6f * em();
+    const float gap = ImGui::GetStyle().ItemSpacing.y;
+    const ImVec2 size = {room.x, std::max(room.y - ImGui::GetTextLineHeightWithSpacing() - gap, 1.0f)};
+    const float left = std::max(std::floor(state_.scene_share * (size.x - bar)), 1.0f);
+    if (!busy()) message_until_input();
+    ImGui::BeginGroup();
+    if (focus_go_to_) scene_panel_.focus_go_to();
+    focus_go_to_ = false;
+    const glm::ivec2 picture_size =
+        scene_panel_.draw_controls(ui, measurement_, picture_, state_, {left, size.y}, message_);
+    truth_button_held_ = scene_panel_.truth_held();
+    ImGui::EndGroup();
+    update(picture_size);
+    scene_panel_.draw_picture(ui, measurement_, picture_, state_);
+    ImGui::SameLine(0, 0);
+    splitter(ui, "split.scene", true, {bar, size.y}, size.x, ExplorerState().scene_share, state_.scene_share);
+    ImGui::SameLine(0, 0);
+    draw_right_side(ui, {std::max(size.x - left - bar, 1.0f), size.y});
+}
+
+void Explorer::draw_right_side(const Ui& ui, ImVec2 size) {
+    if (measurement_.curve.technique == nullptr) return;  // the first scene is still being read
+    const float bar = 0.6f * em();
+    const float plot = std::max(std::floor(state_.plot_share * size.y), 1.0f);
+    const float pins = state_.pins.empty() || state_.ray ? 0.0f : std::floor(0.3f * plot);
+    ImGui::BeginGroup();
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 0.2f * em()});
+    plot_panel_.draw(ui, measurement_, state_, {size.x, plot - pins});
+    if (pins > 0) draw_pinned_plots(ui, measurement_, state_, {size.x, pins - 0.2f * em()});
+    ImGui::PopStyleVar();
+    splitter(ui, "split.plot", false, {size.x, bar}, size.y, ExplorerState().plot_share, state_.plot_share);
+    ImGui::BeginChild("tabs", {size.x, std::max(size.y - plot - bar - 2 * ImGui::GetStyle().ItemSpacing.y, 1.0f)});
+    draw_tabs(ui);
+    ImGui::EndChild();
+    ImGui::EndGroup();
+}
+
+void Explorer::draw_tabs(const Ui& ui) {
+    constexpr const char* TITLES[] = {"Controls", "Fragments", "Technique"};
+    constexpr const char* HELP[] = {"Scene, technique and parameters.", "The pixel's history: every fragment with its T.",
+                                    "What the technique is and costs."};
+    for (std::size_t i = 0; i < std::size(TITLES); ++i) {
+        if (i > 0) ImGui::SameLine(0, 3);
+        if (toggle_button(TITLES[i], state_.panel == static_cast<Panel>(i))) state_.panel = static_cast<Panel>(i);
+        ui.mark(fmt::format("tab.{}", i + 1));
+        tooltip(HELP[i], fmt::format("Ctrl+{}", i + 1));
+    }
+    ImGui::BeginChild("panel");
+    switch (state_.panel) {
+        case Panel::controls:
+            draw_control_panel(ui, state_, message_);
+            break;
+        case Panel::fragments:
+            draw_fragment_panel(ui, measurement_, state_);
+            break;
+        case Panel::technique:
+            draw_technique_panel(ui, measurement_, state_);
+            break;
+    }
+    ImGui::EndChild();
+    anchors_["panel"] = {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
+}
+
+// A message stays until the user does the next thing.
+void Explorer::message_until_input() {
+    const ImGuiIO& io = ImGui::GetIO();
+    bool input = io.InputQueueCharacters.Size > 0;
+    for (const bool clicked : io.MouseClicked) input |= clicked;
+    for (int key = 0; key < IM_ARRAYSIZE(io.KeysDown); ++key) input |= ImGui::IsKeyPressed(key, false);
+    if (input && !pressed({.key = 256})) message_.clear();  // Escape has its own rule
+}
+
+void Explorer::draw_status(const Ui& ui) {
+    if (!message_.empty()) {
+        ImGui::TextColored(color_of(ui.colors.warning), "%s", message_.c_str());
+        ui.mark("status");
+        tooltip(message_);
+        return;
+    }
+    std::string status = state_.ray ? std::string("view ray from a file")
+                                    : fmt::format("pixel {}, {}", measurement_.pixel.x, measurement_.pixel.y);
+    status += fmt::format("   {} fragments   absorbance {:.4g}", measurement_.capture.ray.fragments.size(),
+                          measurement_.curve.total_absorbance);
+    if (options_.show_times && !state_.ray) {
+        const PassTimes& t = renderer_.pass_times();
+        status += fmt::format("   ms: opaque {:.1f}, first pass {:.1f}, second {:.1f}, composite {:.1f}", t.opaque, t.moments,
+                              t.color, t.composite);
+    }
+    ImGui::TextUnformatted(status.c_str());
+    ui.mark("status");
+    tooltip("The picked pixel, what lies on its ray, and how long the GL took for each pass when it last ran.");
+    const std::string gl = gl_.software ? fmt::format("no GPU: {}", gl_.renderer) : gl_.renderer;
+    const float width = std::min(ImGui::CalcTextSize(gl.c_str()).x, 0.35f * ImGui::GetContentRegionMax().x);
+    ImGui::SameLine(std::max(ImGui::GetContentRegionMax().x - width, 1.0f));
+    ImGui::TextDisabled("%s", gl.c_str());
+    ui.mark("status.gl");
+    std::string missing = fmt::format("OpenGL {}, {}", gl_.version, gl_.renderer);
+    for (const MissingFeature& feature : gl_.missing)
+        missing += fmt::format("\nmissing: {}; {}.", feature.feature, feature.consequence);
+    if (gl_.missing.empty()) missing += "\nNothing that Momentscope could use is missing.";
+    tooltip(missing);
+}
+
+void Explorer::draw_loading(const Ui& ui) {
+    if (!busy()) return;
+    const ImVec2 room = ImGui::GetMainViewport()->Size;
+    ImGui::SetNextWindowPos({0.5f * room.x, 0.4f * room.y}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSize({std::min(26 * em(), room.x), 0});
+    ImGui::Begin("Reading###loading", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings);
+    ImGui::TextWrapped("Reading %s", loader_.name().c_str());
+    const double seconds = loader_.seconds();
+    const auto sweep = static_cast<float>(seconds - std::floor(seconds));  // how long it takes is not known beforehand
+    ImGui::ProgressBar(sweep, {-1, 0}, fmt::format("{:.1f} s", seconds).c_str());
+    if (ImGui::Button("Cancel", {6 * em(), 0}) || pressed({.key = 256})) loader_.cancel();
+    ui.mark("loading.cancel");
+    ImGui::End();
+}
+
+}  // namespace momentscope::ui

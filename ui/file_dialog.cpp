@@ -1,0 +1,181 @@
+#include "ui/file_dialog.hpp"
+
+#include <fmt/format.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "core/output_file.hpp"
+#include "ui/shortcut.hpp"
+
+namespace momentscope::ui {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t MOST_ENTRIES = 5000;  // more than anybody scrolls through
+
+std::string size_text(std::uintmax_t bytes) {
+    if (bytes < 1000) return fmt::format("{} B", bytes);
+    if (bytes < 1'000'000) return fmt::format("{:.1f} kB", static_cast<double>(bytes) / 1e3);
+    return fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6);
+}
+
+}  // namespace
+
+void FileDialog::open(Mode mode, const char* title, std::vector<FileKind> kinds, const std::string& suggested_name) {
+    mode_ = mode;
+    title_ = title;
+    kinds_ = std::move(kinds);
+    kind_ = 0;
+    name_ = suggested_name;
+    problem_.clear();
+    confirmed_.clear();
+    open_ = begin_ = true;
+    enter(folder_);
+}
+
+void FileDialog::enter(const fs::path& folder) {
+    std::error_code status;
+    const fs::path canonical = fs::weakly_canonical(folder, status);
+    folder_ = status ? folder : canonical;
+    read_folder();
+}
+
+void FileDialog::read_folder() {
+    entries_.clear();
+    std::error_code status;
+    const std::string extension = kinds_[kind_].extension;
+    for (fs::directory_iterator at(folder_, status), end; !status && at != end && entries_.size() < MOST_ENTRIES;
+         at.increment(status)) {
+        std::error_code of_entry;
+        const bool folder = at->is_directory(of_entry);
+        const std::string name = at->path().filename().string();
+        if (name.starts_with(".")) continue;
+        if (!folder && !extension.empty() && at->path().extension() != extension) continue;
+        const std::uintmax_t bytes = folder ? 0 : at->file_size(of_entry);
+        entries_.push_back({name, folder, of_entry ? 0 : bytes});
+    }
+    problem_ = status ? fmt::format("The folder '{}' cannot be read.", folder_.string()) : "";
+    std::ranges::sort(entries_, [](const Entry& a, const Entry& b) {
+        return a.folder != b.folder ? a.folder : a.name < b.name;
+    });
+}
+
+void FileDialog::choose_kind(std::size_t kind) {
+    kind_ = kind;
+    if (mode_ == Mode::save && !name_.empty())
+        name_ = fs::path(name_).replace_extension(kinds_[kind].extension).string();
+    read_folder();
+}
+
+void FileDialog::draw_entries(const Ui& ui, bool& accept) {
+    const ImVec2 size = {0, std::max(ImGui::GetContentRegionAvail().y - 4.6f * ImGui::GetFrameHeightWithSpacing(), 4 * em())};
+    ImGui::BeginChild("entries", size, true);
+    if (ImGui::Selectable("../", false)) enter(folder_.parent_path());
+    ui.mark("file.parent");
+    std::optional<fs::path> entered;
+    for (const Entry& entry : entries_) {
+        const std::string label = entry.folder ? entry.name + "/" : entry.name;
+        if (ImGui::Selectable(label.c_str(), name_ == entry.name, ImGuiSelectableFlags_AllowDoubleClick)) {
+            if (entry.folder)
+                entered = folder_ / entry.name;
+            else
+                name_ = entry.name;
+            if (!entry.folder && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) accept = true;
+        }
+        ui.mark("file.entry." + entry.name);
+        if (!entry.folder) {
+            ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - 6 * em());
+            ImGui::TextDisabled("%s", size_text(entry.bytes).c_str());
+        }
+    }
+    if (entries_.empty()) ImGui::TextDisabled("Nothing here that could be opened.");
+    ImGui::EndChild();
+    if (entered) enter(*entered);
+}
+
+// Folders are entered, files chosen; what cannot be is explained.
+std::optional<FileDialog::Choice> FileDialog::accept() {
+    if (name_.empty()) {
+        problem_ = "Type the name of a file, or click one.";
+        return std::nullopt;
+    }
+    const fs::path path = folder_ / name_;  // an absolute name replaces the folder
+    std::error_code status;
+    if (fs::is_directory(path, status)) {
+        name_.clear();
+        enter(path);
+        return std::nullopt;
+    }
+    if (mode_ == Mode::open && !fs::exists(path, status)) {
+        problem_ = fmt::format("There is no file '{}'.", path.string());
+        return std::nullopt;
+    }
+    if (mode_ == Mode::open) return Choice{path, &kinds_[kind_]};
+    fs::path target = path;
+    if (target.extension() != kinds_[kind_].extension) target += kinds_[kind_].extension;
+    try {
+        require_writable(target);
+    } catch (const Error& error) {
+        problem_ = error.what();
+        return std::nullopt;
+    }
+    if (fs::exists(target, status) && confirmed_ != target.string()) {
+        confirmed_ = target.string();
+        problem_ = fmt::format("'{}' exists; press Save again to replace it.", target.filename().string());
+        return std::nullopt;
+    }
+    return Choice{target, &kinds_[kind_]};
+}
+
+std::optional<FileDialog::Choice> FileDialog::draw(const Ui& ui) {
+    if (!open_) return std::nullopt;
+    const std::string label = title_ + "###file";
+    if (begin_) ImGui::OpenPopup(label.c_str());
+    const ImVec2 room = ImGui::GetMainViewport()->Size;
+    ImGui::SetNextWindowSize({std::min(38 * em(), 0.95f * room.x), std::min(30 * em(), 0.95f * room.y)});
+    ImGui::SetNextWindowPos({0.5f * room.x, 0.5f * room.y}, ImGuiCond_Always, {0.5f, 0.5f});
+    std::optional<Choice> choice;
+    if (!ImGui::BeginPopupModal(label.c_str(), nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings)) {
+        open_ = false;
+        return choice;
+    }
+    ImGui::TextWrapped("%s", folder_.c_str());
+    bool wanted = false;
+    draw_entries(ui, wanted);
+    if (kinds_.size() > 1) {
+        ImGui::SetNextItemWidth(-1);
+        if (ImGui::BeginCombo("##kind", kinds_[kind_].name)) {
+            for (std::size_t i = 0; i < kinds_.size(); ++i) {
+                if (ImGui::Selectable(kinds_[i].name, i == kind_)) choose_kind(i);
+                ui.mark(fmt::format("file.kind.{}", kinds_[i].id));
+            }
+            ImGui::EndCombo();
+        }
+        ui.mark("file.kind");
+    }
+    ImGui::SetNextItemWidth(-1);
+    if (begin_) ImGui::SetKeyboardFocusHere();
+    begin_ = false;
+    if (ImGui::InputTextWithHint("##name", "name of the file, or a path", &name_, ImGuiInputTextFlags_EnterReturnsTrue))
+        wanted = true;
+    ui.mark("file.name");
+    if (ImGui::Button(mode_ == Mode::save ? "Save" : "Open", {6 * em(), 0})) wanted = true;
+    ui.mark("file.accept");
+    ImGui::SameLine();
+    const bool cancelled = ImGui::Button("Cancel", {6 * em(), 0}) || pressed({.key = 256});
+    ui.mark("file.cancel");
+    if (wanted) choice = accept();
+    if (!problem_.empty()) ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ui.colors.warning), "%s", problem_.c_str());
+    if (choice || cancelled) {
+        open_ = false;
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndPopup();
+    return choice;
+}
+
+}  // namespace momentscope::ui

@@ -1,0 +1,59 @@
+// file_dialog.hpp -- a file browser within the window, for opening and saving.
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/ui.hpp"
+
+namespace momentscope::ui {
+
+/// One kind of file that a dialog offers.
+struct FileKind {
+    const char* id;
+    const char* name;
+    const char* extension;  // ".json"; "" for any
+};
+
+class FileDialog {
+public:
+    enum class Mode { open, save };
+
+    /// Opens with the folder of the last time, at first the working directory.
+    void open(Mode mode, const char* title, std::vector<FileKind> kinds, const std::string& suggested_name);
+
+    struct Choice {
+        std::filesystem::path path;
+        const FileKind* kind;
+    };
+    /// Draws it, if it is open. What was chosen, in the frame in which it was.
+    std::optional<Choice> draw(const Ui& ui);
+    bool is_open() const { return open_; }
+
+private:
+    struct Entry {
+        std::string name;
+        bool folder;
+        std::uintmax_t bytes;
+    };
+    void read_folder();
+    void enter(const std::filesystem::path& folder);
+    void choose_kind(std::size_t kind);
+    void draw_entries(const Ui& ui, bool& accept);
+    std::optional<Choice> accept();
+
+    bool open_ = false;
+    bool begin_ = false;
+    Mode mode_ = Mode::open;
+    std::string title_;
+    std::vector<FileKind> kinds_;
+    std::size_t kind_ = 0;
+    std::filesystem::path folder_ = std::filesystem::current_path();
+    std::vector<Entry> entries_;
+    std::string name_;
+    std::string problem_;
+    std::string confirmed_;  // the existing file that the next click on save replaces
+};
+
+}  // namespace momentscope::ui

@@ -1,0 +1,133 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/side_panels.hpp"
+
+namespace momentscope::ui {
+
+namespace {
+
+struct Column {
+    const char* name;
+    const char* help;
+};
+constexpr Column COLUMNS[] = {
+    {"#", "Place from front to back, and after the stroke the place in which it was submitted."},
+    {"z", "Depth, warped to [−1, 1]."},
+    {"view", "View depth: distance from the camera's plane in scene units."},
+    {"opacity α_l", "Opacity of the fragment."},
+    {"absorbance", "−ln(1 − α_l), as the shaders compute it."},
+    {"T true", "Transmittance of everything strictly in front of it."},
+    {"T GL", "Transmittance that the GL's second pass computed for it."},
+    {"T C++", "The same from the same source, compiled as C++."},
+    {"error", "T C++ minus T true: positive where the fragment shines through too much."},
+    {"weight", "T α_l: what its colour is multiplied by."},
+    {"adds", "Colour that blending adds (source); the tooltip of a row has the numbers."},
+    {"onto", "Sum that blending adds to (destination), of what was submitted before."}};
+
+std::string submitted_place(const PixelHistoryRow& row) {
+    return fmt::format("{}", row.fragment + 1);
+}
+
+ImU32 display_color(const glm::vec3& linear) {
+    const auto byte = [](float value) { return static_cast<int>(std::lround(255 * srgb_from_linear(value))); };
+    return IM_COL32(byte(linear.r), byte(linear.g), byte(linear.b), 255);
+}
+
+void swatch(const glm::vec3& linear) {
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float height = ImGui::GetTextLineHeight();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled({low.x, low.y + 2}, {low.x + 2 * em(), low.y + height - 1}, display_color(linear), 2);
+    list.AddRect({low.x, low.y + 2}, {low.x + 2 * em(), low.y + height - 1}, ImGui::GetColorU32(ImGuiCol_Border), 2);
+    ImGui::Dummy({2 * em(), height});
+}
+
+std::string vector_text(const glm::vec4& v) {
+    return fmt::format("({:.4f}, {:.4f}, {:.4f}; {:.4f})", v.r, v.g, v.b, v.a);
+}
+
+void cell(const std::string& text) {
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(text.c_str());
+}
+
+void draw_row(const Ui& ui, const Measurement& m, const PixelHistoryRow& row, std::size_t place, ExplorerState& state) {
+    const Fragment& f = m.capture.ray.fragments[row.fragment];
+    const bool marked = state.marked == row.fragment;
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    const std::string label = fmt::format("{}/{}##{}", place + 1, submitted_place(row), row.fragment);
+    if (ImGui::Selectable(label.c_str(), marked, ImGuiSelectableFlags_SpanAllColumns)) {
+        if (marked)
+            state.marked.reset();
+        else
+            state.marked = row.fragment;
+        if (!marked) state.plot.query = f.depth;
+    }
+    ui.mark(fmt::format("fragment.{}", place + 1));
+    tooltip(fmt::format("Draw call {}, triangle {}. Blending (ONE, ONE) adds {} to {}; in linear RGB, with the weight last.",
+                        f.draw, f.primitive, vector_text(row.source), vector_text(row.sum)),
+            "click to mark it in the plot");
+    if (marked && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
+    cell(fmt::format("{:.3f}", f.depth));
+    cell(fmt::format("{:.3f}", f.view_depth));
+    cell(fmt::format("{:.3f}", f.opacity));
+    cell(fmt::format("{:.3f}", row.absorbance));
+    cell(fmt::format("{:.4f}", row.true_transmittance));
+    cell(row.gl_transmittance ? fmt::format("{:.4f}", *row.gl_transmittance) : "–");
+    cell(fmt::format("{:.4f}", row.transmittance));
+    ImGui::TableNextColumn();
+    const bool large = std::abs(row.error()) > 0.02;  // about what is seen in a picture
+    if (large) ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.warning);
+    ImGui::Text("%+.4f%s", row.error(), large ? " !" : "");
+    if (large) ImGui::PopStyleColor();
+    cell(fmt::format("{:.4f}", row.source.a));
+    ImGui::TableNextColumn();
+    swatch(glm::vec3(row.source));
+    ImGui::TableNextColumn();
+    swatch(glm::vec3(row.sum));
+}
+
+std::string summary(const Measurement& m) {
+    double worst = 0;
+    double squares = 0;
+    for (const PixelHistoryRow& row : m.history) {
+        worst = std::max(worst, std::abs(row.error()));
+        squares += row.error() * row.error();
+    }
+    return fmt::format("{} fragments, greatest error of T {:.4f}, root mean square {:.4f}", m.history.size(), worst,
+                       std::sqrt(squares / static_cast<double>(std::max<std::size_t>(m.history.size(), 1))));
+}
+
+}  // namespace
+
+void draw_fragment_panel(const Ui& ui, const Measurement& m, ExplorerState& state) {
+    if (m.history.empty()) {
+        ImGui::TextWrapped("No transparent surface covers this pixel. Click one in the scene.");
+        return;
+    }
+    ImGui::TextUnformatted(summary(m).c_str());
+    const ImGuiTableFlags flags = ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg |
+                                  ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingFixedFit |
+                                  ImGuiTableFlags_NoSavedSettings;
+    if (!ImGui::BeginTable("fragments", static_cast<int>(std::size(COLUMNS)), flags)) return;
+    ImGui::TableSetupScrollFreeze(1, 1);
+    for (const Column& column : COLUMNS) ImGui::TableSetupColumn(column.name);
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    for (const Column& column : COLUMNS) {
+        ImGui::TableNextColumn();
+        ImGui::TableHeader(column.name);
+        tooltip(column.help);
+    }
+    ImGuiListClipper clipper;  // a ray from a file may have 100,000 fragments
+    clipper.Begin(static_cast<int>(m.history.size()));
+    while (clipper.Step())
+        for (auto i = static_cast<std::size_t>(clipper.DisplayStart); i < static_cast<std::size_t>(clipper.DisplayEnd); ++i)
+            draw_row(ui, m, m.history[i], i, state);
+    ImGui::EndTable();
+}
+
+}  // namespace momentscope::ui

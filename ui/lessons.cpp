@@ -1,0 +1,115 @@
+#include "ui/lessons.hpp"
+
+#include <algorithm>
+
+namespace momentscope::ui {
+
+namespace {
+
+void show(PlotState& plot, std::initializer_list<Series> series) {
+    plot.shown.fill(false);
+    for (const Series one : series) plot.shown[static_cast<std::size_t>(one)] = true;
+}
+
+void prepare_two_sheets(ExplorerState& state) {
+    choose_scene(state, "planes");
+    state.technique = &require_technique("power4-32");
+    state.picked = glm::vec2(0.40f, 0.575f);  // the two nearest sheets
+    state.marked = 0;
+    show(state.plot, {Series::truth, Series::reconstruction, Series::bounds, Series::stems, Series::errors});
+}
+
+void prepare_four_surfaces(ExplorerState& state) {
+    choose_scene(state, "planes");
+    state.technique = &require_technique("power4-32");
+    state.compared = {&require_technique("power6-32"), &require_technique("power8-32")};
+    state.picked = glm::vec2(0.5f, 0.5f);  // all four
+    state.pins = {glm::vec2(0.46f, 0.535f)};  // three of them
+    show(state.plot, {Series::truth, Series::reconstruction, Series::bounds});
+}
+
+void prepare_wrapping_zone(ExplorerState& state) {
+    choose_scene(state, "planes");
+    state.technique = &require_technique("trig2-32");
+    state.parameters.set(ParameterId::theta, 0.3f);
+    state.plot.query = -0.35f;
+    show(state.plot,
+         {Series::truth, Series::reconstruction, Series::bounds, Series::stems, Series::wrapping_zone});
+}
+
+void prepare_bias(ExplorerState& state) {
+    choose_scene(state, "spheres");
+    state.technique = &require_technique("power8-32");
+    state.parameters.set(ParameterId::alpha, 0.0f);
+    state.failures = true;
+    show(state.plot, {Series::truth, Series::reconstruction, Series::bounds, Series::ghost});
+}
+
+void prepare_more_moments(ExplorerState& state) {
+    choose_scene(state, "teapots");
+    state.technique = &require_technique("power4-32");
+    state.compared = {&require_technique("power8-32"), &require_technique("trig4-32")};
+    state.panel = Panel::fragments;
+    show(state.plot, {Series::truth, Series::reconstruction, Series::errors});
+}
+
+constexpr Lesson LESSONS[] = {
+    {"beta", "β on two sheets",
+     "Two sheets lie on this ray, and four moments know them exactly: the two bounds differ only at the sheets themselves. "
+     "Drag the overestimation weight β from 0 to 1 and watch the orange curve at the marked sheet.",
+     "How much of its own absorbance does a sheet find in front of itself?",
+     "The share β of it. With β = 0 the reconstruction at the sheet is the lower bound, which here is the truth; with "
+     "β = 1 it is the upper bound, and the sheet dims itself by its whole absorbance.",
+     prepare_two_sheets},
+    {"surfaces", "Three and four surfaces",
+     "Four sheets lie on this ray, and three on the pinned one below. Four power moments determine two surfaces, six "
+     "determine three, eight determine four (Fig. 3 of the paper).",
+     "Which curve hits every step, and what remains of the band between the bounds?",
+     "Eight moments follow all four steps as far as their stronger bias lets them; six blur a little, four draw a ramp through "
+     "all steps. The band is as wide as the moments leave the truth open: it closes where they determine it.",
+     prepare_four_surfaces},
+    {"wrapping", "The wrapping zone",
+     "Trigonometric moments bend the depth range into a circle, so its far end touches its near end. The wrapping zone, an "
+     "arc of angle θ that holds no depths, keeps the two apart (Fig. 4b).",
+     "Drag θ to 0: what happens to the reconstruction in front of the first sheet?",
+     "Roots that wrap around the circle count as in front with a jump: without the zone the reconstruction leaps near the "
+     "front end. With it they fade in, the wider the smoother, at the price of precision in depth.",
+     prepare_wrapping_zone},
+    {"bias", "Moment bias",
+     "The moment bias α is 0 here: in 32-bit floats the matrices of eight moments then become singular, and hatched pixels mark "
+     "where that happened. The dashed ghost is what exact arithmetic would show without bias.",
+     "Tick auto beside the moment bias α: which pixels recover, and what does the bias cost?",
+     "With Table 1's bias no matrix is singular, and the hatching disappears. The price is blur: the biased curve leaves the "
+     "ghost and rounds its steps off.",
+     prepare_bias},
+    {"moments", "More moments on the teapots",
+     "This ray passes through more than a dozen surfaces of teapots, far more than any of these moments can determine. The "
+     "table lists what each fragment would get from four moments.",
+     "Press 1 to 6: does the greatest error of T shrink with more moments, and what do they cost?",
+     "It does, from four to six to eight power moments and again from two to four trigonometric ones, but ever less so, "
+     "while the bits per pixel grow from 160 to 288: model no more than a scene needs.",
+     prepare_more_moments},
+};
+
+}  // namespace
+
+std::span<const Lesson> lessons() {
+    return LESSONS;
+}
+
+const Lesson* find_lesson(std::string_view id) {
+    const auto* found = std::ranges::find(LESSONS, id, [](const Lesson& lesson) { return std::string_view(lesson.id); });
+    return found == std::end(LESSONS) ? nullptr : found;
+}
+
+void open_lesson(ExplorerState& state, const Lesson& lesson) {
+    ExplorerState fresh;
+    fresh.theme = state.theme;
+    fresh.scene_share = state.scene_share;
+    fresh.plot_share = state.plot_share;
+    lesson.prepare(fresh);
+    fresh.card = lesson.id;
+    state = fresh;
+}
+
+}  // namespace momentscope::ui

@@ -1,0 +1,82 @@
+#include "ui/measurement.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/inspect/ghost.hpp"
+
+namespace momentscope::ui {
+
+namespace {
+
+constexpr std::size_t SAMPLES = 512;
+
+bool shows(const PlotState& plot, Series series) {
+    return plot.shown[static_cast<std::size_t>(series)];
+}
+
+}  // namespace
+
+std::vector<float> plot_depths(const ViewRay& ray, std::size_t samples, Range range) {
+    std::vector<float> depths = even_depths(samples);
+    for (float& depth : depths) depth = range.low + 0.5f * (depth + 1) * (range.high - range.low);
+    const float beside = 1e-3f * (range.high - range.low);  // below one pixel of any plot
+    for (const Fragment& fragment : ray.fragments)
+        for (const float offset : {-beside, 0.0f, beside})
+            depths.push_back(std::clamp(fragment.depth + offset, range.low, range.high));
+    std::ranges::sort(depths);
+    depths.erase(std::unique(depths.begin(), depths.end()), depths.end());
+    return depths;
+}
+
+Range visible_depths(const ViewRay& ray, const PlotState& plot) {
+    if (!plot.depth) return {-1, 1};
+    const auto warped = [&](float at) {
+        if (plot.axis == DepthAxis::warped || !ray.warp.logarithmic) return at;
+        return at > 0 ? to_depth(at, ray.warp) : -1.0f;
+    };
+    Range range = {std::clamp(warped(plot.depth->low), -1.0f, 1.0f), std::clamp(warped(plot.depth->high), -1.0f, 1.0f)};
+    if (!(range.high - range.low > 1e-5f)) return {-1, 1};  // nothing of the depth range is visible
+    return range;
+}
+
+BandExit band_exit(const Curve& curve) {
+    BandExit exit;
+    if (curve.beta0.empty()) return exit;
+    const auto tolerance = static_cast<float>(2e-3 * std::max(curve.total_absorbance, 1e-6));  // a pixel of the plot
+    bool outside = false;
+    for (std::size_t i = 0; i < curve.depth.size(); ++i) {
+        const auto truth = static_cast<float>(curve.truth[i]);
+        const float by = std::max(curve.beta0[i] - truth, truth - curve.beta1[i]);
+        if (by > exit.worst) {
+            exit.worst = by;
+            exit.worst_depth = curve.depth[i];
+        }
+        if (by > tolerance) {
+            if (!outside) exit.where.push_back({curve.depth[i], curve.depth[i]});
+            exit.where.back().high = curve.depth[i];
+        }
+        outside = by > tolerance;
+    }
+    return exit;
+}
+
+void measure(Measurement& m, const ExplorerState& state) {
+    const ViewRay& ray = m.capture.ray;
+    const std::vector<float> depths = plot_depths(ray, SAMPLES, visible_depths(ray, state.plot));
+    m.curve = sample_curve(ray, *state.technique, state.parameters, depths);
+    m.exit = band_exit(m.curve);
+    m.compared.clear();
+    for (const Technique* technique : state.compared)
+        if (technique != state.technique)
+            m.compared.push_back(sample_curve(ray, *technique, state.parameters, depths));
+    m.ghost = shows(state.plot, Series::ghost)
+                  ? unbiased_absorbance(ray, *state.technique, m.curve.parameters, depths)
+                  : std::vector<float>();
+    m.canonical = canonical_representation(m.curve, state.plot.query);
+    m.history = pixel_history(ray, m.capture.transmittance, *state.technique, state.parameters);
+    for (Pinned& pin : m.pins)
+        pin.curve = sample_curve(pin.ray, *state.technique, state.parameters, plot_depths(pin.ray, SAMPLES / 2));
+}
+
+}  // namespace momentscope::ui

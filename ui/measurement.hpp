@@ -1,0 +1,53 @@
+// measurement.hpp -- all numbers that the window shows of the picked ray, computed from the state and the captured pixel.
+#pragma once
+#include <vector>
+
+#include "core/inspect/canonical.hpp"
+#include "core/inspect/curve.hpp"
+#include "core/inspect/pixel_history.hpp"
+#include "core/render/renderer.hpp"
+#include "ui/state.hpp"
+
+namespace momentscope::ui {
+
+/// Where the truth lies outside of what beta = 0 and beta = 1 give.
+struct BandExit {
+    std::vector<Range> where;  // depths, ascending
+    float worst = 0;           // absorbance by which it leaves
+    float worst_depth = 0;
+};
+
+/// A pinned pixel and its functions.
+struct Pinned {
+    glm::ivec2 pixel{0};
+    ViewRay ray;
+    Curve curve;
+};
+
+struct Measurement {
+    glm::ivec2 pixel{0};
+    glm::ivec2 picture_size{0};
+    PixelCapture capture;  // its transmittance is of the second pass when it was last asked for
+    Curve curve;           // as the plot draws it; depths ascend
+    std::vector<Curve> compared;  // at the same depths
+    std::vector<float> ghost;     // the same; empty while it is not shown
+    CanonicalRepresentation canonical;
+    std::vector<PixelHistoryRow> history;  // front to back
+    BandExit exit;
+    std::vector<Pinned> pins;
+};
+
+/// Where to evaluate a curve so that its drawing misses nothing: evenly within the range, and at and around every
+/// fragment's own depth.
+std::vector<float> plot_depths(const ViewRay& ray, std::size_t samples, Range range = {-1, 1});
+
+/// The part of [-1, 1] that the plot shows.
+Range visible_depths(const ViewRay& ray, const PlotState& plot);
+
+/// Where a curve's truth leaves the band by more than rounding does.
+BandExit band_exit(const Curve& curve);
+
+/// Recomputes everything that follows from the capture: curves, canonical representation, history, pins' curves.
+void measure(Measurement& measurement, const ExplorerState& state);
+
+}  // namespace momentscope::ui

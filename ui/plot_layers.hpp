@@ -1,0 +1,29 @@
+// plot_layers.hpp -- what the plot draws over its axes, one function per series.
+#pragma once
+#include <optional>
+
+#include "ui/plot_axes.hpp"
+
+namespace momentscope::ui {
+
+/// Everything a layer needs to know.
+struct PlotInput {
+    const Measurement& measurement;
+    const ExplorerState& state;
+    std::optional<Series> highlighted;  // the legend entry under the mouse; others are dimmed
+};
+
+/// All series that the state shows, in an order in which none hides another.
+void draw_layers(ImDrawList& list, const PlotAxes& axes, const Palette& colors, const PlotInput& input);
+
+/// Truth, band and reconstruction alone, for the small plots of pinned pixels.
+void draw_small_layers(ImDrawList& list, const PlotAxes& axes, const Palette& colors, const ViewRay& ray,
+                       const Curve& curve);
+
+/// The dash lengths of the i-th compared technique, in pixels on and off; {0, 0} is a full line.
+ImVec2 dash_of(std::size_t i);
+
+/// A line through points that is dashed along its length.
+void draw_dashed(ImDrawList& list, const std::vector<ImVec2>& points, ImU32 tint, float thickness, ImVec2 dash);
+
+}  // namespace momentscope::ui

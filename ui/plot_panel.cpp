@@ -1,0 +1,410 @@
+#include "ui/plot_panel.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/inspect/ghost.hpp"
+#include "ui/plot_layers.hpp"
+
+namespace momentscope::ui {
+
+namespace {
+
+constexpr Series ALL_SERIES[] = {Series::truth, Series::reconstruction, Series::bounds,       Series::ghost,
+                                 Series::stems, Series::errors,         Series::wrapping_zone};
+
+bool has_series(Series series, const Technique& technique) {
+    switch (series) {
+        case Series::truth:
+            return true;
+        case Series::wrapping_zone:
+            return technique.uses(ParameterId::theta);
+        case Series::errors:
+        case Series::reconstruction:
+        case Series::bounds:
+        case Series::ghost:
+        case Series::stems:
+            break;
+    }
+    return technique.kernel != nullptr;
+}
+
+const char* series_help(Series series, const Technique& technique) {
+    switch (series) {
+        case Series::truth:
+            return "A(z): the sum of the absorbances of all fragments in front of z. It has a step at every fragment.";
+        case Series::reconstruction:
+            return "A(z, b, β): what the technique makes of the moments. Its value at a fragment's own depth weighs that "
+                   "fragment in the picture.";
+        case Series::bounds:
+            return technique.has_bounds
+                       ? "The least and the greatest absorbance that any distribution with the biased moments has in "
+                         "front of z (β = 0 and β = 1)."
+                       : "The results for β = 0 and β = 1. For trigonometric moments these are no bounds: the truth may "
+                         "lie outside.";
+        case Series::ghost:
+            return "The reconstruction in exact arithmetic without moment bias, in long double. What lies between it and "
+                   "the orange curve is the price of bias.";
+        case Series::stems:
+            return "The canonical representation: masses that have the biased moments, one of them at the query depth "
+                   "(diamond). Full heads count as in front of it. In a plot of T a stem's height is its share of b₀.";
+        case Series::errors:
+            return "From truth to reconstruction at every fragment's own depth: only these values reach the picture.";
+        case Series::wrapping_zone:
+            break;
+    }
+    return "The arc θ of the circle that holds no depths: beyond the far end of the depth range, where roots wrap to the near "
+           "end (Eq. 6).";
+}
+
+ImU32 series_color(Series series, const Palette& colors) {
+    switch (series) {
+        case Series::truth:
+            return colors.truth;
+        case Series::reconstruction:
+            return colors.reconstruction;
+        case Series::bounds:
+            return colors.bounds;
+        case Series::ghost:
+            return colors.ghost;
+        case Series::stems:
+            return colors.stems;
+        case Series::errors:
+            return colors.errors;
+        case Series::wrapping_zone:
+            break;
+    }
+    return colors.wrapping_zone;
+}
+
+// A legend entry as a control: a swatch and a name. Goes to the next line when this one is full.
+bool legend_entry(const Ui& ui, const char* name, ImU32 tint, ImVec2 dash, bool on, float right, bool first,
+                  const std::string& anchor) {
+    const float swatch = 1.5f * em();
+    const ImVec2 size = {swatch + 0.4f * em() + ImGui::CalcTextSize(name).x, ImGui::GetTextLineHeight() + 2};
+    if (!first) {
+        ImGui::SameLine(0, 0.9f * em());
+        if (ImGui::GetCursorScreenPos().x + size.x > right) ImGui::NewLine();
+    }
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const bool clicked = ImGui::InvisibleButton(name, size);
+    ui.mark(anchor);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImU32 text = on ? ImGui::GetColorU32(ImGuiCol_Text) : ImGui::GetColorU32(ImGuiCol_TextDisabled);
+    const float y = at.y + 0.5f * size.y;
+    draw_dashed(list, {{at.x, y}, {at.x + swatch, y}}, on ? tint : text, on ? em() / 5 : 1, dash);
+    list.AddText({at.x + swatch + 0.4f * em(), at.y + 1}, text, name);
+    if (!on)  // struck out, so that grey alone does not carry the meaning
+        list.AddLine({at.x + swatch + 0.4f * em(), y + 1}, {at.x + size.x, y + 1}, text);
+    return clicked;
+}
+
+// Toggles series and removes compared techniques. Returns what the mouse points at.
+std::optional<Series> draw_legend(const Ui& ui, const Measurement& m, ExplorerState& state, float right) {
+    std::optional<Series> hovered;
+    const Technique& technique = *m.curve.technique;
+    bool first = true;
+    for (const Series series : ALL_SERIES) {
+        if (!has_series(series, technique)) continue;
+        bool& shown = state.plot.shown[static_cast<std::size_t>(series)];
+        const ImVec2 dash = series == Series::ghost ? ImVec2(7, 4) : ImVec2(0, 0);
+        const std::string anchor = fmt::format("legend.{}", SERIES_KEYS[static_cast<std::size_t>(series)]);
+        if (legend_entry(ui, series_name(series, technique), series_color(series, ui.colors), dash, shown, right, first,
+                         anchor))
+            shown = !shown;
+        if (ImGui::IsItemHovered() && shown) hovered = series;
+        tooltip(series_help(series, technique), "click to show or hide");
+        first = false;
+    }
+    for (std::size_t i = 0; i < m.compared.size(); ++i) {
+        const Technique* compared = m.compared[i].technique;
+        if (legend_entry(ui, compared->id, ui.colors.compared[i % ui.colors.compared.size()], dash_of(i + 1), true, right,
+                         first, fmt::format("legend.{}", compared->id)))
+            std::erase(state.compared, compared);
+        tooltip(compared->description, "click to remove it from the plot");
+        first = false;
+    }
+    return hovered;
+}
+
+void draw_tools(const Ui& ui, const Measurement& m, ExplorerState& state) {
+    PlotState& plot = state.plot;
+    const auto choose = [&](const char* label, bool on, const char* anchor, const char* help, const char* key) {
+        const bool clicked = toggle_button(label, on);
+        ui.mark(anchor);
+        tooltip(help, key);
+        ImGui::SameLine(0, 3);
+        return clicked && !on;
+    };
+    const auto set_quantity = [&](Quantity quantity) {
+        plot.quantity = quantity;
+        plot.value.reset();
+    };
+    const auto set_axis = [&](DepthAxis axis) {
+        plot.axis = axis;
+        plot.depth.reset();
+    };
+    if (choose("A", plot.quantity == Quantity::absorbance, "plot.absorbance", "Show absorbance A(z).", "T"))
+        set_quantity(Quantity::absorbance);
+    if (choose("T", plot.quantity == Quantity::transmittance, "plot.transmittance", "Show transmittance T(z) = exp(−A(z)).",
+               "T"))
+        set_quantity(Quantity::transmittance);
+    ImGui::SameLine(0, em());
+    if (choose("warped", plot.axis == DepthAxis::warped, "plot.warped", "Warped depth, as the moments see it (Section 3.3).",
+               "D"))
+        set_axis(DepthAxis::warped);
+    ImGui::BeginDisabled(!m.capture.ray.warp.logarithmic);
+    if (choose("view", plot.axis == DepthAxis::view, "plot.view",
+               m.capture.ray.warp.logarithmic ? "View depth: the distance from the camera's plane in scene units."
+                                              : "This ray has no warp: view depth is its depth.",
+               "D"))
+        set_axis(DepthAxis::view);
+    ImGui::EndDisabled();
+    ImGui::SameLine(0, em());
+    if (ImGui::Button("fit")) {
+        plot.depth.reset();
+        plot.value.reset();
+    }
+    ui.mark("plot.fit");
+    tooltip("Fit the plot to the ray.", "F, or double-click in the plot");
+    ImGui::SameLine(0, em());
+    ImGui::SetNextItemWidth(std::min(9 * em(), std::max(ImGui::GetContentRegionAvail().x, 20.0f)));
+    ImGui::SliderFloat("##query", &plot.query, -1, 1, "query z = %.3f", ImGuiSliderFlags_AlwaysClamp);
+    ui.mark("plot.query");
+    tooltip("The query depth z at which bounds, β and the canonical representation are drawn. Drag in the plot, or "
+            "Ctrl+click here to type a number.");
+}
+
+// The fragment whose step is nearest to the mouse, if it is near.
+std::optional<std::size_t> fragment_at(const PlotAxes& axes, const ViewRay& ray, float x) {
+    std::optional<std::size_t> nearest;
+    float least = 0.35f * em();
+    for (std::size_t i = 0; i < ray.fragments.size(); ++i) {
+        const float distance = std::abs(axes.x(ray.fragments[i].depth) - x);
+        if (distance > least) continue;
+        least = distance;
+        nearest = i;
+    }
+    return nearest;
+}
+
+void value_line(const char* name, ImU32 tint, float absorbance, const PlotAxes& axes) {
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(tint), "%s", name);
+    ImGui::SameLine(11 * em());
+    ImGui::Text("%s = %.5f", axes.quantity == Quantity::absorbance ? "A" : "T",
+                static_cast<double>(axes.shown(absorbance)));
+}
+
+// The values of all curves at the mouse.
+void draw_crosshair(const Ui& ui, const PlotAxes& axes, const Measurement& m, const ExplorerState& state) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const float warped = axes.warped_of(axes.depth_at(mouse.x));
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddLine({mouse.x, axes.area.low.y}, {mouse.x, axes.area.high.y}, ui.colors.axis);
+    list.AddLine({axes.area.low.x, mouse.y}, {axes.area.high.x, mouse.y}, ui.colors.grid);
+    if (!(warped >= -1 && warped <= 1)) return;
+    const ViewRay& ray = m.capture.ray;
+    const float at[] = {warped};
+    ImGui::BeginTooltip();
+    ImGui::Text("z = %.4f", static_cast<double>(warped));
+    if (ray.warp.logarithmic) {
+        ImGui::SameLine(11 * em());
+        ImGui::Text("view depth %.4f", static_cast<double>(to_view_depth(warped, ray.warp)));
+    }
+    const Curve curve = sample_curve(ray, *state.technique, state.parameters, at);
+    value_line("truth", ui.colors.truth, static_cast<float>(curve.truth[0]), axes);
+    if (!curve.beta0.empty()) {
+        value_line("reconstruction", ui.colors.reconstruction, curve.reconstructed[0], axes);
+        value_line(curve.technique->has_bounds ? "lower bound" : "β = 0", ui.colors.bounds, curve.beta0[0], axes);
+        value_line(curve.technique->has_bounds ? "upper bound" : "β = 1", ui.colors.bounds, curve.beta1[0], axes);
+    }
+    if (!m.ghost.empty())
+        value_line("exact, no bias", ui.colors.ghost,
+                   unbiased_absorbance(ray, *state.technique, curve.parameters, at)[0], axes);
+    for (std::size_t i = 0; i < m.compared.size(); ++i)
+        value_line(m.compared[i].technique->id, ui.colors.compared[i % ui.colors.compared.size()],
+                   sample_curve(ray, *m.compared[i].technique, state.parameters, at).reconstructed[0], axes);
+    ImGui::EndTooltip();
+}
+
+bool contains(const Rect& rect, ImVec2 at) {
+    return at.x >= rect.low.x && at.x < rect.high.x && at.y >= rect.low.y && at.y < rect.high.y;
+}
+
+}  // namespace
+
+const char* series_name(Series series, const Technique& technique) {
+    switch (series) {
+        case Series::truth:
+            return "truth";
+        case Series::reconstruction:
+            return "reconstruction";
+        case Series::bounds:
+            return technique.has_bounds ? "lower, upper bound" : "β = 0, β = 1 (no bounds)";
+        case Series::ghost:
+            return "exact, no bias";
+        case Series::stems:
+            return "canonical masses";
+        case Series::errors:
+            return "error at own depth";
+        case Series::wrapping_zone:
+            break;
+    }
+    return "wrapping zone θ";
+}
+
+std::string band_note(const Measurement& m) {
+    if (m.curve.beta0.empty() || m.exit.where.empty()) return "";
+    const std::string where = fmt::format("Near z = {:.2f} the truth leaves the band by {:.3g}: ", m.exit.worst_depth,
+                                          m.exit.worst);
+    return where + (m.curve.technique->has_bounds
+                        ? "it bounds what has the biased moments, and bias moved them."
+                        : "for trigonometric moments β = 0 and β = 1 are no bounds.");
+}
+
+void PlotPanel::zoom(const PlotAxes& axes, PlotState& plot, bool depth, bool value, float notches) const {
+    const float factor = std::pow(0.85f, notches);
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const auto around = [&](const Range& range, float fixed) {
+        return Range{fixed + (range.low - fixed) * factor, fixed + (range.high - fixed) * factor};
+    };
+    constexpr float LEAST = 1e-4f, MOST = 1e4f;  // beyond, floats have no digits left for ticks
+    const auto sensible = [](const Range& range) {
+        return range.high - range.low > LEAST && range.high - range.low < MOST;
+    };
+    const Range new_depth = around(axes.depth, axes.depth_at(mouse.x));
+    const Range new_value = around(axes.value, axes.value_at(mouse.y));
+    if (depth && sensible(new_depth)) plot.depth = new_depth;
+    if (value && sensible(new_value)) plot.value = new_value;
+}
+
+void PlotPanel::pan(const PlotAxes& axes, PlotState& plot) const {
+    const ImVec2 moved = ImGui::GetIO().MouseDelta;
+    if (grips_depth_ && moved.x != 0) {
+        const float by = axes.depth_at(axes.area.low.x - moved.x) - axes.depth.low;
+        plot.depth = Range{axes.depth.low + by, axes.depth.high + by};
+    }
+    if (grips_value_ && moved.y != 0) {
+        const float by = axes.value_at(axes.area.high.y - moved.y) - axes.value.low;
+        plot.value = Range{axes.value.low + by, axes.value.high + by};
+    }
+}
+
+void PlotPanel::handle_mouse(const PlotAxes& axes, const Measurement& m, ExplorerState& state) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool inside = contains(axes.area, io.MousePos);
+    const bool on_value_axis = io.MousePos.x < axes.area.low.x;
+    const bool on_depth_axis = io.MousePos.y >= axes.area.high.y && !on_value_axis;
+    if (ImGui::IsItemHovered() && io.MouseWheel != 0)
+        zoom(axes, state.plot, !on_value_axis, !on_depth_axis, io.MouseWheel);
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+        if (!on_value_axis) state.plot.depth.reset();
+        if (!on_depth_axis) state.plot.value.reset();
+        grip_ = Grip::none;
+        return;
+    }
+    if (ImGui::IsItemActivated()) {
+        grip_ = inside && ImGui::IsMouseDown(ImGuiMouseButton_Left) ? Grip::query : Grip::pan;
+        grips_depth_ = inside || on_depth_axis;
+        grips_value_ = inside || on_value_axis;
+        if (grip_ == Grip::query) state.marked = fragment_at(axes, m.capture.ray, io.MousePos.x);
+    }
+    if (!ImGui::IsItemActive()) {
+        grip_ = Grip::none;
+        return;
+    }
+    if (grip_ == Grip::pan) pan(axes, state.plot);
+    if (grip_ == Grip::query) {
+        const float at = axes.warped_of(axes.depth_at(io.MousePos.x));
+        state.plot.query = std::clamp(at, -1.0f, 1.0f);
+        const auto& fragments = m.capture.ray.fragments;
+        if (state.marked && *state.marked < fragments.size() && !ImGui::IsMouseDragging(ImGuiMouseButton_Left))
+            state.plot.query = fragments[*state.marked].depth;
+    }
+}
+
+void PlotPanel::draw(const Ui& ui, const Measurement& m, ExplorerState& state, ImVec2 size) {
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float right = corner.x + size.x;
+    ImGui::BeginGroup();
+    draw_tools(ui, m, state);
+    const std::optional<Series> hovered = draw_legend(ui, m, state, right);
+    const std::string note = band_note(m);
+    if (!note.empty()) {
+        ImGui::PushTextWrapPos(right - ImGui::GetWindowPos().x);
+        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ui.colors.exit), "%s", note.c_str());
+        ImGui::PopTextWrapPos();
+    }
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 extent = {std::max(size.x, 1.0f), std::max(corner.y + size.y - low.y, 1.0f)};
+    const Rect outside = {low, {low.x + extent.x, low.y + extent.y}};
+    ImGui::InvisibleButton("plot", extent,
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                               ImGuiButtonFlags_MouseButtonMiddle);
+    const PlotAxes axes = make_axes(m.capture.ray, m.curve, state.plot, outside, true);
+    ui.anchors["plot"] = axes.area;
+    ui.anchors["plot.depth_axis"] = {{axes.area.low.x, axes.area.high.y}, {axes.area.high.x, outside.high.y}};
+    ui.anchors["plot.value_axis"] = {{outside.low.x, axes.area.low.y}, {axes.area.low.x, axes.area.high.y}};
+    handle_mouse(axes, m, state);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect(outside.low, outside.high, true);
+    list.AddRectFilled(axes.area.low, axes.area.high, ui.colors.plot_background);
+    draw_axes(list, axes, ui.colors, true);
+    list.PushClipRect(axes.area.low, axes.area.high, true);
+    draw_layers(list, axes, ui.colors, {m, state, hovered});
+    list.PopClipRect();
+    if (m.capture.ray.fragments.empty())
+        draw_text(list,
+                  {0.5f * (axes.area.low.x + axes.area.high.x), 0.5f * (axes.area.low.y + axes.area.high.y)}, {0.5f, 0.5f},
+                  "No transparent surface covers this pixel. Click one in the scene.", ui.colors.text);
+    list.PopClipRect();
+    if (ImGui::IsItemHovered() && contains(axes.area, ImGui::GetIO().MousePos) && grip_ != Grip::pan)
+        draw_crosshair(ui, axes, m, state);
+    ImGui::EndGroup();
+}
+
+void draw_pinned_plots(const Ui& ui, const Measurement& m, ExplorerState& state, ImVec2 size) {
+    if (m.pins.empty()) return;
+    const float gap = 0.4f * em();
+    const auto count = static_cast<float>(m.pins.size());
+    const ImVec2 each = {std::max((size.x - gap * (count - 1)) / count, 1.0f), std::max(size.y, 1.0f)};
+    std::optional<std::size_t> removed;
+    for (std::size_t i = 0; i < m.pins.size(); ++i) {
+        const Pinned& pin = m.pins[i];
+        if (pin.curve.technique == nullptr) continue;
+        ImGui::PushID(static_cast<int>(i));
+        if (i > 0) ImGui::SameLine(0, gap);
+        const ImVec2 low = ImGui::GetCursorScreenPos();
+        const Rect area = {low, {low.x + each.x, low.y + each.y}};
+        const float line = ImGui::GetTextLineHeight();
+        const bool clicked = ImGui::InvisibleButton("pin", each);
+        ui.mark(fmt::format("pin.{}", i + 1));
+        const bool on_cross = ImGui::GetIO().MousePos.x > area.high.x - 1.3f * line && ImGui::GetIO().MousePos.y < low.y + 1.3f * line;
+        ui.anchors[fmt::format("pin.{}.remove", i + 1)] = {{area.high.x - 1.3f * line, low.y}, {area.high.x, low.y + 1.3f * line}};
+        tooltip(on_cross ? "Remove this pin." : "Click to go to this pixel.");
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        list.PushClipRect(area.low, area.high, true);
+        list.AddRectFilled(area.low, area.high, ui.colors.plot_background, 3);
+        const Rect inner = {{low.x, low.y + 1.2f * line}, {area.high.x, area.high.y - 2}};
+        PlotState plot = state.plot;
+        plot.depth.reset();
+        plot.value.reset();
+        const PlotAxes axes = make_axes(pin.ray, pin.curve, plot, inner, false);
+        draw_small_layers(list, axes, ui.colors, pin.ray, pin.curve);
+        draw_text(list, {low.x + 5, low.y + 1}, {0, 0},
+                  fmt::format("{}: pixel {}, {}", i + 1, pin.pixel.x, pin.pixel.y), ui.colors.text);
+        draw_text(list, {area.high.x - 0.65f * line, low.y + 0.6f * line}, {0.5f, 0.5f}, "×", ui.colors.text);
+        list.PopClipRect();
+        if (clicked && on_cross) removed = i;
+        if (clicked && !on_cross) {
+            state.picked = state.pins[i];
+            state.marked.reset();
+        }
+        ImGui::PopID();
+    }
+    if (removed) state.pins.erase(state.pins.begin() + static_cast<std::ptrdiff_t>(*removed));
+}
+
+}  // namespace momentscope::ui

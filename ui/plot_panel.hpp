@@ -1,0 +1,35 @@
+// plot_panel.hpp -- the plot with its tool row, legend, mouse and notes.
+#pragma once
+#include <optional>
+
+#include "ui/plot_axes.hpp"
+
+namespace momentscope::ui {
+
+class PlotPanel {
+public:
+    /// Draws into a rectangle of that size at the cursor. The mouse and the controls change `state`.
+    void draw(const Ui& ui, const Measurement& measurement, ExplorerState& state, ImVec2 size);
+
+private:
+    enum class Grip { none, query, pan };
+
+    void handle_mouse(const PlotAxes& axes, const Measurement& measurement, ExplorerState& state);
+    void zoom(const PlotAxes& axes, PlotState& plot, bool depth, bool value, float notches) const;
+    void pan(const PlotAxes& axes, PlotState& plot) const;
+
+    Grip grip_ = Grip::none;
+    bool grips_depth_ = true;  // does panning move the depth axis, the other one, or both?
+    bool grips_value_ = true;
+};
+
+/// The name of a series in the legend; it depends on what the technique promises.
+const char* series_name(Series series, const Technique& technique);
+
+/// What the band says about the truth, in one sentence; empty when there is nothing to say.
+std::string band_note(const Measurement& measurement);
+
+/// Small plots of the pinned pixels in a row. Clicking one goes to its pixel, its cross removes it.
+void draw_pinned_plots(const Ui& ui, const Measurement& measurement, ExplorerState& state, ImVec2 size);
+
+}  // namespace momentscope::ui

@@ -1,0 +1,38 @@
+// scene_loader.hpp -- reads a mesh file in a thread of its own, so that the window goes on.
+#pragma once
+#include <chrono>
+#include <future>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+#include "core/scene/scene.hpp"
+
+namespace momentscope::ui {
+
+class SceneLoader {
+public:
+    SceneLoader() = default;
+    ~SceneLoader();
+    SceneLoader(const SceneLoader&) = delete;
+    SceneLoader& operator=(const SceneLoader&) = delete;
+
+    /// Call only when not busy.
+    void start(const std::string& id_or_path, float opacity);
+    bool busy() const { return result_.valid(); }
+    void cancel() { stop_.request_stop(); }
+
+    /// The scene when it is there, nullopt before. Throws the Error of a file that cannot be used.
+    std::optional<Scene> take();
+
+    const std::string& name() const { return name_; }
+    double seconds() const;
+
+private:
+    std::string name_;
+    std::stop_source stop_;
+    std::future<Scene> result_;
+    std::chrono::steady_clock::time_point started_;
+};
+
+}  // namespace momentscope::ui

@@ -1,0 +1,303 @@
+#include "ui/session.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "core/bounded_json.hpp"
+#include "core/error.hpp"
+#include "core/output_file.hpp"
+#include "core/ray/ray_json.hpp"
+#include "ui/lessons.hpp"
+
+namespace momentscope::ui {
+
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+constexpr std::uintmax_t MAX_SESSION_BYTES = MAX_RAY_FILE_BYTES + (1U << 20);  // a ray is the only large part
+constexpr const char* PANELS[] = {"controls", "fragments", "technique"};
+constexpr const char* QUANTITIES[] = {"absorbance", "transmittance"};
+constexpr const char* AXES[] = {"warped", "view"};
+constexpr const char* THEMES[] = {"dark", "light"};
+
+ordered_json pair_json(const glm::vec2& v) {
+    return {v.x, v.y};
+}
+ordered_json range_json(const std::optional<Range>& range) {
+    return range ? ordered_json{range->low, range->high} : ordered_json();
+}
+ordered_json camera_json(const std::optional<Camera>& camera) {
+    if (!camera) return nullptr;
+    return {{"target", {camera->target.x, camera->target.y, camera->target.z}},
+            {"distance", camera->distance},
+            {"azimuth", camera->azimuth},
+            {"elevation", camera->elevation},
+            {"field_of_view", camera->field_of_view}};
+}
+
+ordered_json plot_json(const PlotState& plot) {
+    ordered_json shown = ordered_json::object();
+    for (std::size_t i = 0; i < SERIES_COUNT; ++i) shown[SERIES_KEYS[i]] = plot.shown[i];
+    return {{"quantity", QUANTITIES[static_cast<std::size_t>(plot.quantity)]},
+            {"depth_axis", AXES[static_cast<std::size_t>(plot.axis)]},
+            {"shown", shown},
+            {"depth_range", range_json(plot.depth)},
+            {"value_range", range_json(plot.value)},
+            {"query", plot.query}};
+}
+
+ordered_json parameters_json(const ParameterValues& values) {
+    ordered_json result = ordered_json::object();
+    for (const Parameter& row : parameters())
+        result[row.key] = values[row.id] ? ordered_json(*values[row.id]) : ordered_json("auto");
+    return result;
+}
+
+/// Reads one object's keys; every key that was asked for is known, the others are reported.
+class Reader {
+public:
+    Reader(const json& object, std::string path, std::vector<std::string>& ignored)
+        : object_(object), path_(std::move(path)), ignored_(ignored) {
+        if (!object.is_object()) fail("", "an object");
+    }
+    ~Reader() {
+        for (const auto& item : object_.items())
+            if (!known_.contains(item.key())) ignored_.push_back(path_ + item.key());
+    }
+    Reader(const Reader&) = delete;
+    Reader& operator=(const Reader&) = delete;
+
+    /// nullptr when the key is missing.
+    const json* find(const std::string& key) {
+        known_.insert(key);
+        const auto found = object_.find(key);
+        return found == object_.end() ? nullptr : &*found;
+    }
+    void flag(const std::string& key, bool& value) {
+        if (const json* found = find(key)) {
+            if (!found->is_boolean()) fail(key, "true or false");
+            value = found->get<bool>();
+        }
+    }
+    void number(const std::string& key, float& value, float low, float high) {
+        if (const json* found = find(key)) value = checked(*found, key, low, high);
+    }
+    void text(const std::string& key, std::string& value) {
+        if (const json* found = find(key)) {
+            if (!found->is_string()) fail(key, "a text");
+            value = found->get<std::string>();
+        }
+    }
+    template <typename Enum, std::size_t Count>
+    void choice(const std::string& key, Enum& value, const char* const (&names)[Count]) {
+        const json* found = find(key);
+        if (found == nullptr) return;
+        const std::string name = found->is_string() ? found->get<std::string>() : "";
+        const auto* at = std::ranges::find(names, name);
+        if (at == std::end(names)) fail(key, fmt::format("one of {}", fmt::join(names, ", ")));
+        value = static_cast<Enum>(at - std::begin(names));
+    }
+    /// `count` numbers, each within [low, high].
+    std::vector<float> numbers(const json& list, const std::string& key, std::size_t count, float low, float high) const {
+        if (!list.is_array() || list.size() != count) fail(key, fmt::format("a list of {} numbers", count));
+        std::vector<float> values;
+        for (const json& entry : list) values.push_back(checked(entry, key, low, high));
+        return values;
+    }
+    [[noreturn]] void fail(const std::string& key, const std::string& what) const {
+        const std::string name = path_ + key;
+        throw Error(fmt::format("The session's {} must be {}; correct it, or save the session anew.",
+                                name.empty() ? "content" : "\"" + name + "\"", what));
+    }
+
+private:
+    float checked(const json& value, const std::string& key, float low, float high) const {
+        const float number = value.is_number() ? value.get<float>() : std::nanf("");
+        if (!(number >= low && number <= high)) fail(key, fmt::format("a number from {:g} to {:g}", low, high));
+        return number;
+    }
+
+    const json& object_;
+    std::string path_;
+    std::vector<std::string>& ignored_;
+    std::set<std::string> known_;
+};
+
+constexpr float FAR = 1e6f;  // beyond any scene and any absorbance
+
+std::optional<Range> range_from(Reader& reader, const char* key) {
+    const json* found = reader.find(key);
+    if (found == nullptr || found->is_null()) return std::nullopt;
+    const auto ends = reader.numbers(*found, key, 2, -FAR, FAR);
+    if (!(ends[0] < ends[1])) reader.fail(key, "a range whose first number is the smaller one");
+    return Range{ends[0], ends[1]};
+}
+
+const Technique& technique_from(const Reader& reader, const json& id, const char* key) {
+    if (!id.is_string()) reader.fail(key, "the id of a technique");
+    return require_technique(id.get<std::string>());
+}
+
+void read_parameters(const json& object, ParameterValues& values, std::vector<std::string>& ignored) {
+    Reader reader(object, "parameters.", ignored);
+    for (const Parameter& row : parameters()) {
+        const json* found = reader.find(row.key);
+        if (found == nullptr) continue;
+        if (found->is_string())
+            values.set(row.id, parse_parameter(row, found->get<std::string>()));
+        else if (found->is_number())
+            values.set(row.id, found->get<float>());
+        else
+            reader.fail(row.key, "a number");
+    }
+}
+
+void read_plot(const json& object, PlotState& plot, std::vector<std::string>& ignored) {
+    Reader reader(object, "plot.", ignored);
+    reader.choice("quantity", plot.quantity, QUANTITIES);
+    reader.choice("depth_axis", plot.axis, AXES);
+    if (const json* found = reader.find("shown")) {
+        Reader shown(*found, "plot.shown.", ignored);
+        for (std::size_t i = 0; i < SERIES_COUNT; ++i) shown.flag(SERIES_KEYS[i], plot.shown[i]);
+    }
+    plot.depth = range_from(reader, "depth_range");
+    plot.value = range_from(reader, "value_range");
+    reader.number("query", plot.query, -1, 1);
+}
+
+std::optional<Camera> camera_from(const json& object, std::vector<std::string>& ignored) {
+    if (object.is_null()) return std::nullopt;
+    Camera camera;
+    Reader reader(object, "camera.", ignored);
+    if (const json* found = reader.find("target")) {
+        const auto target = reader.numbers(*found, "target", 3, -FAR, FAR);
+        camera.target = {target[0], target[1], target[2]};
+    }
+    reader.number("distance", camera.distance, 0.01f, 10'000);
+    reader.number("azimuth", camera.azimuth, -FAR, FAR);
+    reader.number("elevation", camera.elevation, -1.57f, 1.57f);
+    reader.number("field_of_view", camera.field_of_view, 0.01f, 3);
+    return camera;
+}
+
+void read_places(Reader& reader, ExplorerState& state) {
+    if (const json* found = reader.find("picked"); found != nullptr && !found->is_null()) {
+        const auto place = reader.numbers(*found, "picked", 2, 0, 1);
+        state.picked = glm::vec2(place[0], place[1]);
+    }
+    if (const json* found = reader.find("pins")) {
+        if (!found->is_array() || found->size() > MAX_PINS)
+            reader.fail("pins", fmt::format("a list of at most {} places", MAX_PINS));
+        for (const json& entry : *found) {
+            const auto place = reader.numbers(entry, "pins", 2, 0, 1);
+            state.pins.emplace_back(place[0], place[1]);
+        }
+    }
+    if (const json* found = reader.find("marked"); found != nullptr && !found->is_null()) {
+        if (!found->is_number_unsigned()) reader.fail("marked", "null or the number of a fragment");
+        state.marked = found->get<std::size_t>();
+    }
+}
+
+void read_techniques(Reader& reader, ExplorerState& state) {
+    if (const json* found = reader.find("technique"))
+        state.technique = &technique_from(reader, *found, "technique");
+    if (const json* found = reader.find("compared")) {
+        if (!found->is_array() || found->size() > techniques().size())
+            reader.fail("compared", "a list of ids of techniques");
+        for (const json& entry : *found) state.compared.push_back(&technique_from(reader, entry, "compared"));
+    }
+}
+
+json parse(const std::string& text) {
+    try {
+        return parse_bounded_json(text, MAX_SESSION_BYTES);
+    } catch (const Error& error) {
+        throw Error(fmt::format("The session cannot be read: {}", error.what()));
+    }
+}
+
+}  // namespace
+
+ordered_json session_to_json(const ExplorerState& state) {
+    ordered_json compared = ordered_json::array();
+    for (const Technique* technique : state.compared) compared.push_back(technique->id);
+    ordered_json pins = ordered_json::array();
+    for (const glm::vec2& pin : state.pins) pins.push_back(pair_json(pin));
+    return {{"momentscope_session", SESSION_VERSION},
+            {"scene", state.scene},
+            {"ray", state.ray ? ordered_json(ray_to_json(*state.ray)) : ordered_json()},
+            {"technique", state.technique->id},
+            {"compared", compared},
+            {"parameters", parameters_json(state.parameters)},
+            {"camera", camera_json(state.camera)},
+            {"picked", state.picked ? pair_json(*state.picked) : ordered_json()},
+            {"pins", pins},
+            {"marked", state.marked ? ordered_json(*state.marked) : ordered_json()},
+            {"plot", plot_json(state.plot)},
+            {"panel", PANELS[static_cast<std::size_t>(state.panel)]},
+            {"lens", state.lens},
+            {"failures", state.failures},
+            {"card", state.card},
+            {"answer", state.answer},
+            {"theme", THEMES[static_cast<std::size_t>(state.theme)]},
+            {"scene_share", state.scene_share},
+            {"plot_share", state.plot_share}};
+}
+
+Session session_from_json(const std::string& text) {
+    const json root = parse(text);
+    Session session;
+    ExplorerState& state = session.state;
+    Reader reader(root, "", session.ignored);
+    const json* version = reader.find("momentscope_session");
+    if (version == nullptr || !version->is_number_integer())
+        throw Error("This file is no session of Momentscope; choose one that Momentscope saved.");
+    if (version->get<long long>() != SESSION_VERSION)
+        throw Error(fmt::format("This session has version {}, but this Momentscope reads version {}; open it with the "
+                                "Momentscope that saved it.",
+                                version->get<long long>(), SESSION_VERSION));
+    reader.text("scene", state.scene);
+    if (const json* ray = reader.find("ray"); ray != nullptr && !ray->is_null())
+        state.ray = ray_from_json(ray->dump());
+    read_techniques(reader, state);
+    if (const json* found = reader.find("parameters")) read_parameters(*found, state.parameters, session.ignored);
+    if (const json* found = reader.find("camera")) state.camera = camera_from(*found, session.ignored);
+    read_places(reader, state);
+    if (const json* found = reader.find("plot")) read_plot(*found, state.plot, session.ignored);
+    reader.choice("panel", state.panel, PANELS);
+    reader.flag("lens", state.lens);
+    reader.flag("failures", state.failures);
+    reader.text("card", state.card);
+    if (!state.card.empty() && find_lesson(state.card) == nullptr) reader.fail("card", "the id of a card, or empty");
+    reader.flag("answer", state.answer);
+    reader.choice("theme", state.theme, THEMES);
+    reader.number("scene_share", state.scene_share, 0.2f, 0.8f);
+    reader.number("plot_share", state.plot_share, 0.2f, 0.8f);
+    return session;
+}
+
+Session read_session_file(const std::filesystem::path& path) {
+    std::error_code status;
+    if (!std::filesystem::is_regular_file(path, status))
+        throw Error(fmt::format("There is no session file '{}'; choose one that Momentscope saved.", path.string()));
+    if (std::filesystem::file_size(path, status) > MAX_SESSION_BYTES)
+        throw Error(fmt::format("'{}' is too large for a session; choose one that Momentscope saved.", path.string()));
+    std::ifstream file(path, std::ios::binary);
+    const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    if (!file) throw Error(fmt::format("The session file '{}' cannot be read.", path.string()));
+    return session_from_json(text);
+}
+
+void write_session_file(const ExplorerState& state, const std::filesystem::path& path) {
+    write_text_file(session_to_json(state).dump(1) + "\n", path);
+}
+
+}  // namespace momentscope::ui

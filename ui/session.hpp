@@ -1,0 +1,30 @@
+// session.hpp -- the state as JSON, in and out.
+#pragma once
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "ui/state.hpp"
+
+namespace momentscope::ui {
+
+constexpr int SESSION_VERSION = 1;
+
+/// Everything, so that the same window comes back bit by bit.
+nlohmann::ordered_json session_to_json(const ExplorerState& state);
+
+struct Session {
+    ExplorerState state;
+    std::vector<std::string> ignored;  // keys that this version does not know
+};
+
+/// Missing keys stand for what a fresh window has. Throws Error for another version, a wrong type or a value
+/// out of range, and names the key. `text` is bounded by the caller.
+Session session_from_json(const std::string& text);
+
+/// Throws Error also when the file is missing or too large.
+Session read_session_file(const std::filesystem::path& path);
+void write_session_file(const ExplorerState& state, const std::filesystem::path& path);
+
+}  // namespace momentscope::ui

@@ -1,0 +1,19 @@
+// side_panels.hpp -- the tabs below the plot: controls, the pixel's fragments, the technique's properties.
+#pragma once
+#include <string>
+
+#include "ui/measurement.hpp"
+#include "ui/ui.hpp"
+
+namespace momentscope::ui {
+
+/// Scene, technique, compared techniques and one control per parameter of the registry.
+void draw_control_panel(const Ui& ui, ExplorerState& state, std::string& message);
+
+/// The pixel's history: one row per fragment from front to back. Clicking a row marks it in the plot.
+void draw_fragment_panel(const Ui& ui, const Measurement& measurement, ExplorerState& state);
+
+/// What the technique is, what it costs and where it comes from.
+void draw_technique_panel(const Ui& ui, const Measurement& measurement, const ExplorerState& state);
+
+}  // namespace momentscope::ui

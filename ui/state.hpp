@@ -1,0 +1,74 @@
+// state.hpp -- all that the user chose, as one value: sessions save it, undo restores it, everything shown follows from it.
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/ray/view_ray.hpp"
+#include "core/scene/scene.hpp"
+#include "core/techniques/technique.hpp"
+
+namespace momentscope::ui {
+
+enum class Quantity { absorbance, transmittance };
+enum class DepthAxis { warped, view };
+
+/// What the plot can draw. The legend's entries, in its order.
+enum class Series : std::size_t { truth, reconstruction, bounds, ghost, stems, errors, wrapping_zone };
+constexpr std::size_t SERIES_COUNT = 7;
+
+/// Names by which sessions and events know a series.
+constexpr std::array<const char*, SERIES_COUNT> SERIES_KEYS = {"truth", "reconstruction", "bounds", "ghost",
+                                                               "stems", "errors",         "wrapping_zone"};
+
+/// An interval of an axis; low < high.
+struct Range {
+    float low = 0;
+    float high = 1;
+    friend bool operator==(const Range&, const Range&) = default;
+};
+
+struct PlotState {
+    Quantity quantity = Quantity::absorbance;
+    DepthAxis axis = DepthAxis::warped;
+    std::array<bool, SERIES_COUNT> shown = {true, true, true, false, true, true, true};
+    std::optional<Range> depth;  // visible part of the axis, in [-1, 1] or view depth; nullopt: all
+    std::optional<Range> value;  // the same of the vertical axis
+    float query = 0;             // warped depth at which the canonical representation is drawn
+    friend bool operator==(const PlotState&, const PlotState&) = default;
+};
+
+/// The tabs below the plot.
+enum class Panel { controls, fragments, technique };
+
+enum class ThemeKind { dark, light };
+
+constexpr std::size_t MAX_PINS = 4;
+
+struct ExplorerState {
+    std::string scene = "teapots";  // registry id or path of a mesh file
+    std::optional<ViewRay> ray;     // a ray from a file; then its plot is shown without a scene
+    const Technique* technique = &require_technique("power6-32");
+    std::vector<const Technique*> compared;  // drawn beside it in the plot
+    ParameterValues parameters;
+    std::optional<Camera> camera;       // nullopt: the scene's own
+    std::optional<glm::vec2> picked;    // fraction of the picture from its upper left corner; nullopt: the scene's own
+    std::vector<glm::vec2> pins;        // at most MAX_PINS, as fractions
+    std::optional<std::size_t> marked;  // index of a fragment of the picked ray
+    PlotState plot;
+    Panel panel = Panel::controls;
+    bool lens = false;
+    bool failures = false;  // overlay of failed and clamped reconstructions
+    std::string card;       // id of the open "Try this" card, or ""
+    bool answer = false;    // is the card's answer shown?
+    ThemeKind theme = ThemeKind::dark;
+    float scene_share = 0.56f;  // of the window's width, in [0.2, 0.8]
+    float plot_share = 0.58f;   // of the right side's height, in [0.2, 0.8]
+    friend bool operator==(const ExplorerState&, const ExplorerState&) = default;
+};
+
+/// Chooses another scene; what belonged to the last one is forgotten.
+void choose_scene(ExplorerState& state, const std::string& id_or_path);
+
+}  // namespace momentscope::ui

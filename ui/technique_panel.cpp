@@ -1,0 +1,54 @@
+#include <fmt/format.h>
+
+#include "ui/side_panels.hpp"
+
+namespace momentscope::ui {
+
+namespace {
+
+void row(const char* name, const std::string& value, const char* help) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("%s", name);
+    tooltip(help);
+    ImGui::TableNextColumn();
+    ImGui::TextWrapped("%s", value.c_str());
+}
+
+std::string memory(const Technique& technique, glm::ivec2 size) {
+    if (technique.bits_per_pixel == 0) return "grows with the fragments";
+    const double bytes = static_cast<double>(technique.bits_per_pixel) / 8 * size.x * size.y;
+    return fmt::format("{} bits per pixel, {:.1f} MB for these {} × {} pixels", technique.bits_per_pixel, bytes / 1e6, size.x,
+                       size.y);
+}
+
+}  // namespace
+
+void draw_technique_panel(const Ui& ui, const Measurement& m, const ExplorerState& state) {
+    const Technique& technique = *state.technique;
+    ImGui::PushFont(bold_font());
+    ImGui::TextUnformatted(technique.name);
+    ImGui::PopFont();
+    ui.mark("technique.name");
+    ImGui::TextWrapped("%s", technique.description);
+    ImGui::Spacing();
+    if (!ImGui::BeginTable("properties", 2, ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings)) return;
+    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 10 * em());
+    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
+    row("id", technique.id, "By this name the command line and session files know it.");
+    row("memory", memory(technique, m.picture_size), "Beside the colour buffers that every technique has.");
+    row("geometry passes",
+        technique.geometry_passes > 0 ? fmt::format("{}", technique.geometry_passes) : "one for every layer",
+        "How often the transparent geometry is rasterised.");
+    row("order of submission", technique.order_dependent ? "changes the picture" : "does not matter",
+        "Must geometry be sorted before it is drawn?");
+    row("bounds", technique.has_bounds ? "yes: β = 0 and β = 1 bound what has the biased moments" : "no",
+        "Does it know how far the truth can be from its result?");
+    if (technique.kernel != nullptr)
+        row("recommended bias", fmt::format("α = {:.1e}", static_cast<double>(technique.recommended_bias)),
+            "What auto means for the moment bias α.");
+    row("source", technique.source, "Where it was published.");
+    ImGui::EndTable();
+}
+
+}  // namespace momentscope::ui

@@ -1,0 +1,22 @@
+#include "ui/ui.hpp"
+
+namespace momentscope::ui {
+
+void tooltip(const std::string& text, const std::string& weaker) {
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(28 * em());
+    ImGui::TextUnformatted(text.c_str());
+    if (!weaker.empty()) ImGui::TextDisabled("%s", weaker.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+bool toggle_button(const char* label, bool on) {
+    if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    const bool clicked = ImGui::Button(label);
+    if (on) ImGui::PopStyleColor();
+    return clicked;
+}
+
+}  // namespace momentscope::ui

@@ -1,0 +1,42 @@
+// ui.hpp -- what every panel draws with: colours, sizes, and the places of its controls.
+#pragma once
+#include <imgui.h>
+
+#include <map>
+#include <string>
+
+#include "ui/theme.hpp"
+
+namespace momentscope::ui {
+
+struct Rect {
+    ImVec2 low, high;
+    bool empty() const { return !(low.x < high.x && low.y < high.y); }
+};
+
+/// Where named controls were drawn in the last frame, so that event files and tests can point at them without knowing
+/// the layout.
+using Anchors = std::map<std::string, Rect>;
+
+struct Ui {
+    const Palette& colors;
+    Anchors& anchors;
+
+    /// Names the control that was drawn last.
+    void mark(const std::string& name) const {
+        anchors[name] = {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
+    }
+};
+
+/// One font height, by which all sizes are measured.
+inline float em() {
+    return ImGui::GetFontSize();
+}
+
+/// A wrapped tooltip for the control that was drawn last: what it is, and in weaker text its shortcut or source.
+void tooltip(const std::string& text, const std::string& weaker = "");
+
+/// A button that looks pressed while `on`. True when it was clicked.
+bool toggle_button(const char* label, bool on);
+
+}  // namespace momentscope::ui
