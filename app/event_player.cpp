@@ -110,6 +110,10 @@ void EventPlayer::drag(ImVec2 from, ImVec2 to, int which) {
 }
 
 void EventPlayer::key(const std::string& name, bool down) {
+    if (name == "Ctrl" || name == "Shift") {  // for a click with a key held
+        (name == "Ctrl" ? ImGui::GetIO().KeyCtrl : ImGui::GetIO().KeyShift) = down;
+        return window_.settle();
+    }
     const auto shortcut = ui::parse_shortcut(name);
     if (!shortcut) throw Error(fmt::format("there is no key '{}'; use names such as Ctrl+Z, Left, F1 or a letter", name));
     ImGuiIO& io = ImGui::GetIO();

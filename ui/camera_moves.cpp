@@ -28,11 +28,13 @@ Camera orbited(Camera camera, ImVec2 moved) {
     return camera;
 }
 
-Camera panned(Camera camera, ImVec2 moved, float picture_height) {
+Camera panned(Camera camera, ImVec2 moved, glm::ivec2 picture_size) {
     const glm::mat4 view = view_matrix(camera);
     const glm::vec3 right(view[0][0], view[1][0], view[2][0]);
     const glm::vec3 up(view[0][1], view[1][1], view[2][1]);
-    const float unit = 2 * camera.distance * std::tan(0.5f * camera.field_of_view) / std::max(picture_height, 1.0f);
+    // Scene units per pixel at the target's distance, so that it follows the mouse.
+    const glm::vec2 size = glm::max(picture_size, glm::ivec2(1));
+    const float unit = 2 * camera.distance / (projection_matrix(camera, size.x / size.y)[1][1] * size.y);
     constexpr float FAR = 1000;
     const glm::vec3 target = camera.target + unit * (-moved.x * right + moved.y * up);
     camera.target = glm::clamp(target, glm::vec3(-FAR), glm::vec3(FAR));

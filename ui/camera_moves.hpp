@@ -17,7 +17,7 @@ std::span<const NamedView> named_views();
 
 /// By a mouse movement in pixels.
 Camera orbited(Camera camera, ImVec2 moved);
-Camera panned(Camera camera, ImVec2 moved, float picture_height);
+Camera panned(Camera camera, ImVec2 moved, glm::ivec2 picture_size);
 
 /// Towards the target for positive notches.
 Camera zoomed(Camera camera, float notches);

@@ -11,9 +11,10 @@ namespace momentscope::ui {
 
 namespace {
 
-// Does the plot of one state serve the other? What is marked or pinned is drawn, not computed.
+// Does the plot of one state serve the other?
 bool same_measurement(const ExplorerState& a, const ExplorerState& b) {
-    return a.technique == b.technique && a.compared == b.compared && a.parameters == b.parameters && a.plot == b.plot;
+    return a.technique == b.technique && a.compared == b.compared && a.parameters == b.parameters && a.plot == b.plot &&
+           a.marked == b.marked;
 }
 
 }  // namespace
@@ -69,7 +70,7 @@ void Explorer::mark_next(int step) {
         if (state_.marked == rows[static_cast<std::size_t>(i)].fragment) place = i;
     place = std::clamp(place + step, 0, count - 1);
     state_.marked = rows[static_cast<std::size_t>(place)].fragment;
-    state_.plot.query = measurement_.capture.ray.fragments[*state_.marked].depth;
+    state_.plot.query.reset();
 }
 
 // Dialogs close themselves on Escape; here is what remains.

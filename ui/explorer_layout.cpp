@@ -107,7 +107,7 @@ void Explorer::draw_lessons(const Ui& ui) {
                 open_lesson(state_, lesson);
         }
         ui.mark(fmt::format("card.{}", lesson.id));
-        tooltip(lesson.question, "click to start from there; Ctrl+Z brings everything back");
+        if (!open) tooltip(lesson.question, "click to start from there; Ctrl+Z brings everything back");
         ++number;
     }
     draw_card(ui);

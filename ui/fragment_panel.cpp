@@ -65,7 +65,7 @@ void draw_row(const Ui& ui, const Measurement& m, const PixelHistoryRow& row, st
             state.marked.reset();
         else
             state.marked = row.fragment;
-        if (!marked) state.plot.query = f.depth;
+        state.plot.query.reset();
     }
     ui.mark(fmt::format("fragment.{}", place + 1));
     tooltip(fmt::format("Draw call {}, triangle {}. Blending (ONE, ONE) adds {} to {}; in linear RGB, with the weight last.",

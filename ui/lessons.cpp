@@ -11,11 +11,14 @@ void show(PlotState& plot, std::initializer_list<Series> series) {
     for (const Series one : series) plot.shown[static_cast<std::size_t>(one)] = true;
 }
 
+// Places in the picture of planes, at half its height, where as many sheets overlap.
+constexpr glm::vec2 TWO_SHEETS(0.29f, 0.5f), THREE_SHEETS(0.39f, 0.5f), FOUR_SHEETS(0.5f, 0.5f);
+
 void prepare_two_sheets(ExplorerState& state) {
     choose_scene(state, "planes");
     state.technique = &require_technique("power4-32");
-    state.picked = glm::vec2(0.40f, 0.575f);  // the two nearest sheets
-    state.marked = 0;
+    state.picked = TWO_SHEETS;
+    state.marked = 1;  // the farther one
     show(state.plot, {Series::truth, Series::reconstruction, Series::bounds, Series::stems, Series::errors});
 }
 
@@ -23,18 +26,17 @@ void prepare_four_surfaces(ExplorerState& state) {
     choose_scene(state, "planes");
     state.technique = &require_technique("power4-32");
     state.compared = {&require_technique("power6-32"), &require_technique("power8-32")};
-    state.picked = glm::vec2(0.5f, 0.5f);  // all four
-    state.pins = {glm::vec2(0.46f, 0.535f)};  // three of them
+    state.picked = FOUR_SHEETS;
+    state.pins = {THREE_SHEETS};
     show(state.plot, {Series::truth, Series::reconstruction, Series::bounds});
 }
 
 void prepare_wrapping_zone(ExplorerState& state) {
-    choose_scene(state, "planes");
+    choose_scene(state, "teapots");
     state.technique = &require_technique("trig2-32");
-    state.parameters.set(ParameterId::theta, 0.3f);
-    state.plot.query = -0.35f;
-    show(state.plot,
-         {Series::truth, Series::reconstruction, Series::bounds, Series::stems, Series::wrapping_zone});
+    state.parameters.set(ParameterId::theta, 0.0f);
+    state.plot.query = -0.27f;  // just in front of a jump
+    show(state.plot, {Series::truth, Series::reconstruction, Series::stems, Series::wrapping_zone});
 }
 
 void prepare_bias(ExplorerState& state) {
@@ -56,7 +58,7 @@ void prepare_more_moments(ExplorerState& state) {
 constexpr Lesson LESSONS[] = {
     {"beta", "β on two sheets",
      "Two sheets lie on this ray, and four moments know them exactly: the two bounds differ only at the sheets themselves. "
-     "Drag the overestimation weight β from 0 to 1 and watch the orange curve at the marked sheet.",
+     "Drag the overestimation weight β from 0 to 1 and watch the orange dots at the sheets' own depths.",
      "How much of its own absorbance does a sheet find in front of itself?",
      "The share β of it. With β = 0 the reconstruction at the sheet is the lower bound, which here is the truth; with "
      "β = 1 it is the upper bound, and the sheet dims itself by its whole absorbance.",
@@ -69,11 +71,11 @@ constexpr Lesson LESSONS[] = {
      "all steps. The band is as wide as the moments leave the truth open: it closes where they determine it.",
      prepare_four_surfaces},
     {"wrapping", "The wrapping zone",
-     "Trigonometric moments bend the depth range into a circle, so its far end touches its near end. The wrapping zone, an "
-     "arc of angle θ that holds no depths, keeps the two apart (Fig. 4b).",
-     "Drag θ to 0: what happens to the reconstruction in front of the first sheet?",
-     "Roots that wrap around the circle count as in front with a jump: without the zone the reconstruction leaps near the "
-     "front end. With it they fade in, the wider the smoother, at the price of precision in depth.",
+     "Trigonometric moments bend the depth range into a circle, so its far end touches its near end. Without the wrapping "
+     "zone, θ = 0, the orange curve jumps where a canonical mass passes from one end to the other (Fig. 4b).",
+     "Move the query depth across a jump, then drag θ to 0.3: what becomes of the jumps?",
+     "A mass that wraps from the far end to the near end counts as in front all at once, which is the jump. A zone of angle θ "
+     "lets it fade in: ramps in place of jumps, the wider the smoother, at the price of precision in depth.",
      prepare_wrapping_zone},
     {"bias", "Moment bias",
      "The moment bias α is 0 here: in 32-bit floats the matrices of eight moments then become singular, and hatched pixels mark "

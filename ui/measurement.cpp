@@ -40,6 +40,11 @@ Range visible_depths(const ViewRay& ray, const PlotState& plot) {
     return range;
 }
 
+float query_depth(const ViewRay& ray, const ExplorerState& state) {
+    if (state.plot.query) return *state.plot.query;
+    return state.marked && *state.marked < ray.fragments.size() ? ray.fragments[*state.marked].depth : 0.0f;
+}
+
 BandExit band_exit(const Curve& curve) {
     BandExit exit;
     if (curve.beta0.empty()) return exit;
@@ -73,7 +78,7 @@ void measure(Measurement& m, const ExplorerState& state) {
     m.ghost = shows(state.plot, Series::ghost)
                   ? unbiased_absorbance(ray, *state.technique, m.curve.parameters, depths)
                   : std::vector<float>();
-    m.canonical = canonical_representation(m.curve, state.plot.query);
+    m.canonical = canonical_representation(m.curve, query_depth(ray, state));
     m.history = pixel_history(ray, m.capture.transmittance, *state.technique, state.parameters);
     for (Pinned& pin : m.pins)
         pin.curve = sample_curve(pin.ray, *state.technique, state.parameters, plot_depths(pin.ray, SAMPLES / 2));

@@ -44,6 +44,9 @@ std::vector<float> plot_depths(const ViewRay& ray, std::size_t samples, Range ra
 /// The part of [-1, 1] that the plot shows.
 Range visible_depths(const ViewRay& ray, const PlotState& plot);
 
+/// The warped depth at which bounds, beta and the canonical representation are drawn.
+float query_depth(const ViewRay& ray, const ExplorerState& state);
+
 /// Where a curve's truth leaves the band by more than rounding does.
 BandExit band_exit(const Curve& curve);
 

@@ -1,6 +1,7 @@
 #include "ui/parameter_controls.hpp"
 
 #include <fmt/format.h>
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -43,8 +44,10 @@ bool draw_value(const Parameter& row, float& value) {
             break;
     }
     const std::string format = *row.unit != '\0' ? fmt::format("%.3f {}", row.unit) : "%.3f";
-    return ImGui::SliderFloat("##value", &value, row.minimum, row.maximum, format.c_str(),
-                              ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
+    // Rounding to what is shown would leave the range: pi is less than 3.142.
+    return ImGui::SliderFloat(
+        "##value", &value, row.minimum, row.maximum, format.c_str(),
+        ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput | ImGuiSliderFlags_NoRoundToFormat);
 }
 
 // Ctrl+click on the slider opens a text field in its place. What is typed goes the way of the command line, so it is
@@ -109,7 +112,10 @@ void draw_parameter_control(const Ui& ui, const Parameter& row, float recommende
     }
     ui.mark(fmt::format("parameter.{}", row.key));
     draw_tooltip(row);
-    if (reset) values.set(row.id, row.standard);
+    if (reset) {
+        values.set(row.id, row.standard);
+        ImGui::ClearActiveID();  // the button is still down; without this the slider would follow it again
+    }
     if (!row.standard) {
         ImGui::SameLine();
         bool on = !values[row.id].has_value();

@@ -171,7 +171,8 @@ void draw_tools(const Ui& ui, const Measurement& m, ExplorerState& state) {
     tooltip("Fit the plot to the ray.", "F, or double-click in the plot");
     ImGui::SameLine(0, em());
     ImGui::SetNextItemWidth(std::min(9 * em(), std::max(ImGui::GetContentRegionAvail().x, 20.0f)));
-    ImGui::SliderFloat("##query", &plot.query, -1, 1, "query z = %.3f", ImGuiSliderFlags_AlwaysClamp);
+    float query = query_depth(m.capture.ray, state);
+    if (ImGui::SliderFloat("##query", &query, -1, 1, "query z = %.3f", ImGuiSliderFlags_AlwaysClamp)) plot.query = query;
     ui.mark("plot.query");
     tooltip("The query depth z at which bounds, β and the canonical representation are drawn. Drag in the plot, or "
             "Ctrl+click here to type a number.");
@@ -217,8 +218,8 @@ void draw_crosshair(const Ui& ui, const PlotAxes& axes, const Measurement& m, co
     value_line("truth", ui.colors.truth, static_cast<float>(curve.truth[0]), axes);
     if (!curve.beta0.empty()) {
         value_line("reconstruction", ui.colors.reconstruction, curve.reconstructed[0], axes);
-        value_line(curve.technique->has_bounds ? "lower bound" : "β = 0", ui.colors.bounds, curve.beta0[0], axes);
-        value_line(curve.technique->has_bounds ? "upper bound" : "β = 1", ui.colors.bounds, curve.beta1[0], axes);
+        value_line(curve.technique->has_bounds ? "lower bound of A" : "β = 0", ui.colors.bounds, curve.beta0[0], axes);
+        value_line(curve.technique->has_bounds ? "upper bound of A" : "β = 1", ui.colors.bounds, curve.beta1[0], axes);
     }
     if (!m.ghost.empty())
         value_line("exact, no bias", ui.colors.ghost,
@@ -317,11 +318,10 @@ void PlotPanel::handle_mouse(const PlotAxes& axes, const Measurement& m, Explore
     }
     if (grip_ == Grip::pan) pan(axes, state.plot);
     if (grip_ == Grip::query) {
+        // A click on a step snaps to its fragment, dragging leaves it.
+        const bool snapped = state.marked && !ImGui::IsMouseDragging(ImGuiMouseButton_Left);
         const float at = axes.warped_of(axes.depth_at(io.MousePos.x));
-        state.plot.query = std::clamp(at, -1.0f, 1.0f);
-        const auto& fragments = m.capture.ray.fragments;
-        if (state.marked && *state.marked < fragments.size() && !ImGui::IsMouseDragging(ImGuiMouseButton_Left))
-            state.plot.query = fragments[*state.marked].depth;
+        state.plot.query = snapped ? std::nullopt : std::optional(std::clamp(at, -1.0f, 1.0f));
     }
 }
 

@@ -173,7 +173,7 @@ void ScenePanel::handle_mouse(const Measurement& m, const ScenePicture& picture,
     const bool moved = io.MouseDelta.x != 0 || io.MouseDelta.y != 0;
     if (active && moved && ImGui::IsMouseDown(ImGuiMouseButton_Right)) camera = orbited(camera, io.MouseDelta);
     if (active && moved && ImGui::IsMouseDown(ImGuiMouseButton_Middle))
-        camera = panned(camera, io.MouseDelta, static_cast<float>(m.picture_size.y));
+        camera = panned(camera, io.MouseDelta, m.picture_size);
     if (ImGui::IsItemHovered() && io.MouseWheel != 0) camera = zoomed(camera, io.MouseWheel);
     if (!(camera == state.camera.value_or(picture.scene_camera))) state.camera = camera;
 }

@@ -50,7 +50,7 @@ ordered_json plot_json(const PlotState& plot) {
             {"shown", shown},
             {"depth_range", range_json(plot.depth)},
             {"value_range", range_json(plot.value)},
-            {"query", plot.query}};
+            {"query", plot.query ? ordered_json(*plot.query) : ordered_json()}};
 }
 
 ordered_json parameters_json(const ParameterValues& values) {
@@ -169,7 +169,8 @@ void read_plot(const json& object, PlotState& plot, std::vector<std::string>& ig
     }
     plot.depth = range_from(reader, "depth_range");
     plot.value = range_from(reader, "value_range");
-    reader.number("query", plot.query, -1, 1);
+    if (const json* found = reader.find("query"); found != nullptr && !found->is_null())
+        reader.number("query", plot.query.emplace(), -1, 1);
 }
 
 std::optional<Camera> camera_from(const json& object, std::vector<std::string>& ignored) {

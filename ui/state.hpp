@@ -35,7 +35,7 @@ struct PlotState {
     std::array<bool, SERIES_COUNT> shown = {true, true, true, false, true, true, true};
     std::optional<Range> depth;  // visible part of the axis, in [-1, 1] or view depth; nullopt: all
     std::optional<Range> value;  // the same of the vertical axis
-    float query = 0;             // warped depth at which the canonical representation is drawn
+    std::optional<float> query;  // warped depth of the canonical representation; nullopt: the marked fragment's, or 0
     friend bool operator==(const PlotState&, const PlotState&) = default;
 };
 

@@ -1,103 +1,99 @@
 // explorer_test.cpp -- what a user does in the window, and what must follow.
-#include <fmt/format.h>
-
-#include "core/inspect/curve_output.hpp"
-#include "tests/gui/gui_fixture.hpp"
-#include "ui/plot.hpp"
+#include <cmath>
 
 #include <nlohmann/json.hpp>
+
+#include "core/inspect/curve_output.hpp"
+#include "core/scene/camera.hpp"
+#include "tests/gui/gui_fixture.hpp"
 
 namespace momentscope::test {
 namespace {
 
-class ExplorerTest : public GuiTest {
-protected:
-    /// How many pixels of the scene's half and of the plot's half differ between two screens.
-    struct Changed {
-        long scene = 0, right = 0;
-    };
-    Changed changed(const std::vector<unsigned char>& before, const std::vector<unsigned char>& after) const {
-        Changed count;
-        const int border = static_cast<int>(explorer_->scene_corner().x) + explorer_->result().picture_size.x;
-        for (int y = 0; y < explorer_->result().picture_size.y; ++y)  // not the status line below
-            for (int x = 0; x < size_.x; ++x) {
-                const std::size_t at = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x) +
-                                            static_cast<std::size_t>(x));
-                const bool same = std::equal(&before[at], &before[at] + 4, &after[at]);
-                (x < border ? count.scene : count.right) += same ? 0 : 1;
-            }
-        return count;
-    }
-};
+class ExplorerTest : public GuiTest {};
 
 TEST_F(ExplorerTest, OpensOnAPixelWorthSeeing) {
-    const ui::Explorer& explorer = open("teapots", "power6-32");
-    EXPECT_GE(explorer.result().capture.ray.fragments.size(), 10u);
-    EXPECT_TRUE(explorer.message().empty());
+    open("teapots", "power6-32");
+    EXPECT_GE(measurement().capture.ray.fragments.size(), 10u);
+    EXPECT_TRUE(explorer().message().empty());
 }
 
-TEST_F(ExplorerTest, DraggingASliderChangesPlotAndPicture) {
-    ui::Explorer& explorer = open("planes", "trig3-32");
-    for (const ParameterId id : explorer.state().technique->parameters) {
+TEST_F(ExplorerTest, EveryParameterChangesPlotAndPicture) {
+    for (const ParameterId id : require_technique("trig3-32").parameters) {
+        open("planes", "trig3-32");
         const auto before = screen();
         const Parameter& row = parameter(id);
-        // Set through the state, as a slider does; where sliders are is the layout's business.
-        explorer.state().parameters.set(id, row.scale == Scale::toggle ? row.minimum : row.maximum);
-        draw();
-        const Changed difference = changed(before, screen());
-        EXPECT_GT(difference.right, 0) << row.key << " moves its control";
-        if (id == ParameterId::alpha) continue;  // at its greatest it may leave these few sheets as they are
-        EXPECT_GT(difference.scene, 50) << row.key << " changes the picture";
+        if (row.scale == Scale::toggle)
+            play(fmt::format("click @parameter.{}\nmove 5 790", row.key));
+        else
+            play(fmt::format("drag @parameter.{} 0.3 0.5 to @parameter.{} 1 0.5\nmove 5 790", row.key, row.key));
+        const auto after = screen();
+        EXPECT_NE(explorer().state().parameters[id], ParameterValues()[id]) << row.key;
+        EXPECT_GT(changed(fmt::format("parameter.{}", row.key), before, after), 0) << row.key << " moves its control";
+        EXPECT_GT(changed("scene", before, after), 50) << row.key << " changes the picture";
     }
 }
 
-TEST_F(ExplorerTest, TheBetaSliderFollowsTheMouse) {
-    ui::Explorer& explorer = open("planes", "power4-32");
-    const float before = *explorer.state().parameters[ParameterId::beta];
-    const auto first = screen();
-    // The slider is found by its effect: drag along rows below the plot until beta moves.
-    bool moved = false;
-    for (float y = 460; y < 700 && !moved; y += 8) {
-        drag({1050, y}, {1230, y}, 0);
-        moved = *explorer.state().parameters[ParameterId::beta] != before;
-        if (ImGui::GetCurrentContext()->OpenPopupStack.Size > 0) click({5, 5});  // a combo opened instead
+TEST_F(ExplorerTest, ClickDragAndArrowsPick) {
+    open();
+    play("click " + on_scene({100, 200}));
+    EXPECT_EQ(measurement().pixel, glm::ivec2(100, 200));
+    play("drag " + on_scene({100, 200}) + " to " + on_scene({360, 390}));
+    EXPECT_EQ(measurement().pixel, glm::ivec2(360, 390));
+    EXPECT_FALSE(measurement().capture.ray.fragments.empty());
+    play("drag " + on_scene({10, 10}) + " to -50 5000");
+    EXPECT_EQ(measurement().pixel.x, 0) << "a drag that leaves the picture stays at its edge";
+}
+
+TEST_F(ExplorerTest, TheGoToBoxPicksAndExplainsNonsense) {
+    open();
+    play("key Ctrl+G\ntype 120, 77\nkey Enter");
+    EXPECT_EQ(measurement().pixel, glm::ivec2(120, 77));
+    for (const char* nonsense : {"abc", "12", "1 2 3", "-1, 5", "99999, 3", "1e99, 4"}) {
+        play(fmt::format("key Ctrl+G\ntype {}\nkey Enter\nexpect-message is no pixel of the picture\nkey Escape\nclick @scene.goto\n"
+                         "key Ctrl+A\nkey Delete\nkey Escape",
+                         nonsense));
+        EXPECT_EQ(measurement().pixel, glm::ivec2(120, 77)) << nonsense;
     }
-    EXPECT_TRUE(moved);
-    EXPECT_GT(*explorer.state().parameters[ParameterId::beta], before);
-    EXPECT_GT(changed(first, screen()).scene, 50);
 }
 
-TEST_F(ExplorerTest, ClickAndDragPick) {
-    ui::Explorer& explorer = open("planes", "power6-32");
-    click(on_scene({100, 200}));
-    EXPECT_EQ(explorer.result().pixel, glm::ivec2(100, 200));
-    drag(on_scene({100, 200}), on_scene({360, 390}), 0);
-    EXPECT_EQ(explorer.result().pixel, glm::ivec2(360, 390));
-    EXPECT_FALSE(explorer.result().capture.ray.fragments.empty());
-    tap(ImGuiKey_LeftArrow);
-    tap(ImGuiKey_UpArrow);
-    EXPECT_EQ(explorer.result().pixel, glm::ivec2(359, 389));
-    drag(on_scene({10, 10}), {-50, 5000}, 0);
-    EXPECT_EQ(explorer.result().pixel.x, 0) << "a drag that leaves the picture stays at its edge";
-}
-
-TEST_F(ExplorerTest, OrbitAndZoomMoveTheCamera) {
-    ui::Explorer& explorer = open("planes", "power6-32");
+TEST_F(ExplorerTest, OrbitPanAndZoomMoveTheCamera) {
+    open();
+    const Camera own = explorer().camera();
     const auto before = screen();
-    drag(on_scene({300, 300}), on_scene({400, 330}), 1);
-    ASSERT_TRUE(explorer.state().camera);
-    const float azimuth = explorer.state().camera->azimuth;
-    EXPECT_NE(azimuth, 0);
-    wheel(on_scene({300, 300}), 3);
-    EXPECT_LT(explorer.state().camera->distance, 6);
-    EXPECT_GT(changed(before, screen()).scene, 1000);
+    play("drag " + on_scene({300, 300}) + " to " + on_scene({400, 330}) + " right");
+    EXPECT_LT(explorer().camera().azimuth, own.azimuth);
+    EXPECT_GT(explorer().camera().elevation, own.elevation);
+    play("drag " + on_scene({300, 300}) + " to " + on_scene({400, 300}) + " middle");
+    EXPECT_LT(explorer().camera().target.x, own.target.x) << "what is dragged to the right shows what was on the left";
+    play("move " + on_scene({300, 300}) + "\nwheel 3");
+    EXPECT_LT(explorer().camera().distance, own.distance);
+    EXPECT_GT(changed("scene", before, screen()), 1000);
+    play("click @scene.reset");
+    EXPECT_EQ(explorer().camera(), own);
+}
+
+// Panning keeps what is under the mouse there, at the target's distance.
+TEST_F(ExplorerTest, PanningFollowsTheMouse) {
+    open();
+    const auto on_screen = [&](const glm::vec3& point) {
+        const glm::ivec2 size = measurement().picture_size;
+        const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
+        const glm::vec4 clip =
+            projection_matrix(explorer().camera(), aspect) * view_matrix(explorer().camera()) * glm::vec4(point, 1);
+        return 0.5f * glm::vec2(clip) / clip.w * glm::vec2(size);
+    };
+    const glm::vec3 target = explorer().camera().target;
+    play("drag " + on_scene({300, 300}) + " to " + on_scene({360, 330}) + " middle");
+    EXPECT_NEAR(on_screen(target).x, 60, 1);
+    EXPECT_NEAR(on_screen(target).y, -30, 1);
 }
 
 TEST_F(ExplorerTest, ThePlotShowsWhatInspectPrints) {
-    const ui::Explorer& explorer = open("teapots", "power8-32");
-    const Curve& plotted = explorer.result().curve;
-    const ViewRay& ray = explorer.result().capture.ray;
-    const Curve inspected = sample_curve(ray, *plotted.technique, explorer.state().parameters, plotted.depth);
+    open("teapots", "power8-32");
+    const Curve& plotted = measurement().curve;
+    const ViewRay& ray = measurement().capture.ray;
+    const Curve inspected = sample_curve(ray, *plotted.technique, state().parameters, plotted.depth);
     const auto json = nlohmann::json::parse(curves_to_json(ray, {inspected}));
     const auto& curve = json["curves"][0];
     ASSERT_EQ(curve["depth"].size(), plotted.depth.size());
@@ -109,53 +105,174 @@ TEST_F(ExplorerTest, ThePlotShowsWhatInspectPrints) {
     }
 }
 
-TEST_F(ExplorerTest, NothingChangedDrawsNothing) {
-    open("planes", "power6-32");
-    const PassCounts before = renderer_.pass_counts();
-    draw(5);
-    EXPECT_EQ(renderer_.pass_counts().composite, before.composite);
+TEST_F(ExplorerTest, ChangesRunNoMorePassesThanTheyNeed) {
+    open("planes", "trig3-32");
+    const auto passes_of = [&](const std::string& event) {
+        const PassCounts before = window_->renderer().pass_counts();
+        play(event);
+        const PassCounts& after = window_->renderer().pass_counts();
+        return std::array<int, 3>{after.opaque > before.opaque, after.moments > before.moments, after.color > before.color};
+    };
+    EXPECT_EQ(passes_of("drag @parameter.beta 0.25 0.5 to @parameter.beta 1 0.5"), (std::array<int, 3>{0, 0, 1}));
+    EXPECT_EQ(passes_of("drag @parameter.theta 0.2 0.5 to @parameter.theta 0.6 0.5"), (std::array<int, 3>{0, 1, 1}));
+    EXPECT_EQ(passes_of("click @plot 0.3 0.4\nkey T\nkey P\nkey Ctrl+2\nkey B"), (std::array<int, 3>{0, 0, 0}));
+    EXPECT_EQ(passes_of("wait 60\nmove 20 780\nmove 60 780"), (std::array<int, 3>{0, 0, 0}));
 }
 
-TEST_F(ExplorerTest, AMissingSceneKeepsTheLastGoodOne) {
-    ui::Explorer& explorer = open("planes", "power6-32");
+TEST_F(ExplorerTest, IdleDrawsNoFrames) {
+    open("teapots", "power6-32");
+    const long before = log_.frames();
+    play("wait 60");
+    EXPECT_EQ(log_.frames(), before);
+}
+
+TEST_F(ExplorerTest, AMissingMeshKeepsTheLastGoodScene) {
+    open();
     const auto before = screen();
-    explorer.state().scene = "/nowhere/at-all.obj";
-    draw(2);
-    EXPECT_EQ(explorer.state().scene, "planes");
-    EXPECT_NE(explorer.message().find("at-all.obj"), std::string::npos);
-    EXPECT_EQ(changed(before, screen()).scene, 0);
+    ui::choose_scene(explorer().state(), "/nowhere/at-all.obj");
+    settle();
+    EXPECT_EQ(state().scene, "planes");
+    EXPECT_NE(explorer().message().find("at-all.obj"), std::string::npos);
+    EXPECT_EQ(changed("scene", before, screen()), 0);
+    EXPECT_FALSE(explorer().can_undo()) << "what failed is no step";
 }
 
 TEST_F(ExplorerTest, AnEmptyPixelSaysSo) {
-    const ui::Explorer& explorer = open("planes", "trig2-32");
-    click(on_scene({2, 2}));
-    EXPECT_TRUE(explorer.result().capture.ray.fragments.empty());
-    EXPECT_EQ(explorer.result().curve.total_absorbance, 0);
+    open("planes", "trig2-32");
+    play("click " + on_scene({2, 2}) + "\nkey Ctrl+2");
+    EXPECT_TRUE(measurement().capture.ray.fragments.empty());
+    EXPECT_EQ(measurement().curve.total_absorbance, 0);
 }
 
-TEST_F(ExplorerTest, EveryTechniqueAndSceneCanBeShown) {
-    ui::Explorer& explorer = open("planes", "power4-32");
+TEST_F(ExplorerTest, EveryTechniqueAndSceneCanBeChosen) {
+    open();
     for (const Technique& technique : techniques()) {
-        explorer.state().technique = &technique;
-        draw(2);
-        EXPECT_TRUE(explorer.message().empty()) << technique.id << ": " << explorer.message();
+        play(fmt::format("click @controls.technique\nclick @controls.technique.{}", technique.id));
+        EXPECT_EQ(state().technique, &technique);
+        EXPECT_TRUE(explorer().message().empty()) << technique.id << ": " << explorer().message();
     }
     for (const char* scene : {"spheres", "teapots"}) {
-        explorer.state().scene = scene;
-        draw(2);
-        EXPECT_TRUE(explorer.message().empty()) << scene;
-        EXPECT_FALSE(explorer.result().capture.ray.fragments.empty()) << scene;
+        play(fmt::format("click @controls.scene\nclick @controls.scene.{}", scene));
+        EXPECT_EQ(state().scene, scene);
+        EXPECT_FALSE(measurement().capture.ray.fragments.empty()) << scene;
     }
 }
 
-class TinyWindow : public GuiTest {
-protected:
-    TinyWindow() : GuiTest({40, 1}) {}
-};
+TEST_F(ExplorerTest, ComparedTechniquesArePlotted) {
+    open();
+    const auto before = screen();
+    play("click @controls.compared\nclick @controls.compared.power4-32\nclick @controls.compared.trig3-32\nkey Escape\n"
+         "click 5 790");
+    ASSERT_EQ(measurement().compared.size(), 2u);
+    EXPECT_EQ(std::string(measurement().compared[1].technique->id), "trig3-32");
+    EXPECT_GT(changed("plot", before, screen()), 200);
+    play("click @legend.power4-32");
+    EXPECT_EQ(measurement().compared.size(), 1u);
+}
 
-TEST_F(TinyWindow, DoesNotCrash) {
-    open("planes", "power6-32");
-    draw(2);
+TEST_F(ExplorerTest, GroundTruthIsShownWhileHeld) {
+    open("spheres", "power4-32");
+    const auto before = screen();
+    play("hold G");
+    EXPECT_TRUE(explorer().shows_truth());
+    const auto truth = screen();
+    EXPECT_GT(changed("scene", before, truth), 1000);
+    play("let G");
+    EXPECT_FALSE(explorer().shows_truth());
+    EXPECT_EQ(changed("scene", before, screen()), 0);
+    play("move @scene.truth\npress left");
+    EXPECT_TRUE(explorer().shows_truth());
+    play("release left");
+    EXPECT_FALSE(explorer().shows_truth());
+    // It is what the technique sorted draws.
+    open("spheres", "sorted");
+    const ui::Rect rect = explorer().anchors().at("scene");
+    const auto sorted = screen();
+    long differing = 0;
+    for (int y = static_cast<int>(rect.low.y) + 60; y < static_cast<int>(rect.high.y); ++y)  // below the label
+        for (int x = static_cast<int>(rect.low.x); x < static_cast<int>(rect.high.x); ++x)
+            differing += std::equal(&sorted[4u * static_cast<unsigned>(y * size_.x + x)], &sorted[4u * static_cast<unsigned>(y * size_.x + x)] + 4,
+                                    &truth[4u * static_cast<unsigned>(y * size_.x + x)])
+                             ? 0
+                             : 1;
+    EXPECT_EQ(differing, 0);
+}
+
+TEST_F(ExplorerTest, TheLensShowsThePickedPixelsValue) {
+    open("spheres", "power6-32");
+    const auto before = screen();
+    play("click @scene.lens\nmove 5 790");
+    EXPECT_TRUE(state().lens);
+    EXPECT_GT(changed("scene", before, screen()), 5000);
+    play("click " + on_scene({0, 0}));  // cut at the picture's corner
+    EXPECT_TRUE(explorer().message().empty());
+}
+
+TEST_F(ExplorerTest, FailuresAreMarkedWithoutBias) {
+    open("spheres", "power8-32");
+    const auto biased = screen();
+    play("click @scene.failures\nmove 5 790");
+    const auto marked = screen();
+    EXPECT_LT(changed("scene", biased, marked), 12'000) << "with Table 1's bias only the label appears";
+    play("key Ctrl+1\nclick @parameter.alpha 0.01 0.5\nmove 5 790");
+    EXPECT_EQ(state().parameters[ParameterId::alpha], std::optional(0.0f));
+    EXPECT_GT(changed("scene", marked, screen()), 20'000);
+}
+
+TEST_F(ExplorerTest, PinsKeepSmallPlots) {
+    open();
+    play("key P\nclick " + on_scene({250, 330}) + "\nkey P");
+    ASSERT_EQ(measurement().pins.size(), 2u);
+    EXPECT_EQ(measurement().pins[1].pixel, glm::ivec2(250, 330));
+    EXPECT_EQ(measurement().pins[1].ray, measurement().capture.ray);
+    play("click @pin.1");
+    EXPECT_EQ(measurement().pixel, measurement().pins[0].pixel);
+    play("click @pin.1.remove");
+    EXPECT_EQ(measurement().pins.size(), 1u);
+    for (const char* place : {"0.1", "0.2", "0.3", "0.4"}) play(fmt::format("click @scene {} 0.5\nkey P", place));
+    EXPECT_EQ(measurement().pins.size(), ui::MAX_PINS);
+    EXPECT_NE(explorer().message().find("Four pixels"), std::string::npos);
+    play("drag " + on_scene({300, 300}) + " to " + on_scene({320, 300}) + " right");
+    EXPECT_EQ(measurement().pins.size(), ui::MAX_PINS) << "another camera, the same places";
+}
+
+TEST_F(ExplorerTest, ARowAndAStepMarkTheSameFragment) {
+    open("planes", "power4-32");
+    play("key Ctrl+2\nclick @fragment.3");
+    ASSERT_TRUE(state().marked);
+    EXPECT_EQ(*state().marked, measurement().history[2].fragment);
+    const float depth = measurement().capture.ray.fragments[*state().marked].depth;
+    EXPECT_EQ(measurement().canonical.query, depth) << "the query depth goes there";
+    play("click @fragment.3");
+    EXPECT_FALSE(state().marked);
+    // In the plot: click on the step of the second fragment.
+    const float second = measurement().capture.ray.fragments[measurement().history[1].fragment].depth;
+    play(fmt::format("click @plot {} 0.5", 0.5f * (second + 1)));
+    ASSERT_TRUE(state().marked);
+    EXPECT_EQ(*state().marked, measurement().history[1].fragment);
+}
+
+TEST_F(ExplorerTest, TheTableHasTheGlsTransmittance) {
+    open("teapots", "power6-32");
+    play("key Ctrl+2");
+    ASSERT_FALSE(measurement().history.empty());
+    for (const PixelHistoryRow& row : measurement().history) {
+        ASSERT_TRUE(row.gl_transmittance);
+        EXPECT_EQ(*row.gl_transmittance, row.transmittance) << "GL and C++ from the same source";
+    }
+    play("key 1");
+    for (const PixelHistoryRow& row : measurement().history)
+        EXPECT_EQ(row.gl_transmittance, row.transmittance) << "captured again after a change of technique";
+}
+
+class TinyWindow : public GuiTest {};
+
+TEST_F(TinyWindow, SurvivesAnySize) {
+    open();
+    for (const char* size : {"40 1", "1 1", "200 100", "640 400", "1280 800"})
+        play(fmt::format("resize {}\nmove 3 0\npress left\nresize 90 70\nmove 60 60\nrelease left", size));
+    play("resize 1280 800");
+    EXPECT_TRUE(explorer().message().empty());
 }
 
 }  // namespace

@@ -1,13 +1,13 @@
-// gui_fixture.hpp -- the real window's content, headless: tests move the mouse and press keys, and look at
-// state and pixels.
+// gui_fixture.hpp -- the real window's content, headless: tests play events, and look at state and pixels.
 #pragma once
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <imgui.h>
-#include <imgui_internal.h>
 
-#include "app/gl_context.hpp"
-#include "app/gui_session.hpp"
-#include "ui/explorer.hpp"
+#include <algorithm>
+#include <memory>
+
+#include "app/event_player.hpp"
 
 namespace momentscope::test {
 
@@ -15,75 +15,56 @@ class GuiTest : public testing::Test {
 protected:
     explicit GuiTest(glm::ivec2 size = {1280, 800}) : size_(size) {}
 
-    /// Opens the explorer and draws until the layout has settled.
-    ui::Explorer& open(const char* scene, const char* technique) {
+    /// Opens the window on a scene and draws until nothing changes.
+    ui::Explorer& open(const char* scene = "planes", const char* technique = "power6-32") {
         ui::ExplorerState state;
         state.scene = scene;
         state.technique = &require_technique(technique);
-        explorer_ = std::make_unique<ui::Explorer>(renderer_, state);
-        draw(3);
-        return *explorer_;
+        return open(state);
+    }
+    ui::Explorer& open(const ui::ExplorerState& state) {
+        window_.reset();  // its ImGui context goes before the next one comes
+        window_ = std::make_unique<HeadlessWindow>(size_, state, ui::ExplorerOptions{1, false}, log_);
+        window_->settle();
+        return window_->explorer();
     }
 
-    void draw(int frames = 1) {
-        for (int i = 0; i < frames; ++i) {
-            gui_.begin_frame(size_);
-            explorer_->frame();
-            gui_.end_frame(size_);
-        }
+    ui::Explorer& explorer() { return window_->explorer(); }
+    const ui::ExplorerState& state() { return window_->explorer().state(); }
+    const ui::Measurement& measurement() { return window_->explorer().measurement(); }
+
+    /// Plays events (docs/events.md), one per line.
+    void play(const std::string& events) { EventPlayer(*window_).play(events); }
+    void settle() { window_->settle(); }
+    void draw() { window_->draw(); }
+
+    std::vector<unsigned char> screen() { return window_->pixels(); }
+
+    /// "X Y" of a pixel of the scene's picture, for events.
+    std::string on_scene(glm::ivec2 pixel) {
+        const ui::Rect rect = explorer().anchors().at("scene");
+        return fmt::format("{} {}", rect.low.x + static_cast<float>(pixel.x) + 0.5f,
+                           rect.low.y + static_cast<float>(pixel.y) + 0.5f);
     }
 
-    void move(ImVec2 to) {
-        ImGui::GetIO().MousePos = to;
-        draw();
+    /// How many pixels of a control's rectangle differ between two screens.
+    long changed(const std::string& anchor, const std::vector<unsigned char>& before,
+                 const std::vector<unsigned char>& after) {
+        const ui::Rect rect = explorer().anchors().at(anchor);
+        long count = 0;
+        const int right = std::min(static_cast<int>(rect.high.x), size_.x);
+        const int bottom = std::min(static_cast<int>(rect.high.y), size_.y);
+        for (int y = std::max(static_cast<int>(rect.low.y), 0); y < bottom; ++y)
+            for (int x = std::max(static_cast<int>(rect.low.x), 0); x < right; ++x) {
+                const auto at = static_cast<std::ptrdiff_t>(4 * (y * size_.x + x));
+                count += std::equal(before.begin() + at, before.begin() + at + 4, after.begin() + at) ? 0 : 1;
+            }
+        return count;
     }
-    void press(int button) {
-        ImGui::GetIO().MouseDown[button] = true;
-        draw();
-    }
-    void release(int button) {
-        ImGui::GetIO().MouseDown[button] = false;
-        draw();
-    }
-    void click(ImVec2 at) {
-        move(at);
-        press(0);
-        release(0);
-    }
-    void drag(ImVec2 from, ImVec2 to, int button) {
-        move(from);
-        press(button);
-        for (int i = 1; i <= 4; ++i) {
-            const float share = static_cast<float>(i) / 4;
-            move({from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)});
-        }
-        release(button);
-    }
-    void wheel(ImVec2 at, float notches) {
-        move(at);
-        ImGui::GetIO().MouseWheel = notches;
-        draw();
-    }
-    void tap(ImGuiKey key) {
-        ImGui::GetIO().KeysDown[key] = true;
-        draw();
-        ImGui::GetIO().KeysDown[key] = false;
-        draw();
-    }
-
-    /// The screen position of a pixel of the scene's picture.
-    ImVec2 on_scene(glm::ivec2 pixel) const {
-        const ImVec2 corner = explorer_->scene_corner();
-        return {corner.x + static_cast<float>(pixel.x) + 0.5f, corner.y + static_cast<float>(pixel.y) + 0.5f};
-    }
-
-    std::vector<unsigned char> screen() const { return read_framebuffer(size_); }
 
     glm::ivec2 size_;
-    std::unique_ptr<GlContext> context_ = make_gl_context("osmesa", size_);
-    Renderer renderer_;
-    GuiSession gui_{nullptr, 1.0f};
-    std::unique_ptr<ui::Explorer> explorer_;
+    FrameLog log_{""};
+    std::unique_ptr<HeadlessWindow> window_;
 };
 
 }  // namespace momentscope::test
