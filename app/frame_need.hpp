@@ -6,8 +6,8 @@ namespace momentscope {
 
 class FrameNeed {
 public:
-    /// ImGui needs a few frames to lay out, and to let hovered and active states settle.
-    static constexpr int SETTLING_FRAMES = 3;
+    /// ImGui needs a few frames to lay out, and until a field that a key opened takes what is typed next.
+    static constexpr int SETTLING_FRAMES = 5;
 
     void input() { left_ = SETTLING_FRAMES; }
     void drawn() { left_ = left_ > 0 ? left_ - 1 : 0; }

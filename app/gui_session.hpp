@@ -1,6 +1,7 @@
 // gui_session.hpp -- an ImGui context that draws with OpenGL, in a window or headless.
 #pragma once
 #include <glm/glm.hpp>
+#include <vector>
 
 struct GLFWwindow;
 
@@ -20,7 +21,17 @@ public:
     void end_frame(glm::ivec2 size);
 
 private:
+    static void on_key(GLFWwindow* window, int key, int scancode, int action, int modifiers);
+    void release_keys();
+
     GLFWwindow* window_;
+    // ImGui 1.86 looks at the keyboard once per frame and would miss what goes down and up within one. So once a key went
+    // down, none goes up before the frame has seen it, nor do the modifiers that belong to it.
+    struct Release {
+        int key, scancode, modifiers;
+    };
+    bool pressed_ = false;
+    std::vector<Release> releases_;
 };
 
 }  // namespace momentscope

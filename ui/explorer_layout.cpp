@@ -192,7 +192,7 @@ void Explorer::draw_tabs(const Ui& ui) {
     constexpr const char* HELP[] = {"Scene, technique and parameters.", "The pixel's history: every fragment with its T.",
                                     "What the technique is and costs."};
     for (std::size_t i = 0; i < std::size(TITLES); ++i) {
-        if (i > 0) ImGui::SameLine(0, 3);
+        if (i > 0) ImGui::SameLine(0, 0.2f * em());
         if (toggle_button(TITLES[i], state_.panel == static_cast<Panel>(i))) state_.panel = static_cast<Panel>(i);
         ui.mark(fmt::format("tab.{}", i + 1));
         tooltip(HELP[i], fmt::format("Ctrl+{}", i + 1));

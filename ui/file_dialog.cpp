@@ -92,7 +92,7 @@ void FileDialog::draw_entries(const Ui& ui, bool& accept) {
             ImGui::TextDisabled("%s", size_text(entry.bytes).c_str());
         }
     }
-    if (entries_.empty()) ImGui::TextDisabled("Nothing here that could be opened.");
+    if (entries_.empty()) ImGui::TextDisabled("Nothing of this kind is here.");
     ImGui::EndChild();
     if (entered) enter(*entered);
 }

@@ -16,9 +16,8 @@ struct Column {
 constexpr Column COLUMNS[] = {
     {"#", "Place from front to back, and after the stroke the place in which it was submitted."},
     {"z", "Depth, warped to [−1, 1]."},
-    {"view", "View depth: distance from the camera's plane in scene units."},
     {"opacity α_l", "Opacity of the fragment."},
-    {"absorbance", "−ln(1 − α_l), as the shaders compute it."},
+    {"absorb.", "Absorbance −ln(1 − α_l), as the shaders compute it."},
     {"T true", "Transmittance of everything strictly in front of it."},
     {"T GL", "Transmittance that the GL's second pass computed for it."},
     {"T C++", "The same from the same source, compiled as C++."},
@@ -68,12 +67,11 @@ void draw_row(const Ui& ui, const Measurement& m, const PixelHistoryRow& row, st
         state.plot.query.reset();
     }
     ui.mark(fmt::format("fragment.{}", place + 1));
-    tooltip(fmt::format("Draw call {}, triangle {}. Blending (ONE, ONE) adds {} to {}; in linear RGB, with the weight last.",
-                        f.draw, f.primitive, vector_text(row.source), vector_text(row.sum)),
+    tooltip(fmt::format("View depth {:.4f}; draw call {}, triangle {}. Blending (ONE, ONE) adds {} to {}; in linear RGB, with the weight last.",
+                        f.view_depth, f.draw, f.primitive, vector_text(row.source), vector_text(row.sum)),
             "click to mark it in the plot");
     if (marked && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
     cell(fmt::format("{:.3f}", f.depth));
-    cell(fmt::format("{:.3f}", f.view_depth));
     cell(fmt::format("{:.3f}", f.opacity));
     cell(fmt::format("{:.3f}", row.absorbance));
     cell(fmt::format("{:.4f}", row.true_transmittance));
@@ -113,7 +111,8 @@ void draw_fragment_panel(const Ui& ui, const Measurement& m, ExplorerState& stat
     const ImGuiTableFlags flags = ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg |
                                   ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingFixedFit |
                                   ImGuiTableFlags_NoSavedSettings;
-    if (!ImGui::BeginTable("fragments", static_cast<int>(std::size(COLUMNS)), flags)) return;
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {0.2f * em(), 0.1f * em()});  // all columns fit a window of 1280 pixels
+    if (!ImGui::BeginTable("fragments", static_cast<int>(std::size(COLUMNS)), flags)) return ImGui::PopStyleVar();
     ImGui::TableSetupScrollFreeze(1, 1);
     for (const Column& column : COLUMNS) ImGui::TableSetupColumn(column.name);
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
@@ -128,6 +127,7 @@ void draw_fragment_panel(const Ui& ui, const Measurement& m, ExplorerState& stat
         for (auto i = static_cast<std::size_t>(clipper.DisplayStart); i < static_cast<std::size_t>(clipper.DisplayEnd); ++i)
             draw_row(ui, m, m.history[i], i, state);
     ImGui::EndTable();
+    ImGui::PopStyleVar();
 }
 
 }  // namespace momentscope::ui

@@ -135,7 +135,7 @@ void draw_tools(const Ui& ui, const Measurement& m, ExplorerState& state) {
         const bool clicked = toggle_button(label, on);
         ui.mark(anchor);
         tooltip(help, key);
-        ImGui::SameLine(0, 3);
+        ImGui::SameLine(0, 0.2f * em());
         return clicked && !on;
     };
     const auto set_quantity = [&](Quantity quantity) {
@@ -260,6 +260,8 @@ std::string band_note(const Measurement& m) {
     if (m.curve.beta0.empty() || m.exit.where.empty()) return "";
     const std::string where = fmt::format("Near z = {:.2f} the truth leaves the band by {:.3g}: ", m.exit.worst_depth,
                                           m.exit.worst);
+    if (m.canonical.floored_pivots > 0)
+        return where + "the matrix of the moments is singular in floats; a greater moment bias α mends it.";
     return where + (m.curve.technique->has_bounds
                         ? "it bounds what has the biased moments, and bias moved them."
                         : "for trigonometric moments β = 0 and β = 1 are no bounds.");
@@ -329,6 +331,7 @@ void PlotPanel::draw(const Ui& ui, const Measurement& m, ExplorerState& state, I
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float right = corner.x + size.x;
     ImGui::BeginGroup();
+    ImGui::PushID("plot panel");
     draw_tools(ui, m, state);
     const std::optional<Series> hovered = draw_legend(ui, m, state, right);
     const std::string note = band_note(m);
@@ -362,6 +365,7 @@ void PlotPanel::draw(const Ui& ui, const Measurement& m, ExplorerState& state, I
     list.PopClipRect();
     if (ImGui::IsItemHovered() && contains(axes.area, ImGui::GetIO().MousePos) && grip_ != Grip::pan)
         draw_crosshair(ui, axes, m, state);
+    ImGui::PopID();
     ImGui::EndGroup();
 }
 

@@ -103,7 +103,7 @@ void ScenePanel::draw_tools(const Ui& ui, const Measurement& m, const ScenePictu
     const auto next = [&](const char* anchor, const std::string& help, const char* key) {
         ui.mark(anchor);
         tooltip(help, key);
-        ImGui::SameLine(0, 3);
+        ImGui::SameLine(0, 0.2f * em());
     };
     if (ImGui::Button("reset view")) state.camera.reset();
     next("scene.reset", "Back to the scene's own camera.", "Home");
@@ -150,6 +150,7 @@ void ScenePanel::draw_tools(const Ui& ui, const Measurement& m, const ScenePictu
 glm::ivec2 ScenePanel::draw_controls(const Ui& ui, const Measurement& m, const ScenePicture& picture, ExplorerState& state,
                                      ImVec2 size, std::string& message) {
     const float top = ImGui::GetCursorScreenPos().y;
+    ImGui::PushID("scene panel");
     draw_tools(ui, m, picture, state, message);
     corner_ = ImGui::GetCursorScreenPos();
     const ImVec2 extent = {std::max(std::floor(size.x), 1.0f), std::max(std::floor(size.y - (corner_.y - top)), 1.0f)};
@@ -158,6 +159,7 @@ glm::ivec2 ScenePanel::draw_controls(const Ui& ui, const Measurement& m, const S
                                ImGuiButtonFlags_MouseButtonMiddle);
     ui.mark("scene");
     handle_mouse(m, picture, state);
+    ImGui::PopID();
     return {static_cast<int>(extent.x), static_cast<int>(extent.y)};
 }
 

@@ -1,42 +1,111 @@
 #!/usr/bin/env bash
-# The real window on a virtual display: it opens, a click picks another pixel, the slider of beta moves, and it lives on.
+# The real window on a virtual display, with xdotool: pick, drag, type, save, reopen; and no frames while nothing happens.
+# What happened is read from the log of frames and from the session that the window saves.
 # Usage: window_smoke.sh MOMENTSCOPE
 set -euo pipefail
-momentscope=$1
+momentscope=$(realpath "$1")
 folder=$(mktemp -d)
 cleanup() {
     kill "${window:-}" "${server:-}" 2>/dev/null || true
     rm -r "$folder"
 }
 trap cleanup EXIT
-mkfifo "$folder/display"
-Xvfb -displayfd 3 -screen 0 1280x800x24 3>"$folder/display" 2>/dev/null &
+cd "$folder"   # where the window's file dialog begins
+mkfifo display
+Xvfb -displayfd 3 -screen 0 1280x800x24 3>display 2>/dev/null &
 server=$!
-read -r number <"$folder/display"
+read -r number <display
 export DISPLAY=:$number
-"$momentscope" --scene planes --technique trig2-32 2>"$folder/errors" &
-window=$!
 
-# Waits until the picture has at least $1 colours and, if given, differs from file $2. The picture goes to $folder/now.png.
-wait_for_picture() {
-    for _ in $(seq 120); do
-        sleep 0.5
-        kill -0 "$window" 2>/dev/null || { echo "The window closed: $(cat "$folder/errors")"; exit 1; }
-        import -window root "$folder/now.png" 2>/dev/null || continue
-        [ "$(identify -format %k "$folder/now.png")" -ge "$1" ] || continue
-        [ -z "${2:-}" ] || ! compare -metric AE "$folder/now.png" "$2" null: >/dev/null 2>&1 || continue
-        return 0
-    done
-    echo "The window did not show what was expected."
+fail() {
+    echo "$1"
+    [ ! -s errors ] || cat errors
+    tail -n 5 log || true
     exit 1
 }
+frames() { wc -l <log; }
+open_window() {
+    : >log
+    "$momentscope" "$@" --log "$folder/log" 2>errors &
+    window=$!
+    for _ in $(seq 240); do
+        sleep 0.25
+        kill -0 "$window" 2>/dev/null || fail "The window closed."
+        if grep -q plot log; then
+            settle
+            return 0
+        fi
+    done
+    fail "The window drew no picture within a minute."
+}
+# Until no frame was drawn for half a second.
+settle() {
+    local before=-1
+    for _ in $(seq 120); do
+        [ "$before" != "$(frames)" ] || return 0
+        before=$(frames)
+        sleep 0.5
+    done
+    fail "The window never came to rest."
+}
+# What the frames since line $1 computed.
+since() { tail -n +"$(($1 + 1))" log; }
 
-wait_for_picture 100
-cp "$folder/now.png" "$folder/first.png"
-xdotool mousemove 250 300 sleep 0.3 mousedown 1 sleep 0.3 mouseup 1
-wait_for_picture 100 "$folder/first.png"
-cp "$folder/now.png" "$folder/second.png"
-xdotool mousemove 300 500 sleep 0.3 mousedown 3 sleep 0.3 mousemove 380 520 sleep 0.3 mouseup 3
-wait_for_picture 100 "$folder/second.png"
-kill -0 "$window"
-echo "The window opened, picked and orbited."
+open_window --scene planes --technique trig2-32
+before=$(frames)
+sleep 5
+[ "$(frames)" = "$before" ] || fail "The window drew frames though nothing happened."
+
+xdotool mousemove 250 300 sleep 0.2 mousedown 1 sleep 0.2 mouseup 1
+settle
+since "$before" | grep -q "capture, plot" || fail "A click picked no pixel."
+
+before=$(frames)
+xdotool mousemove 300 500 sleep 0.2 mousedown 3 sleep 0.2 mousemove 380 520 sleep 0.2 mouseup 3
+settle
+since "$before" | grep -q "opaque, first pass" || fail "A drag did not orbit."
+
+before=$(frames)
+xdotool key l
+settle
+xdotool key ctrl+g
+settle
+xdotool type --delay 60 "100, 90"
+xdotool key Return
+settle
+since "$before" | grep -q "capture, plot" || fail "A pixel was typed but not picked."
+
+xdotool key ctrl+s
+settle
+xdotool key Return
+settle
+[ -s momentscope.json ] || fail "The session was not saved."
+grep -q '"lens": true' momentscope.json || fail "The session does not know the lens."
+xdotool mousemove 640 795 sleep 0.2 key Escape
+settle
+import -window root first.png
+kill "$window"
+wait "$window" 2>/dev/null || true
+
+open_window --session momentscope.json
+xdotool mousemove 640 795
+settle
+import -window root second.png
+# The status line at the bottom holds milliseconds, which differ.
+differing=$(compare -metric AE -extract 1280x770+0+0 first.png second.png null: 2>&1 || true)
+[ "$differing" = 0 ] || fail "The reopened session differs in $differing pixels."
+
+# A window that is resized and closed in the middle of a drag.
+xdotool mousemove 300 500 mousedown 3 sleep 0.1 mousemove 350 520
+xdotool search --name Momentscope windowsize 700 420
+sleep 0.5
+xdotool mousemove 320 300 mouseup 3
+settle
+kill -0 "$window" || fail "Resizing closed the window."
+xdotool mousemove 200 300 mousedown 1
+xdotool search --name Momentscope windowclose || true
+for _ in $(seq 40); do
+    kill -0 "$window" 2>/dev/null || break
+    sleep 0.25
+done
+echo "The window idled, picked, orbited, typed, saved, reopened the same, was resized and closed."

@@ -1,0 +1,171 @@
+// plot_test.cpp -- the plot under the mouse, and what it says.
+#include "tests/gui/gui_fixture.hpp"
+#include "ui/plot_panel.hpp"
+#include "ui/parameter_controls.hpp"
+
+namespace momentscope::test {
+namespace {
+
+class PlotTest : public GuiTest {
+protected:
+    /// The axes as they are drawn now.
+    ui::PlotAxes axes() {
+        ui::PlotAxes a = ui::make_axes(measurement().capture.ray, measurement().curve, state().plot, {}, false);
+        a.area = explorer().anchors().at("plot");
+        return a;
+    }
+};
+
+TEST_F(PlotTest, TheWheelZoomsAtTheMouse) {
+    open("teapots", "power6-32");
+    play("move @plot 0.25 0.5");
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const float depth = axes().depth_at(mouse.x);
+    const float value = axes().value_at(mouse.y);
+    play("wheel 3");
+    ASSERT_TRUE(state().plot.depth);
+    ASSERT_TRUE(state().plot.value);
+    EXPECT_LT(state().plot.depth->high - state().plot.depth->low, 1.5f);
+    EXPECT_NEAR(axes().depth_at(mouse.x), depth, 1e-4f) << "what is under the mouse stays there";
+    EXPECT_NEAR(axes().value_at(mouse.y), value, 1e-3f);
+    play("wheel -100\nwheel 100\nwheel 100\nwheel 100\nwheel 100");  // neither overflows nor divides by nothing
+    EXPECT_GT(axes().depth.high, axes().depth.low);
+    play("doubleclick @plot 0.5 0.5");
+    EXPECT_FALSE(state().plot.depth || state().plot.value);
+}
+
+TEST_F(PlotTest, AnAxisZoomsAndPansAlone) {
+    open("teapots", "power6-32");
+    play("move @plot.depth_axis\nwheel 2");
+    EXPECT_TRUE(state().plot.depth);
+    EXPECT_FALSE(state().plot.value);
+    play("doubleclick @plot.depth_axis");
+    EXPECT_FALSE(state().plot.depth);
+    play("drag @plot.value_axis to @plot.value_axis 0.5 0.8");
+    EXPECT_FALSE(state().plot.depth);
+    ASSERT_TRUE(state().plot.value);
+    EXPECT_GT(state().plot.value->low, 0);
+    play("doubleclick @plot.value_axis");
+    EXPECT_FALSE(state().plot.value);
+}
+
+TEST_F(PlotTest, RightDragPansAsTheMouseMoves) {
+    open("teapots", "power6-32");
+    const ui::PlotAxes before = axes();
+    play("drag @plot 0.5 0.5 to @plot 0.6 0.5 right");
+    ASSERT_TRUE(state().plot.depth);
+    EXPECT_NEAR(state().plot.depth->low, before.depth.low - 0.1f * (before.depth.high - before.depth.low), 5e-3f);
+}
+
+TEST_F(PlotTest, LeftDragMovesTheQuery) {
+    open("teapots", "trig3-32");
+    play("drag @plot 0.2 0.2 to @plot 0.8 0.2");
+    ASSERT_TRUE(state().plot.query);
+    EXPECT_NEAR(*state().plot.query, axes().depth_at(axes().area.low.x + 0.8f * (axes().area.high.x - axes().area.low.x)), 0.01f);
+    EXPECT_EQ(measurement().canonical.query, *state().plot.query);
+    play("drag @plot 0.5 0.2 to 5000 300");
+    EXPECT_EQ(*state().plot.query, 1) << "it stays within the depth range";
+}
+
+TEST_F(PlotTest, LegendEntriesHideAndHighlight) {
+    open("planes", "trig2-32");
+    for (std::size_t i = 0; i < ui::SERIES_COUNT; ++i) {
+        const std::string entry = fmt::format("@legend.{}", ui::SERIES_KEYS[i]);
+        const bool shown = state().plot.shown[i];
+        if (!shown) play("click " + entry);
+        play("move -10 -10");
+        const auto with = screen();
+        play("move " + entry);
+        EXPECT_GT(changed("plot", with, screen()), 20) << entry << " is highlighted";
+        play("click " + entry + "\nmove -10 -10");
+        EXPECT_GT(changed("plot", with, screen()), 20) << entry << " is hidden";
+        EXPECT_FALSE(state().plot.shown[i]);
+        if (shown) play("click " + entry);
+    }
+}
+
+TEST_F(PlotTest, TransmittanceAndViewDepthAreTheSameRay) {
+    open("teapots", "power6-32");
+    const ui::PlotAxes absorbance = axes();
+    play("click @plot.transmittance");
+    EXPECT_NEAR(axes().shown(2), std::exp(-2.0f), 1e-6f);
+    EXPECT_LE(axes().value.high, 1.1f);
+    play("click @plot.view");
+    const DepthWarp& warp = measurement().capture.ray.warp;
+    EXPECT_NEAR(axes().depth.low, warp.z_min, 1e-4f * warp.z_min);
+    EXPECT_NEAR(axes().depth.high, warp.z_max, 1e-4f * warp.z_max);
+    EXPECT_NEAR(axes().warped_of(axes().axis_of(0.3f)), 0.3f, 1e-4f);
+    play("click @plot.absorbance\nclick @plot.warped");
+    EXPECT_EQ(axes().value, absorbance.value);
+}
+
+TEST_F(PlotTest, ARayWithoutWarpHasNoViewDepth) {
+    ui::ExplorerState state_with_ray;
+    state_with_ray.ray = ViewRay{};
+    state_with_ray.ray->fragments = {{-0.2f, -0.2f, 0.5f}, {0.4f, 0.4f, 0.7f}};
+    open(state_with_ray);
+    play("click @plot.view");
+    EXPECT_EQ(state().plot.axis, ui::DepthAxis::warped) << "disabled";
+}
+
+// The truth leaves what bounds the *biased* moments, and the note says why; for trigonometric moments it says that these
+// are no bounds at all.
+TEST_F(PlotTest, TheNoteTellsWhyTheTruthLeavesTheBand) {
+    ui::ExplorerState biased;
+    biased.ray = ViewRay{};
+    biased.ray->fragments = {{-0.9f, -0.9f, 0.3f}, {-0.85f, -0.85f, 0.3f}, {-0.8f, -0.8f, 0.3f}};
+    biased.technique = &require_technique("power6-32");
+    biased.parameters.set(ParameterId::alpha, 0.1f);
+    open(biased);
+    ASSERT_FALSE(measurement().exit.where.empty());
+    EXPECT_NE(ui::band_note(measurement()).find("bias moved them"), std::string::npos);
+    play("key 4");
+    ASSERT_FALSE(measurement().exit.where.empty()) << "two trigonometric moments promise nothing";
+    EXPECT_NE(ui::band_note(measurement()).find("no bounds"), std::string::npos);
+    play("key 2\nclick @parameter.alpha.auto");
+    EXPECT_TRUE(ui::band_note(measurement()).empty()) << "with Table 1's bias nothing leaves it visibly";
+    EXPECT_STREQ(ui::series_name(ui::Series::bounds, require_technique("trig2-32")), "β = 0, β = 1 (no bounds)");
+}
+
+TEST_F(PlotTest, TheGhostIsComputedOnlyWhileItIsShown) {
+    open("spheres", "power8-32");
+    EXPECT_TRUE(measurement().ghost.empty());
+    play("key X");
+    EXPECT_EQ(measurement().ghost.size(), measurement().curve.depth.size());
+}
+
+TEST_F(PlotTest, TheCrosshairShowsValues) {
+    open("teapots", "power6-32");
+    play("move -10 -10");
+    const auto before = screen();
+    play("move @plot 0.3 0.7");
+    EXPECT_GT(changed("plot", before, screen()), 2000);
+}
+
+TEST(ParameterHelp, EveryParameterHasATooltipWithAllThatTheRegistryKnows) {
+    for (const Parameter& row : parameters()) {
+        const std::string help = ui::parameter_help(row);
+        for (const char* part : {row.symbol, row.name, row.help, row.key, row.source})
+            EXPECT_NE(help.find(part), std::string::npos) << row.key << " lacks " << part;
+    }
+}
+
+class TooltipTest : public GuiTest {};
+
+TEST_F(TooltipTest, AppearsOverEveryControl) {
+    open("planes", "trig3-32");
+    for (const Parameter& row : parameters()) {
+        const std::string anchor = fmt::format("parameter.{}", row.key);
+        if (!explorer().anchors().contains(anchor)) {
+            EXPECT_EQ(row.id, ParameterId::opacity) << "built-in scenes bring their own opacity";
+            continue;
+        }
+        play("move 5 790");
+        const long before = ImGui::GetDrawData()->CmdListsCount;
+        play("move @" + anchor);
+        EXPECT_GT(ImGui::GetDrawData()->CmdListsCount, before) << row.key << ": a tooltip is a window of its own";
+    }
+}
+
+}  // namespace
+}  // namespace momentscope::test
