@@ -26,16 +26,20 @@ void add_explore_options(CLI::App& command, Options& options) {
     add_scene_options(command, options);
     command.add_option("--pixel", options.pixel, "picked pixel of the scene's picture, as 320,200");
     add_ray_option(command, options);
-    command.add_option("--technique", options.techniques,
-                       "ids of techniques (momentscope list techniques); those after the first are only plotted");
+    command.add_option(
+        "--technique", options.techniques,
+        "ids of techniques (momentscope list techniques); those after the first are only plotted");
     command.add_option("--session", options.session, "JSON file that the window saved, to go on from there")
-        ->excludes(command.get_option("--scene"), command.get_option("--ray"), command.get_option("--technique"));
+        ->excludes(command.get_option("--scene"), command.get_option("--ray"),
+                   command.get_option("--technique"));
     command.add_flag("--headless", options.headless, "draw without a display");
     command.add_option("--screenshot", options.screenshot,
                        "with --headless: where to write the window as .png");
-    command.add_option("--events", options.events, "with --headless: file of mouse and keyboard events to replay");
+    command.add_option("--events", options.events,
+                       "with --headless: file of mouse and keyboard events to replay");
     command.add_option("--log", options.log, "where to write which frames were drawn and what they computed");
-    command.add_option("--ui-scale", options.ui_scale, "size of the window's text, 0.5 to 4")->capture_default_str();
+    command.add_option("--ui-scale", options.ui_scale, "size of the window's text, 0.5 to 4")
+        ->capture_default_str();
     command.add_option("--theme", options.theme, "dark or light [dark]");
     add_parameter_options(command, options);
 }
@@ -72,7 +76,7 @@ void add_commands(CLI::App& app, Options& options, std::string& what) {
     add_parameter_options(*inspect, options);
 
     CLI::App* list = app.add_subcommand("list", "print a registry");
-    list->add_option("what", what, "techniques, scenes or parameters")->required();
+    list->add_option("what", what, "techniques, scenes, parameters or commands (of the window)")->required();
     list->add_option("--format", options.format, "table or json [table]");
     app.require_subcommand(0, 1);
     refuse_empty_values(app);

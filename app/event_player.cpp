@@ -71,8 +71,7 @@ ImVec2 EventPlayer::place(const std::vector<std::string>& words, std::size_t& ne
     }
     const auto& anchors = window_.explorer().anchors();
     const auto found = anchors.find(first.substr(1));
-    if (found == anchors.end())
-        throw Error(fmt::format("there is no control '{}' in the window now", first));
+    if (found == anchors.end()) throw Error(fmt::format("there is no control '{}' in the window now", first));
     ++next;
     ImVec2 share = {0.5f, 0.5f};
     if (next + 1 < words.size() && as_number(words[next]) && as_number(words[next + 1])) {
@@ -80,7 +79,8 @@ ImVec2 EventPlayer::place(const std::vector<std::string>& words, std::size_t& ne
         next += 2;
     }
     const ui::Rect& rect = found->second;
-    return {rect.low.x + share.x * (rect.high.x - rect.low.x), rect.low.y + share.y * (rect.high.y - rect.low.y)};
+    return {rect.low.x + share.x * (rect.high.x - rect.low.x),
+            rect.low.y + share.y * (rect.high.y - rect.low.y)};
 }
 
 void EventPlayer::move(ImVec2 to) {
@@ -115,7 +115,9 @@ void EventPlayer::key(const std::string& name, bool down) {
         return window_.settle();
     }
     const auto shortcut = ui::parse_shortcut(name);
-    if (!shortcut) throw Error(fmt::format("there is no key '{}'; use names such as Ctrl+Z, Left, F1 or a letter", name));
+    if (!shortcut)
+        throw Error(
+            fmt::format("there is no key '{}'; use names such as Ctrl+Z, Left, F1 or a letter", name));
     ImGuiIO& io = ImGui::GetIO();
     io.KeyCtrl = down && shortcut->ctrl;
     io.KeyShift = down && shortcut->shift;
@@ -138,7 +140,8 @@ void EventPlayer::wait(double seconds) {
 }
 
 void EventPlayer::expect(const std::string& pointer, const std::string& value) const {
-    const nlohmann::json session = nlohmann::json::parse(ui::session_to_json(window_.explorer().state()).dump());
+    const nlohmann::json session =
+        nlohmann::json::parse(ui::session_to_json(window_.explorer().state()).dump());
     nlohmann::json wanted = nlohmann::json::parse(value, nullptr, false);
     if (wanted.is_discarded()) wanted = value;  // a bare word is a text
     nlohmann::json found;
@@ -147,8 +150,9 @@ void EventPlayer::expect(const std::string& pointer, const std::string& value) c
     } catch (const nlohmann::json::exception&) {
         throw Error(fmt::format("there is no '{}' in a session", pointer));
     }
-    const bool close = found.is_number() && wanted.is_number() &&
-                       std::abs(found.get<double>() - wanted.get<double>()) <= 1e-6 * (1 + std::abs(wanted.get<double>()));
+    const bool close =
+        found.is_number() && wanted.is_number() &&
+        std::abs(found.get<double>() - wanted.get<double>()) <= 1e-6 * (1 + std::abs(wanted.get<double>()));
     if (!close && found != wanted) throw Error(fmt::format("{} is {}, not {}", pointer, found.dump(), value));
 }
 
@@ -170,7 +174,8 @@ void EventPlayer::play_line(const std::string& line) {
         click(at, ImGuiMouseButton_Left);
     } else if (what == "drag") {
         const ImVec2 from = place(words, next);
-        if (need_word(words, next, "'to' and a second place") != "to") throw Error("'drag' needs 'to' and a second place");
+        if (need_word(words, next, "'to' and a second place") != "to")
+            throw Error("'drag' needs 'to' and a second place");
         ++next;
         const ImVec2 to = place(words, next);
         drag(from, to, button_of(words, next));
@@ -190,7 +195,8 @@ void EventPlayer::play_line(const std::string& line) {
     } else if (what == "later") {  // so that two clicks are no double click
         window_.draw(1.0f);
     } else if (what == "resize") {
-        window_.resize({static_cast<int>(need_number(words, 1, 1, 16384)), static_cast<int>(need_number(words, 2, 1, 16384))});
+        window_.resize({static_cast<int>(need_number(words, 1, 1, 16384)),
+                        static_cast<int>(need_number(words, 2, 1, 16384))});
         window_.settle();
     } else if (what == "screenshot") {
         window_.write_png(need_word(words, 1, "the name of a .png"));
@@ -221,7 +227,8 @@ void EventPlayer::play(const std::string& text) {
 
 void EventPlayer::play_file(const std::filesystem::path& path) {
     std::error_code status;
-    if (!std::filesystem::is_regular_file(path, status) || std::filesystem::file_size(path, status) > MAX_EVENT_BYTES)
+    if (!std::filesystem::is_regular_file(path, status) ||
+        std::filesystem::file_size(path, status) > MAX_EVENT_BYTES)
         throw Error(fmt::format("There is no event file '{}' of at most 16 MiB.", path.string()));
     std::ifstream file(path, std::ios::binary);
     play(std::string((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>()));

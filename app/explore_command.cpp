@@ -14,16 +14,17 @@ namespace momentscope {
 
 namespace {
 
-ui::ExplorerState initial_state(const Options& options) {
-    if (!options.session.empty()) {
-        ui::Session session = ui::read_session_file(options.session);
-        if (!session.ignored.empty())
-            std::fputs(fmt::format("momentscope: The session has what this version does not know: {}.\n",
-                                   fmt::join(session.ignored, ", "))
-                           .c_str(),
-                       stderr);
-        return session.state;
-    }
+ui::ExplorerState state_of_session(const std::string& path) {
+    const ui::Session session = ui::read_session_file(path);
+    if (!session.ignored.empty())
+        std::fputs(fmt::format("momentscope: The session has what this version does not know: {}.\n",
+                               fmt::join(session.ignored, ", "))
+                       .c_str(),
+                   stderr);
+    return session.state;
+}
+
+ui::ExplorerState state_of_options(const Options& options) {
     ui::ExplorerState state;
     state.parameters = parse_parameters(options);
     const auto techniques = parse_techniques(options, "power6-32");
@@ -31,7 +32,14 @@ ui::ExplorerState initial_state(const Options& options) {
     state.compared.assign(techniques.begin() + 1, techniques.end());
     state.scene = options.scene;
     if (!options.ray.empty()) state.ray = read_ray_file(options.ray);
-    if (options.theme == "light") state.theme = ui::ThemeKind::light;
+    return state;
+}
+
+ui::ExplorerState initial_state(const Options& options) {
+    ui::ExplorerState state =
+        options.session.empty() ? state_of_options(options) : state_of_session(options.session);
+    if (!options.theme.empty())
+        state.theme = options.theme == "light" ? ui::ThemeKind::light : ui::ThemeKind::dark;
     return state;
 }
 

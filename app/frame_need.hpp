@@ -1,4 +1,5 @@
-// frame_need.hpp -- when the window must be drawn: after input, and while what is shown lags behind the state.
+// frame_need.hpp -- when the window must be drawn: after input, and while what is shown lags behind the
+// state.
 #pragma once
 #include "ui/explorer.hpp"
 

@@ -16,7 +16,8 @@ public:
     GuiSession(const GuiSession&) = delete;
     GuiSession& operator=(const GuiSession&) = delete;
 
-    /// size: of the default framebuffer in pixels. seconds: since the last frame; a window measures by itself.
+    /// size: of the default framebuffer in pixels. seconds: since the last frame; a window measures by
+    /// itself.
     void begin_frame(glm::ivec2 size, float seconds = 1.0f / 60);
     void end_frame(glm::ivec2 size);
 
@@ -25,8 +26,9 @@ private:
     void release_keys();
 
     GLFWwindow* window_;
-    // ImGui 1.86 looks at the keyboard once per frame and would miss what goes down and up within one. So once a key went
-    // down, none goes up before the frame has seen it, nor do the modifiers that belong to it.
+    // ImGui 1.86 looks at the keyboard once per frame and would miss what goes down and up within one. So
+    // once a key went down, none goes up before the frame has seen it, nor do the modifiers that belong to
+    // it.
     struct Release {
         int key, scancode, modifiers;
     };

@@ -8,7 +8,8 @@
 
 namespace momentscope {
 
-HeadlessWindow::HeadlessWindow(glm::ivec2 size, const ui::ExplorerState& state, ui::ExplorerOptions options, FrameLog& log)
+HeadlessWindow::HeadlessWindow(glm::ivec2 size, const ui::ExplorerState& state, ui::ExplorerOptions options,
+                               FrameLog& log)
     : size_(size),
       most_(size),
       context_(make_gl_context("osmesa", size)),

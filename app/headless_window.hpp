@@ -12,7 +12,8 @@ namespace momentscope {
 class HeadlessWindow {
 public:
     /// Throws Error when there is no GL, or when the first scene cannot be shown.
-    HeadlessWindow(glm::ivec2 size, const ui::ExplorerState& state, ui::ExplorerOptions options, FrameLog& log);
+    HeadlessWindow(glm::ivec2 size, const ui::ExplorerState& state, ui::ExplorerOptions options,
+                   FrameLog& log);
 
     /// Draws one frame; `seconds` is how much later it is than the last one.
     void draw(float seconds = 1.0f / 60);

@@ -6,10 +6,10 @@
 #include "app/gl_context.hpp"
 #include "core/error.hpp"
 #include "core/inspect/curve_output.hpp"
+#include "core/output_file.hpp"
 #include "core/ray/ray_json.hpp"
 #include "core/render/renderer.hpp"
 #include "core/scene/camera.hpp"
-#include "core/output_file.hpp"
 
 namespace momentscope {
 

@@ -5,6 +5,7 @@
 
 #include "app/commands.hpp"
 #include "core/error.hpp"
+#include "ui/commands.hpp"
 
 namespace momentscope {
 
@@ -63,6 +64,15 @@ std::string cell(const json& value) {
     return joined.empty() ? "-" : joined;
 }
 
+// Of the window.
+json list_commands() {
+    json rows = json::array();
+    for (const ui::Command& command : ui::commands())
+        rows.push_back(
+            {{"id", command.id}, {"name", command.name}, {"keys", command.keys}, {"help", command.help}});
+    return rows;
+}
+
 // What a byte string takes on the screen; symbols are Greek.
 std::size_t width_of(const std::string& text) {
     return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
@@ -98,8 +108,12 @@ void run_list(const std::string& what, const std::string& format) {
     } else if (what == "parameters") {
         rows = list_parameters();
         columns = {"key", "symbol", "minimum", "maximum", "default", "name"};
+    } else if (what == "commands") {
+        rows = list_commands();
+        columns = {"id", "keys", "name"};
     } else {
-        throw Error(fmt::format("There is no list '{}'; use techniques, scenes or parameters.", what));
+        throw Error(
+            fmt::format("There is no list '{}'; use techniques, scenes, parameters or commands.", what));
     }
     if (format == "json")
         std::puts(rows.dump(2).c_str());

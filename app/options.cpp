@@ -70,7 +70,8 @@ glm::ivec2 parse_pixel(const std::string& text, glm::ivec2 size) {
 float parse_scale(const std::string& text) {
     const auto scale = number<float>(text);
     if (!scale || !(*scale >= 0.5f && *scale <= 4))
-        throw Error(fmt::format("'{}' is no scale of the window's text; give --ui-scale from 0.5 to 4.", text));
+        throw Error(
+            fmt::format("'{}' is no scale of the window's text; give --ui-scale from 0.5 to 4.", text));
     return *scale;
 }
 

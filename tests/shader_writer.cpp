@@ -5,19 +5,21 @@
 
 #include "core/error.hpp"
 #include "core/gl/program.hpp"
-#include "core/render/moment_passes.hpp"
 #include "core/output_file.hpp"
+#include "core/render/moment_passes.hpp"
 
 namespace {
 
 using namespace momentscope;
 
-constexpr const char* PLAIN[] = {"passes/scene.vert",     "passes/fullscreen.vert", "passes/opaque.frag",
-                                 "passes/composite.frag", "passes/display.frag",    "passes/capture.frag",
-                                 "passes/sorted.frag",    "passes/peel.frag",       "passes/peel_composite.frag",
-                                 "passes/copy.frag",      "passes/failure_colors.frag"};
-constexpr const char* PER_TECHNIQUE[] = {"passes/moments.frag", "passes/color.frag", "passes/capture.frag",
-                                         "passes/failures.frag", "tests/evaluate.comp", "tests/evaluate.frag"};
+constexpr const char* PLAIN[] = {
+    "passes/scene.vert",     "passes/fullscreen.vert",    "passes/opaque.frag",
+    "passes/composite.frag", "passes/display.frag",       "passes/capture.frag",
+    "passes/sorted.frag",    "passes/peel.frag",          "passes/peel_composite.frag",
+    "passes/copy.frag",      "passes/failure_colors.frag"};
+constexpr const char* PER_TECHNIQUE[] = {"passes/moments.frag", "passes/color.frag",
+                                         "passes/capture.frag", "passes/failures.frag",
+                                         "tests/evaluate.comp", "tests/evaluate.frag"};
 
 void write(const std::filesystem::path& folder, const std::string& prefix, const std::string& path,
            const ShaderVariant& variant) {

@@ -11,9 +11,9 @@ namespace {
 
 constexpr float STEEPEST = 1.5f;  // short of the poles, where up would be undefined
 constexpr float QUARTER = 1.57079633f;
-constexpr NamedView VIEWS[] = {{"front", "Front", 0, 0},       {"back", "Back", 2 * QUARTER, 0},
-                               {"left", "Left", -QUARTER, 0},  {"right", "Right", QUARTER, 0},
-                               {"top", "Top", 0, STEEPEST},    {"below", "From below", 0, -STEEPEST}};
+constexpr NamedView VIEWS[] = {{"front", "Front", 0, 0},      {"back", "Back", 2 * QUARTER, 0},
+                               {"left", "Left", -QUARTER, 0}, {"right", "Right", QUARTER, 0},
+                               {"top", "Top", 0, STEEPEST},   {"below", "From below", 0, -STEEPEST}};
 
 }  // namespace
 

@@ -24,7 +24,8 @@ std::string menu_title(const Command& command) {
 
 void place_window(float width, float height, float top) {
     const ImVec2 room = ImGui::GetMainViewport()->Size;
-    ImGui::SetNextWindowSize({std::min(width * em(), 0.95f * room.x), std::min(height * em(), 0.9f * room.y)});
+    ImGui::SetNextWindowSize(
+        {std::min(width * em(), 0.95f * room.x), std::min(height * em(), 0.9f * room.y)});
     ImGui::SetNextWindowPos({0.5f * room.x, top * room.y}, ImGuiCond_Always, {0.5f, top});
 }
 
@@ -69,12 +70,13 @@ const Command* CommandPalette::draw(const Ui& ui, const Explorer& explorer) {
     if (begin_) ImGui::SetKeyboardFocusHere();
     begin_ = false;
     const std::string before = typed_;
-    bool accept =
-        ImGui::InputTextWithHint("##typed", "type what you want to do", &typed_, ImGuiInputTextFlags_EnterReturnsTrue);
+    bool accept = ImGui::InputTextWithHint("##typed", "type what you want to do", &typed_,
+                                           ImGuiInputTextFlags_EnterReturnsTrue);
     ui.mark("palette.typed");
     std::vector<const Command*> found;
     for (const Command& command : commands())
-        if (command.run && is_enabled(command, explorer) && matches(command, typed_)) found.push_back(&command);
+        if (command.run && is_enabled(command, explorer) && matches(command, typed_))
+            found.push_back(&command);
     if (typed_ != before) chosen_ = 0;
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow))) ++chosen_;
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_UpArrow))) --chosen_;
@@ -106,13 +108,15 @@ const Command* CommandPalette::draw(const Ui& ui, const Explorer& explorer) {
 void draw_help(const Ui& ui, bool& open) {
     if (!open) return;
     place_window(60, 44, 0.5f);
-    if (!ImGui::Begin("Keys and mouse###help", &open, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings |
-                                                          ImGuiWindowFlags_NoCollapse)) {
+    if (!ImGui::Begin(
+            "Keys and mouse###help", &open,
+            ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse)) {
         ImGui::End();
         return;
     }
     ui.anchors["help"] = {ImGui::GetWindowPos(),
-                          {ImGui::GetWindowPos().x + ImGui::GetWindowWidth(), ImGui::GetWindowPos().y + ImGui::GetWindowHeight()}};
+                          {ImGui::GetWindowPos().x + ImGui::GetWindowWidth(),
+                           ImGui::GetWindowPos().y + ImGui::GetWindowHeight()}};
     const auto begin_table = [](const char* id) {
         if (!ImGui::BeginTable(id, 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings)) return false;
         ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 12 * em());
@@ -135,8 +139,7 @@ void draw_help(const Ui& ui, bool& open) {
     ImGui::TextUnformatted("Mouse");
     ImGui::PopFont();
     if (begin_table("mouse")) {
-        for (const MouseAction& action : mouse_actions())
-            key_row(action.how, action.where, action.what);
+        for (const MouseAction& action : mouse_actions()) key_row(action.how, action.where, action.what);
         ImGui::EndTable();
     }
     ImGui::End();

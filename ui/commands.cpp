@@ -13,9 +13,9 @@ namespace momentscope::ui {
 
 namespace {
 
-constexpr Menu MENUS[] = {{"file", "File"},           {"edit", "Edit"},   {"view", "View"}, {"pixel", "Pixel"},
-                          {"plot", "Plot"},           {"technique", "Technique"}, {"scene", "Scene"},
-                          {"try", "Try this"},        {"help", "Help"}};
+constexpr Menu MENUS[] = {{"file", "File"},   {"edit", "Edit"},    {"view", "View"},
+                          {"pixel", "Pixel"}, {"plot", "Plot"},    {"technique", "Technique"},
+                          {"scene", "Scene"}, {"try", "Try this"}, {"help", "Help"}};
 
 constexpr MouseAction MOUSE_ACTIONS[] = {
     {"scene", "left click or drag", "picks a pixel"},
@@ -37,44 +37,95 @@ bool has_picture(const Explorer& e) {
 }
 
 void add_file_and_edit(std::vector<Command>& list) {
-    list.push_back({"file.open_session", "Open session…", {"Ctrl+O"}, "Restores a saved session.",
-                    [](Explorer& e) { e.open_session_dialog(); }});
-    list.push_back({"file.save_session", "Save session…", {"Ctrl+S"}, "Saves everything that is chosen, as JSON.",
+    list.push_back(
+        {"file.open_session", "Open session…", {"Ctrl+O"}, "Restores a saved session.", [](Explorer& e) {
+             e.open_session_dialog();
+         }});
+    list.push_back({"file.save_session",
+                    "Save session…",
+                    {"Ctrl+S"},
+                    "Saves everything that is chosen, as JSON.",
                     [](Explorer& e) { e.save_session_dialog(); }});
-    list.push_back({"file.open_mesh", "Open mesh…", {"Ctrl+M"}, "Shows a mesh file as a transparent object.",
+    list.push_back({"file.open_mesh",
+                    "Open mesh…",
+                    {"Ctrl+M"},
+                    "Shows a mesh file as a transparent object.",
                     [](Explorer& e) { e.open_mesh_dialog(); }});
-    list.push_back({"file.open_ray", "Open view ray…", {"Ctrl+J"}, "Plots a view ray from a JSON file.",
+    list.push_back({"file.open_ray",
+                    "Open view ray…",
+                    {"Ctrl+J"},
+                    "Plots a view ray from a JSON file.",
                     [](Explorer& e) { e.open_ray_dialog(); }});
-    list.push_back({"file.export", "Export…", {"Ctrl+E"}, "Writes curves, fragments, picture or window to a file.",
+    list.push_back({"file.export",
+                    "Export…",
+                    {"Ctrl+E"},
+                    "Writes curves, fragments, picture or window to a file.",
                     [](Explorer& e) { e.export_dialog(); }});
-    list.push_back({"edit.undo", "Undo", {"Ctrl+Z"}, "Takes the last change back.", [](Explorer& e) { e.undo(); },
+    list.push_back({"edit.undo",
+                    "Undo",
+                    {"Ctrl+Z"},
+                    "Takes the last change back.",
+                    [](Explorer& e) { e.undo(); },
                     [](const Explorer& e) { return e.can_undo(); }});
-    list.push_back({"edit.redo", "Redo", {"Ctrl+Y", "Ctrl+Shift+Z"}, "Makes a change again that was taken back.",
-                    [](Explorer& e) { e.redo(); }, [](const Explorer& e) { return e.can_redo(); }});
-    list.push_back({"edit.reset_parameters", "Reset parameters", {"R"}, "All parameters as at the start.",
+    list.push_back({"edit.redo",
+                    "Redo",
+                    {"Ctrl+Y", "Ctrl+Shift+Z"},
+                    "Makes a change again that was taken back.",
+                    [](Explorer& e) { e.redo(); },
+                    [](const Explorer& e) { return e.can_redo(); }});
+    list.push_back({"edit.reset_parameters",
+                    "Reset parameters",
+                    {"R"},
+                    "All parameters as at the start.",
                     [](Explorer& e) { e.state().parameters = {}; }});
-    list.push_back({"edit.reset_all", "Reset everything", {}, "The window as it first opens.", [](Explorer& e) {
-                        const ThemeKind theme = e.state().theme;
-                        e.state() = ExplorerState();
-                        e.state().theme = theme;
-                    }});
+    list.push_back(
+        {"edit.reset_all", "Reset everything", {}, "The window as it first opens.", [](Explorer& e) {
+             const ThemeKind theme = e.state().theme;
+             e.state() = ExplorerState();
+             e.state().theme = theme;
+         }});
 }
 
 void add_view(std::vector<Command>& list) {
-    list.push_back({"view.truth", "Ground truth", {"G"}, "Shows the sorted fragments as long as the key is held.", {}});
-    list.push_back({"view.lens", "Pixel lens", {"L"}, "Magnifies the pixels around the picked one, with their values.",
-                    [](Explorer& e) { e.state().lens = !e.state().lens; }, {}, [](const Explorer& e) { return e.state().lens; }});
-    list.push_back({"view.failures", "Failed reconstructions", {"O"}, "Marks pixels whose reconstruction failed or was clamped.",
-                    [](Explorer& e) { e.state().failures = !e.state().failures; }, {},
+    list.push_back(
+        {"view.truth", "Ground truth", {"G"}, "Shows the sorted fragments as long as the key is held.", {}});
+    list.push_back({"view.lens",
+                    "Pixel lens",
+                    {"L"},
+                    "Magnifies the pixels around the picked one, with their values.",
+                    [](Explorer& e) { e.state().lens = !e.state().lens; },
+                    {},
+                    [](const Explorer& e) { return e.state().lens; }});
+    list.push_back({"view.failures",
+                    "Failed reconstructions",
+                    {"O"},
+                    "Marks pixels whose reconstruction failed or was clamped.",
+                    [](Explorer& e) { e.state().failures = !e.state().failures; },
+                    {},
                     [](const Explorer& e) { return e.state().failures; }});
-    list.push_back({"view.reset", "Reset camera", {"Home"}, "Back to the scene's own camera.",
-                    [](Explorer& e) { e.state().camera.reset(); }, has_picture});
-    list.push_back({"view.zoom_in", "Zoom in", {"+"}, "Moves the camera towards its target.",
-                    [](Explorer& e) { e.state().camera = zoomed(e.camera(), 1); }, has_picture});
-    list.push_back({"view.zoom_out", "Zoom out", {"-"}, "Moves the camera away from its target.",
-                    [](Explorer& e) { e.state().camera = zoomed(e.camera(), -1); }, has_picture});
+    list.push_back({"view.reset",
+                    "Reset camera",
+                    {"Home"},
+                    "Back to the scene's own camera.",
+                    [](Explorer& e) { e.state().camera.reset(); },
+                    has_picture});
+    list.push_back({"view.zoom_in",
+                    "Zoom in",
+                    {"+"},
+                    "Moves the camera towards its target.",
+                    [](Explorer& e) { e.state().camera = zoomed(e.camera(), 1); },
+                    has_picture});
+    list.push_back({"view.zoom_out",
+                    "Zoom out",
+                    {"-"},
+                    "Moves the camera away from its target.",
+                    [](Explorer& e) { e.state().camera = zoomed(e.camera(), -1); },
+                    has_picture});
     for (const NamedView& view : named_views())
-        list.push_back({fmt::format("view.{}", view.id), view.name, {}, "Looks from this direction.",
+        list.push_back({fmt::format("view.{}", view.id),
+                        view.name,
+                        {},
+                        "Looks from this direction.",
                         [&view](Explorer& e) {
                             Camera camera = e.camera();
                             camera.azimuth = view.azimuth;
@@ -85,14 +136,21 @@ void add_view(std::vector<Command>& list) {
     constexpr const char* PANELS[] = {"Controls", "Fragments", "Technique"};
     for (const Panel panel : {Panel::controls, Panel::fragments, Panel::technique}) {
         const auto index = static_cast<std::size_t>(panel);
-        list.push_back({fmt::format("view.panel{}", index + 1), fmt::format("Tab: {}", PANELS[index]),
-                        {fmt::format("Ctrl+{}", index + 1)}, "Opens this tab below the plot.",
-                        [panel](Explorer& e) { e.state().panel = panel; }, {},
+        list.push_back({fmt::format("view.panel{}", index + 1),
+                        fmt::format("Tab: {}", PANELS[index]),
+                        {fmt::format("Ctrl+{}", index + 1)},
+                        "Opens this tab below the plot.",
+                        [panel](Explorer& e) { e.state().panel = panel; },
+                        {},
                         [panel](const Explorer& e) { return e.state().panel == panel; }});
     }
-    list.push_back({"view.theme", "Light theme", {"Ctrl+T"}, "Dark on light, as for a projector.",
+    list.push_back({"view.theme",
+                    "Light theme",
+                    {"Ctrl+T"},
+                    "Dark on light, as for a projector.",
                     [](Explorer& e) {
-                        e.state().theme = e.state().theme == ThemeKind::dark ? ThemeKind::light : ThemeKind::dark;
+                        e.state().theme =
+                            e.state().theme == ThemeKind::dark ? ThemeKind::light : ThemeKind::dark;
                     },
                     {},
                     [](const Explorer& e) { return e.state().theme == ThemeKind::light; }});
@@ -103,22 +161,44 @@ void add_pixel(std::vector<Command>& list) {
         const char* key;
         const char* name;
         glm::ivec2 step;
-    } arrows[] = {{"Left", "left", {-1, 0}}, {"Right", "right", {1, 0}}, {"Up", "up", {0, -1}}, {"Down", "down", {0, 1}}};
+    } arrows[] = {{"Left", "left", {-1, 0}},
+                  {"Right", "right", {1, 0}},
+                  {"Up", "up", {0, -1}},
+                  {"Down", "down", {0, 1}}};
     for (const auto& arrow : arrows)
         for (const int distance : {1, 10})
             list.push_back({fmt::format("pixel.{}{}", arrow.name, distance == 1 ? "" : "10"),
                             fmt::format("{} {}", distance == 1 ? "One pixel" : "Ten pixels", arrow.name),
-                            {fmt::format("{}{}", distance == 1 ? "" : "Shift+", arrow.key)}, "Moves the pick.",
-                            [step = distance * arrow.step](Explorer& e) { e.move_pick(step); }, has_picture});
-    list.push_back({"pixel.go_to", "Go to…", {"Ctrl+G"}, "Type the pixel to pick.", [](Explorer& e) { e.type_pixel(); },
+                            {fmt::format("{}{}", distance == 1 ? "" : "Shift+", arrow.key)},
+                            "Moves the pick.",
+                            [step = distance * arrow.step](Explorer& e) { e.move_pick(step); },
+                            has_picture});
+    list.push_back({"pixel.go_to",
+                    "Go to…",
+                    {"Ctrl+G"},
+                    "Type the pixel to pick.",
+                    [](Explorer& e) { e.type_pixel(); },
                     has_picture});
-    list.push_back({"pixel.pin", "Pin", {"P"}, "Keeps a small plot of this pixel, or removes it; at most four.",
-                    [](Explorer& e) { e.toggle_pin(); }, has_picture});
-    list.push_back({"pixel.unpin_all", "Remove all pins", {"Shift+P"}, "Closes the small plots.",
-                    [](Explorer& e) { e.state().pins.clear(); }, [](const Explorer& e) { return !e.state().pins.empty(); }});
-    list.push_back({"pixel.next_fragment", "Next fragment", {"N"}, "Marks the next fragment behind.",
-                    [](Explorer& e) { e.mark_next(1); }});
-    list.push_back({"pixel.previous_fragment", "Previous fragment", {"Shift+N"}, "Marks the next fragment in front.",
+    list.push_back({"pixel.pin",
+                    "Pin",
+                    {"P"},
+                    "Keeps a small plot of this pixel, or removes it; at most four.",
+                    [](Explorer& e) { e.toggle_pin(); },
+                    has_picture});
+    list.push_back({"pixel.unpin_all",
+                    "Remove all pins",
+                    {"Shift+P"},
+                    "Closes the small plots.",
+                    [](Explorer& e) { e.state().pins.clear(); },
+                    [](const Explorer& e) { return !e.state().pins.empty(); }});
+    list.push_back(
+        {"pixel.next_fragment", "Next fragment", {"N"}, "Marks the next fragment behind.", [](Explorer& e) {
+             e.mark_next(1);
+         }});
+    list.push_back({"pixel.previous_fragment",
+                    "Previous fragment",
+                    {"Shift+N"},
+                    "Marks the next fragment in front.",
                     [](Explorer& e) { e.mark_next(-1); }});
 }
 
@@ -127,16 +207,22 @@ void add_plot(std::vector<Command>& list) {
                         e.state().plot.depth.reset();
                         e.state().plot.value.reset();
                     }});
-    list.push_back({"plot.quantity", "Transmittance", {"T"}, "Plots T(z) instead of A(z).",
+    list.push_back({"plot.quantity",
+                    "Transmittance",
+                    {"T"},
+                    "Plots T(z) instead of A(z).",
                     [](Explorer& e) {
                         PlotState& plot = e.state().plot;
-                        plot.quantity =
-                            plot.quantity == Quantity::absorbance ? Quantity::transmittance : Quantity::absorbance;
+                        plot.quantity = plot.quantity == Quantity::absorbance ? Quantity::transmittance
+                                                                              : Quantity::absorbance;
                         plot.value.reset();
                     },
                     {},
                     [](const Explorer& e) { return e.state().plot.quantity == Quantity::transmittance; }});
-    list.push_back({"plot.axis", "View depth", {"D"}, "Plots over view depth instead of warped depth.",
+    list.push_back({"plot.axis",
+                    "View depth",
+                    {"D"},
+                    "Plots over view depth instead of warped depth.",
                     [](Explorer& e) {
                         PlotState& plot = e.state().plot;
                         plot.axis = plot.axis == DepthAxis::warped ? DepthAxis::view : DepthAxis::warped;
@@ -157,8 +243,12 @@ void add_plot(std::vector<Command>& list) {
                     {Series::wrapping_zone, "Z", "Wrapping zone"}};
     for (const auto& one : switches) {
         const auto index = static_cast<std::size_t>(one.series);
-        list.push_back({fmt::format("plot.{}", SERIES_KEYS[index]), one.name, {one.key}, "Shows or hides it in the plot.",
-                        [index](Explorer& e) { e.state().plot.shown[index] = !e.state().plot.shown[index]; }, {},
+        list.push_back({fmt::format("plot.{}", SERIES_KEYS[index]),
+                        one.name,
+                        {one.key},
+                        "Shows or hides it in the plot.",
+                        [index](Explorer& e) { e.state().plot.shown[index] = !e.state().plot.shown[index]; },
+                        {},
                         [index](const Explorer& e) { return e.state().plot.shown[index]; }});
     }
 }
@@ -169,27 +259,50 @@ void add_choices(std::vector<Command>& list) {
         std::vector<std::string> keys;
         if (digit <= 9) keys.push_back(fmt::format("{}", digit));
         ++digit;
-        list.push_back({fmt::format("technique.{}", technique.id), fmt::format("{} ({})", technique.name, technique.id), keys,
+        list.push_back({fmt::format("technique.{}", technique.id),
+                        fmt::format("{} ({})", technique.name, technique.id),
+                        keys,
                         "Draws the picture with this technique.",
-                        [&technique](Explorer& e) { e.state().technique = &technique; }, {},
+                        [&technique](Explorer& e) { e.state().technique = &technique; },
+                        {},
                         [&technique](const Explorer& e) { return e.state().technique == &technique; }});
     }
     for (const SceneEntry& entry : scene_entries())
-        list.push_back({fmt::format("scene.{}", entry.id), entry.id, {}, entry.description,
-                        [&entry](Explorer& e) { choose_scene(e.state(), entry.id); }, {},
-                        [&entry](const Explorer& e) { return !e.state().ray && e.state().scene == entry.id; }});
+        list.push_back(
+            {fmt::format("scene.{}", entry.id),
+             entry.id,
+             {},
+             entry.description,
+             [&entry](Explorer& e) { choose_scene(e.state(), entry.id); },
+             {},
+             [&entry](const Explorer& e) { return !e.state().ray && e.state().scene == entry.id; }});
     for (const Lesson& lesson : lessons())
-        list.push_back({fmt::format("try.{}", lesson.id), lesson.title, {}, lesson.question,
-                        [&lesson](Explorer& e) { open_lesson(e.state(), lesson); }, {},
+        list.push_back({fmt::format("try.{}", lesson.id),
+                        lesson.title,
+                        {},
+                        lesson.question,
+                        [&lesson](Explorer& e) { open_lesson(e.state(), lesson); },
+                        {},
                         [&lesson](const Explorer& e) { return e.state().card == lesson.id; }});
 }
 
 void add_help(std::vector<Command>& list) {
-    list.push_back({"help.keys", "Keys and mouse", {"?", "F1"}, "Lists every key and what the mouse does.",
-                    [](Explorer& e) { e.toggle_help(); }, {}, [](const Explorer& e) { return e.shows_help(); }});
-    list.push_back({"help.palette", "All commands…", {"Ctrl+Shift+P"}, "Finds a command by typing parts of its name.",
+    list.push_back({"help.keys",
+                    "Keys and mouse",
+                    {"?", "F1"},
+                    "Lists every key and what the mouse does.",
+                    [](Explorer& e) { e.toggle_help(); },
+                    {},
+                    [](const Explorer& e) { return e.shows_help(); }});
+    list.push_back({"help.palette",
+                    "All commands…",
+                    {"Ctrl+Shift+P"},
+                    "Finds a command by typing parts of its name.",
                     [](Explorer& e) { e.toggle_palette(); }});
-    list.push_back({"help.close", "Close", {"Escape"}, "Closes a dialog, the help or the message; else the open card.",
+    list.push_back({"help.close",
+                    "Close",
+                    {"Escape"},
+                    "Closes a dialog, the help or the message; else the open card.",
                     [](Explorer& e) { e.close_topmost(); }});
 }
 

@@ -1,5 +1,5 @@
-// commands.hpp -- the one registry of what a user can do by name: menus, shortcuts, the palette, the key list and its
-// tests follow from it.
+// commands.hpp -- the one registry of what a user can do by name: menus, shortcuts, the palette, the key list
+// and its tests follow from it.
 #pragma once
 #include <functional>
 #include <span>
@@ -13,11 +13,11 @@ namespace momentscope::ui {
 class Explorer;
 
 struct Command {
-    std::string id;    // as "edit.undo"; what stands before the dot is its menu
-    std::string name;  // as the menu shows it
-    std::vector<std::string> keys;  // shortcuts by name, the first is shown; empty when there is none
-    std::string help;  // one sentence
-    std::function<void(Explorer&)> run;              // empty: a key that acts while it is held
+    std::string id;                      // as "edit.undo"; what stands before the dot is its menu
+    std::string name;                    // as the menu shows it
+    std::vector<std::string> keys;       // shortcuts by name, the first is shown; empty when there is none
+    std::string help;                    // one sentence
+    std::function<void(Explorer&)> run;  // empty: a key that acts while it is held
     std::function<bool(const Explorer&)> enabled{};  // empty: always
     std::function<bool(const Explorer&)> checked{};  // empty: it is no switch
 };

@@ -38,7 +38,8 @@ void draw_scene_combo(const Ui& ui, ExplorerState& state) {
 }
 
 void draw_technique_combo(const Ui& ui, ExplorerState& state) {
-    const bool open = ImGui::BeginCombo("##technique", technique_label(*state.technique).c_str(), ImGuiComboFlags_HeightLarge);
+    const bool open = ImGui::BeginCombo("##technique", technique_label(*state.technique).c_str(),
+                                        ImGuiComboFlags_HeightLarge);
     ui.mark("controls.technique");
     tooltip("The technique that draws the picture and the orange curve; 1 to 9 choose one.", "--technique");
     if (!open) return;
@@ -54,7 +55,8 @@ void draw_compared_combo(const Ui& ui, ExplorerState& state) {
     std::string shown;
     for (const Technique* technique : state.compared)
         shown += fmt::format("{}{}", shown.empty() ? "" : ", ", technique->id);
-    const bool open = ImGui::BeginCombo("##compared", shown.empty() ? "none" : shown.c_str(), ImGuiComboFlags_HeightLarge);
+    const bool open =
+        ImGui::BeginCombo("##compared", shown.empty() ? "none" : shown.c_str(), ImGuiComboFlags_HeightLarge);
     ui.mark("controls.compared");
     tooltip("Techniques whose reconstruction the plot shows beside that of the picture.");
     if (!open) return;
@@ -87,7 +89,8 @@ void draw_control_panel(const Ui& ui, ExplorerState& state, std::string& message
     for (const Parameter& row : parameters()) {
         const bool of_mesh = row.id == ParameterId::opacity && !is_builtin_scene(state.scene) && !state.ray;
         if (!state.technique->uses(row.id) && !of_mesh) continue;
-        draw_parameter_control(ui, row, state.technique->recommended_bias, LABEL_WIDTH * em(), state.parameters, message);
+        draw_parameter_control(ui, row, state.technique->recommended_bias, LABEL_WIDTH * em(),
+                               state.parameters, message);
         any = true;
     }
     if (!any) ImGui::TextDisabled("This technique reads no parameters.");

@@ -13,8 +13,8 @@ namespace {
 
 // Does the plot of one state serve the other?
 bool same_measurement(const ExplorerState& a, const ExplorerState& b) {
-    return a.technique == b.technique && a.compared == b.compared && a.parameters == b.parameters && a.plot == b.plot &&
-           a.marked == b.marked;
+    return a.technique == b.technique && a.compared == b.compared && a.parameters == b.parameters &&
+           a.plot == b.plot && a.marked == b.marked;
 }
 
 }  // namespace
@@ -36,7 +36,11 @@ std::string FrameReport::text() const {
 }
 
 Explorer::Explorer(Renderer& renderer, ExplorerState state, ExplorerOptions options)
-    : renderer_(renderer), options_(options), state_(std::move(state)), shown_state_(state_), history_(state_) {}
+    : renderer_(renderer),
+      options_(options),
+      state_(std::move(state)),
+      shown_state_(state_),
+      history_(state_) {}
 
 void Explorer::undo() {
     if (history_.can_undo()) state_ = history_.undo();
@@ -175,8 +179,8 @@ void Explorer::report_passes(const PassCounts& before) {
     report_.composite = now.composite > before.composite;
 }
 
-// The fragments of a pixel depend on nothing that comes after the opaque pass; the second pass's T is only captured where
-// it is shown.
+// The fragments of a pixel depend on nothing that comes after the opaque pass; the second pass's T is only
+// captured where it is shown.
 void Explorer::update_capture(const View& view, Stage stage) {
     const glm::ivec2 pixel = pixel_of(state_.picked, scene_, view.size);
     const bool moved = stage <= Stage::opaque || pixel != measurement_.pixel;
@@ -193,7 +197,9 @@ void Explorer::update_capture(const View& view, Stage stage) {
 }
 
 void Explorer::update_pins(Stage stage) {
-    if (stage > Stage::opaque && shown_state_.pins == state_.pins && measurement_.pins.size() == state_.pins.size()) return;
+    if (stage > Stage::opaque && shown_state_.pins == state_.pins &&
+        measurement_.pins.size() == state_.pins.size())
+        return;
     measurement_.pins.clear();
     for (const glm::vec2& place : state_.pins) {
         const glm::ivec2 pixel = pixel_of(place, scene_, measurement_.picture_size);
@@ -238,7 +244,8 @@ void Explorer::show_truth(const View& view) {
 }
 
 void Explorer::measure_if_changed(bool captured) {
-    const bool stale = measurement_.curve.technique == nullptr || measurement_.history.size() != measurement_.capture.ray.fragments.size();
+    const bool stale = measurement_.curve.technique == nullptr ||
+                       measurement_.history.size() != measurement_.capture.ray.fragments.size();
     if (!captured && !stale && same_measurement(shown_state_, state_)) return;
     measure(measurement_, state_);
     report_.plot = true;

@@ -20,8 +20,8 @@
 namespace momentscope::ui {
 
 struct ExplorerOptions {
-    float scale = 1;        // of fonts and spacing
-    bool show_times = true; // milliseconds in the status line; off where pictures must repeat bit by bit
+    float scale = 1;         // of fonts and spacing
+    bool show_times = true;  // milliseconds in the status line; off where pictures must repeat bit by bit
 };
 
 /// What a frame had to compute; all false when nothing had changed.
@@ -33,13 +33,14 @@ struct FrameReport {
     std::string text() const;
 };
 
-/// Draws one ImGui frame after another. Needs a current GL context through the renderer, and an ImGui frame begun.
+/// Draws one ImGui frame after another. Needs a current GL context through the renderer, and an ImGui frame
+/// begun.
 class Explorer {
 public:
     Explorer(Renderer& renderer, ExplorerState state, ExplorerOptions options = {});
 
-    /// Fills the whole ImGui viewport. Recomputes what the state's changes made stale. Failures become the message
-    /// line; the last good picture stays. Throws Error only when there never was a good one.
+    /// Fills the whole ImGui viewport. Recomputes what the state's changes made stale. Failures become the
+    /// message line; the last good picture stays. Throws Error only when there never was a good one.
     void frame();
 
     /// Does what is shown lag behind the state, so that another frame is needed without any input?
@@ -125,8 +126,8 @@ private:
     std::string message_;
     Anchors anchors_;
 
-    Scene scene_;       // what the renderer holds
-    View shown_view_;   // technique is null when nothing is shown
+    Scene scene_;      // what the renderer holds
+    View shown_view_;  // technique is null when nothing is shown
     SceneLoader loader_;
     std::unique_ptr<Renderer> truth_;  // of the same scene, made when it is first asked for
     bool truth_shown_ = false;

@@ -31,7 +31,8 @@ void Explorer::open_session_dialog() {
 
 void Explorer::save_session_dialog() {
     file_purpose_ = FilePurpose::save_session;
-    files_.open(FileDialog::Mode::save, "Save session", {{"session", "session", ".json"}}, "momentscope.json");
+    files_.open(FileDialog::Mode::save, "Save session", {{"session", "session", ".json"}},
+                "momentscope.json");
 }
 
 void Explorer::open_mesh_dialog() {
@@ -65,8 +66,9 @@ void Explorer::use_file(const FileDialog::Choice& choice) {
             Session session = read_session_file(choice.path);
             state_ = std::move(session.state);
             if (!session.ignored.empty())
-                message_ = fmt::format("The session was opened; what this version does not know was ignored: {}.",
-                                       fmt::join(session.ignored, ", "));
+                message_ =
+                    fmt::format("The session was opened; what this version does not know was ignored: {}.",
+                                fmt::join(session.ignored, ", "));
             break;
         }
         case FilePurpose::save_session:

@@ -19,7 +19,8 @@ ImVec4 color_of(ImU32 tint) {
 }
 
 // A bar that is dragged to divide room; double-click puts it back. Changes the share of what lies before it.
-void splitter(const Ui& ui, const char* name, bool vertical, ImVec2 size, float room, float standard, float& share) {
+void splitter(const Ui& ui, const char* name, bool vertical, ImVec2 size, float room, float standard,
+              float& share) {
     ImGui::InvisibleButton(name, {std::max(size.x, 1.0f), std::max(size.y, 1.0f)});
     ui.mark(name);
     const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
@@ -33,8 +34,8 @@ void splitter(const Ui& ui, const char* name, bool vertical, ImVec2 size, float 
     const ImU32 tint = ImGui::GetColorU32(hot ? ImGuiCol_CheckMark : ImGuiCol_Border);
     const float half = 1.2f * em();
     ImGui::GetWindowDrawList()->AddLine({middle.x - (vertical ? 0 : half), middle.y - (vertical ? half : 0)},
-                                        {middle.x + (vertical ? 0 : half), middle.y + (vertical ? half : 0)}, tint,
-                                        0.15f * em());
+                                        {middle.x + (vertical ? 0 : half), middle.y + (vertical ? half : 0)},
+                                        tint, 0.15f * em());
 }
 
 }  // namespace
@@ -77,9 +78,11 @@ void Explorer::draw_menu(const Ui& ui) {
         if (!open) continue;
         for (const Command& command : commands()) {
             if (!command.id.starts_with(std::string(menu.id) + ".")) continue;
-            const std::string key = command.keys.empty() ? "" : command.keys.front() + (command.run ? "" : " (hold)");
+            const std::string key =
+                command.keys.empty() ? "" : command.keys.front() + (command.run ? "" : " (hold)");
             const bool checked = command.checked && command.checked(*this);
-            if (ImGui::MenuItem(command.name.c_str(), key.c_str(), checked, command.run && is_enabled(command, *this)))
+            if (ImGui::MenuItem(command.name.c_str(), key.c_str(), checked,
+                                command.run && is_enabled(command, *this)))
                 command.run(*this);
             ui.mark(command.id);
             tooltip(command.help);
@@ -125,7 +128,8 @@ void Explorer::draw_card(const Ui& ui) {
                    ImGui::CalcTextSize(lesson->question, nullptr, false, wrap).y;
     if (state_.answer) height += 0.4f * line + ImGui::CalcTextSize(lesson->answer, nullptr, false, wrap).y;
     height = std::max(height, 2 * pad + 2 * ImGui::GetFrameHeightWithSpacing());
-    ImGui::BeginChild("card", {0, height}, false, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::BeginChild("card", {0, height}, false,
+                      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::SetCursorPos({pad, pad});
     ImGui::BeginGroup();
     ImGui::PushTextWrapPos(pad + wrap);
@@ -138,7 +142,8 @@ void Explorer::draw_card(const Ui& ui) {
     ImGui::EndGroup();
     const float button = 9.5f * em();
     ImGui::SetCursorPos({width - button - pad, pad});
-    if (ImGui::Button(state_.answer ? "hide answer" : "show answer", {button, 0})) state_.answer = !state_.answer;
+    if (ImGui::Button(state_.answer ? "hide answer" : "show answer", {button, 0}))
+        state_.answer = !state_.answer;
     ui.mark("card.answer");
     ImGui::SetCursorPos({width - button - pad, pad + ImGui::GetFrameHeightWithSpacing()});
     if (ImGui::Button("close card", {button, 0})) state_.card.clear();
@@ -171,17 +176,19 @@ void Explorer::draw_work_area(const Ui& ui) {
 }
 
 void Explorer::draw_right_side(const Ui& ui, ImVec2 size) {
-    if (measurement_.curve.technique == nullptr) return;  // the first scene is still being read
+    if (measurement_.curve.technique == nullptr)
+        return ImGui::Dummy(size);  // the first scene is still being read
     const float bar = 0.6f * em();
     const float plot = std::max(std::floor(state_.plot_share * size.y), 1.0f);
-    const float pins = state_.pins.empty() || state_.ray ? 0.0f : std::floor(0.3f * plot);
+    const float pins = state_.pins.empty() || state_.ray ? 0.0f : std::floor(0.26f * plot);
     ImGui::BeginGroup();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 0.2f * em()});
     plot_panel_.draw(ui, measurement_, state_, {size.x, plot - pins});
     if (pins > 0) draw_pinned_plots(ui, measurement_, state_, {size.x, pins - 0.2f * em()});
     ImGui::PopStyleVar();
     splitter(ui, "split.plot", false, {size.x, bar}, size.y, ExplorerState().plot_share, state_.plot_share);
-    ImGui::BeginChild("tabs", {size.x, std::max(size.y - plot - bar - 2 * ImGui::GetStyle().ItemSpacing.y, 1.0f)});
+    ImGui::BeginChild("tabs",
+                      {size.x, std::max(size.y - plot - bar - 2 * ImGui::GetStyle().ItemSpacing.y, 1.0f)});
     draw_tabs(ui);
     ImGui::EndChild();
     ImGui::EndGroup();
@@ -189,11 +196,13 @@ void Explorer::draw_right_side(const Ui& ui, ImVec2 size) {
 
 void Explorer::draw_tabs(const Ui& ui) {
     constexpr const char* TITLES[] = {"Controls", "Fragments", "Technique"};
-    constexpr const char* HELP[] = {"Scene, technique and parameters.", "The pixel's history: every fragment with its T.",
+    constexpr const char* HELP[] = {"Scene, technique and parameters.",
+                                    "The pixel's history: every fragment with its T.",
                                     "What the technique is and costs."};
     for (std::size_t i = 0; i < std::size(TITLES); ++i) {
         if (i > 0) ImGui::SameLine(0, 0.2f * em());
-        if (toggle_button(TITLES[i], state_.panel == static_cast<Panel>(i))) state_.panel = static_cast<Panel>(i);
+        if (toggle_button(TITLES[i], state_.panel == static_cast<Panel>(i)))
+            state_.panel = static_cast<Panel>(i);
         ui.mark(fmt::format("tab.{}", i + 1));
         tooltip(HELP[i], fmt::format("Ctrl+{}", i + 1));
     }
@@ -229,18 +238,21 @@ void Explorer::draw_status(const Ui& ui) {
         tooltip(message_);
         return;
     }
+    if (measurement_.curve.technique == nullptr)
+        return ImGui::TextUnformatted("The first scene is being read.");
     std::string status = state_.ray ? std::string("view ray from a file")
                                     : fmt::format("pixel {}, {}", measurement_.pixel.x, measurement_.pixel.y);
     status += fmt::format("   {} fragments   absorbance {:.4g}", measurement_.capture.ray.fragments.size(),
                           measurement_.curve.total_absorbance);
     if (options_.show_times && !state_.ray) {
         const PassTimes& t = renderer_.pass_times();
-        status += fmt::format("   ms: opaque {:.1f}, first pass {:.1f}, second {:.1f}, composite {:.1f}", t.opaque, t.moments,
-                              t.color, t.composite);
+        status += fmt::format("   ms: opaque {:.1f}, first pass {:.1f}, second {:.1f}, composite {:.1f}",
+                              t.opaque, t.moments, t.color, t.composite);
     }
     ImGui::TextUnformatted(status.c_str());
     ui.mark("status");
-    tooltip("The picked pixel, what lies on its ray, and how long the GL took for each pass when it last ran.");
+    tooltip(
+        "The picked pixel, what lies on its ray, and how long the GL took for each pass when it last ran.");
     const std::string gl = gl_.software ? fmt::format("no GPU: {}", gl_.renderer) : gl_.renderer;
     const float width = std::min(ImGui::CalcTextSize(gl.c_str()).x, 0.35f * ImGui::GetContentRegionMax().x);
     ImGui::SameLine(std::max(ImGui::GetContentRegionMax().x - width, 1.0f));
@@ -258,10 +270,12 @@ void Explorer::draw_loading(const Ui& ui) {
     const ImVec2 room = ImGui::GetMainViewport()->Size;
     ImGui::SetNextWindowPos({0.5f * room.x, 0.4f * room.y}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSize({std::min(26 * em(), room.x), 0});
-    ImGui::Begin("Reading###loading", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings);
+    ImGui::Begin("Reading###loading", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings);
     ImGui::TextWrapped("Reading %s", loader_.name().c_str());
     const double seconds = loader_.seconds();
-    const auto sweep = static_cast<float>(seconds - std::floor(seconds));  // how long it takes is not known beforehand
+    const auto sweep =
+        static_cast<float>(seconds - std::floor(seconds));  // how long it takes is not known beforehand
     ImGui::ProgressBar(sweep, {-1, 0}, fmt::format("{:.1f} s", seconds).c_str());
     if (ImGui::Button("Cancel", {6 * em(), 0}) || pressed({.key = 256})) loader_.cancel();
     ui.mark("loading.cancel");

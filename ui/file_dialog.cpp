@@ -25,7 +25,8 @@ std::string size_text(std::uintmax_t bytes) {
 
 }  // namespace
 
-void FileDialog::open(Mode mode, const char* title, std::vector<FileKind> kinds, const std::string& suggested_name) {
+void FileDialog::open(Mode mode, const char* title, std::vector<FileKind> kinds,
+                      const std::string& suggested_name) {
     mode_ = mode;
     title_ = title;
     kinds_ = std::move(kinds);
@@ -48,8 +49,8 @@ void FileDialog::read_folder() {
     entries_.clear();
     std::error_code status;
     const std::string extension = kinds_[kind_].extension;
-    for (fs::directory_iterator at(folder_, status), end; !status && at != end && entries_.size() < MOST_ENTRIES;
-         at.increment(status)) {
+    for (fs::directory_iterator at(folder_, status), end;
+         !status && at != end && entries_.size() < MOST_ENTRIES; at.increment(status)) {
         std::error_code of_entry;
         const bool folder = at->is_directory(of_entry);
         const std::string name = at->path().filename().string();
@@ -72,7 +73,8 @@ void FileDialog::choose_kind(std::size_t kind) {
 }
 
 void FileDialog::draw_entries(const Ui& ui, bool& accept) {
-    const ImVec2 size = {0, std::max(ImGui::GetContentRegionAvail().y - 4.6f * ImGui::GetFrameHeightWithSpacing(), 4 * em())};
+    const ImVec2 size = {
+        0, std::max(ImGui::GetContentRegionAvail().y - 4.6f * ImGui::GetFrameHeightWithSpacing(), 4 * em())};
     ImGui::BeginChild("entries", size, true);
     if (ImGui::Selectable("../", false)) enter(folder_.parent_path());
     ui.mark("file.parent");
@@ -139,7 +141,8 @@ std::optional<FileDialog::Choice> FileDialog::draw(const Ui& ui) {
     ImGui::SetNextWindowSize({std::min(38 * em(), 0.95f * room.x), std::min(30 * em(), 0.95f * room.y)});
     ImGui::SetNextWindowPos({0.5f * room.x, 0.5f * room.y}, ImGuiCond_Always, {0.5f, 0.5f});
     std::optional<Choice> choice;
-    if (!ImGui::BeginPopupModal(label.c_str(), nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings)) {
+    if (!ImGui::BeginPopupModal(label.c_str(), nullptr,
+                                ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings)) {
         open_ = false;
         return choice;
     }
@@ -160,7 +163,8 @@ std::optional<FileDialog::Choice> FileDialog::draw(const Ui& ui) {
     ImGui::SetNextItemWidth(-1);
     if (begin_) ImGui::SetKeyboardFocusHere();
     begin_ = false;
-    if (ImGui::InputTextWithHint("##name", "name of the file, or a path", &name_, ImGuiInputTextFlags_EnterReturnsTrue))
+    if (ImGui::InputTextWithHint("##name", "name of the file, or a path", &name_,
+                                 ImGuiInputTextFlags_EnterReturnsTrue))
         wanted = true;
     ui.mark("file.name");
     if (ImGui::Button(mode_ == Mode::save ? "Save" : "Open", {6 * em(), 0})) wanted = true;
@@ -169,7 +173,8 @@ std::optional<FileDialog::Choice> FileDialog::draw(const Ui& ui) {
     const bool cancelled = ImGui::Button("Cancel", {6 * em(), 0}) || pressed({.key = 256});
     ui.mark("file.cancel");
     if (wanted) choice = accept();
-    if (!problem_.empty()) ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ui.colors.warning), "%s", problem_.c_str());
+    if (!problem_.empty())
+        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ui.colors.warning), "%s", problem_.c_str());
     if (choice || cancelled) {
         open_ = false;
         ImGui::CloseCurrentPopup();

@@ -31,7 +31,9 @@ std::string submitted_place(const PixelHistoryRow& row) {
 }
 
 ImU32 display_color(const glm::vec3& linear) {
-    const auto byte = [](float value) { return static_cast<int>(std::lround(255 * srgb_from_linear(value))); };
+    const auto byte = [](float value) {
+        return static_cast<int>(std::lround(255 * srgb_from_linear(value)));
+    };
     return IM_COL32(byte(linear.r), byte(linear.g), byte(linear.b), 255);
 }
 
@@ -40,7 +42,8 @@ void swatch(const glm::vec3& linear) {
     const float height = ImGui::GetTextLineHeight();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled({low.x, low.y + 2}, {low.x + 2 * em(), low.y + height - 1}, display_color(linear), 2);
-    list.AddRect({low.x, low.y + 2}, {low.x + 2 * em(), low.y + height - 1}, ImGui::GetColorU32(ImGuiCol_Border), 2);
+    list.AddRect({low.x, low.y + 2}, {low.x + 2 * em(), low.y + height - 1},
+                 ImGui::GetColorU32(ImGuiCol_Border), 2);
     ImGui::Dummy({2 * em(), height});
 }
 
@@ -53,7 +56,8 @@ void cell(const std::string& text) {
     ImGui::TextUnformatted(text.c_str());
 }
 
-void draw_row(const Ui& ui, const Measurement& m, const PixelHistoryRow& row, std::size_t place, ExplorerState& state) {
+void draw_row(const Ui& ui, const Measurement& m, const PixelHistoryRow& row, std::size_t place,
+              ExplorerState& state) {
     const Fragment& f = m.capture.ray.fragments[row.fragment];
     const bool marked = state.marked == row.fragment;
     ImGui::TableNextRow();
@@ -67,7 +71,8 @@ void draw_row(const Ui& ui, const Measurement& m, const PixelHistoryRow& row, st
         state.plot.query.reset();
     }
     ui.mark(fmt::format("fragment.{}", place + 1));
-    tooltip(fmt::format("View depth {:.4f}; draw call {}, triangle {}. Blending (ONE, ONE) adds {} to {}; in linear RGB, with the weight last.",
+    tooltip(fmt::format("View depth {:.4f}; draw call {}, triangle {}. Blending (ONE, ONE) adds {} to {}; in "
+                        "linear RGB, with the weight last.",
                         f.view_depth, f.draw, f.primitive, vector_text(row.source), vector_text(row.sum)),
             "click to mark it in the plot");
     if (marked && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
@@ -96,7 +101,8 @@ std::string summary(const Measurement& m) {
         worst = std::max(worst, std::abs(row.error()));
         squares += row.error() * row.error();
     }
-    return fmt::format("{} fragments, greatest error of T {:.4f}, root mean square {:.4f}", m.history.size(), worst,
+    return fmt::format("{} fragments, greatest error of T {:.4f}, root mean square {:.4f}", m.history.size(),
+                       worst,
                        std::sqrt(squares / static_cast<double>(std::max<std::size_t>(m.history.size(), 1))));
 }
 
@@ -111,8 +117,10 @@ void draw_fragment_panel(const Ui& ui, const Measurement& m, ExplorerState& stat
     const ImGuiTableFlags flags = ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg |
                                   ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingFixedFit |
                                   ImGuiTableFlags_NoSavedSettings;
-    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {0.2f * em(), 0.1f * em()});  // all columns fit a window of 1280 pixels
-    if (!ImGui::BeginTable("fragments", static_cast<int>(std::size(COLUMNS)), flags)) return ImGui::PopStyleVar();
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding,
+                        {0.2f * em(), 0.1f * em()});  // all columns fit a window of 1280 pixels
+    if (!ImGui::BeginTable("fragments", static_cast<int>(std::size(COLUMNS)), flags))
+        return ImGui::PopStyleVar();
     ImGui::TableSetupScrollFreeze(1, 1);
     for (const Column& column : COLUMNS) ImGui::TableSetupColumn(column.name);
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
@@ -124,7 +132,8 @@ void draw_fragment_panel(const Ui& ui, const Measurement& m, ExplorerState& stat
     ImGuiListClipper clipper;  // a ray from a file may have 100,000 fragments
     clipper.Begin(static_cast<int>(m.history.size()));
     while (clipper.Step())
-        for (auto i = static_cast<std::size_t>(clipper.DisplayStart); i < static_cast<std::size_t>(clipper.DisplayEnd); ++i)
+        for (auto i = static_cast<std::size_t>(clipper.DisplayStart);
+             i < static_cast<std::size_t>(clipper.DisplayEnd); ++i)
             draw_row(ui, m, m.history[i], i, state);
     ImGui::EndTable();
     ImGui::PopStyleVar();

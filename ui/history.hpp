@@ -10,7 +10,8 @@ class History {
 public:
     explicit History(const ExplorerState& first) : present_(first) {}
 
-    /// Makes a changed state a step that can be undone; the same state again is none. Forgets what was undone.
+    /// Makes a changed state a step that can be undone; the same state again is none. Forgets what was
+    /// undone.
     void record(const ExplorerState& state);
 
     /// Replaces the present without a step: what the window itself corrected.

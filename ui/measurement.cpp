@@ -35,7 +35,8 @@ Range visible_depths(const ViewRay& ray, const PlotState& plot) {
         if (plot.axis == DepthAxis::warped || !ray.warp.logarithmic) return at;
         return at > 0 ? to_depth(at, ray.warp) : -1.0f;
     };
-    Range range = {std::clamp(warped(plot.depth->low), -1.0f, 1.0f), std::clamp(warped(plot.depth->high), -1.0f, 1.0f)};
+    Range range = {std::clamp(warped(plot.depth->low), -1.0f, 1.0f),
+                   std::clamp(warped(plot.depth->high), -1.0f, 1.0f)};
     if (!(range.high - range.low > 1e-5f)) return {-1, 1};  // nothing of the depth range is visible
     return range;
 }
@@ -48,7 +49,8 @@ float query_depth(const ViewRay& ray, const ExplorerState& state) {
 BandExit band_exit(const Curve& curve) {
     BandExit exit;
     if (curve.beta0.empty()) return exit;
-    const auto tolerance = static_cast<float>(2e-3 * std::max(curve.total_absorbance, 1e-6));  // a pixel of the plot
+    const auto tolerance =
+        static_cast<float>(2e-3 * std::max(curve.total_absorbance, 1e-6));  // a pixel of the plot
     bool outside = false;
     for (std::size_t i = 0; i < curve.depth.size(); ++i) {
         const auto truth = static_cast<float>(curve.truth[i]);
@@ -81,7 +83,8 @@ void measure(Measurement& m, const ExplorerState& state) {
     m.canonical = canonical_representation(m.curve, query_depth(ray, state));
     m.history = pixel_history(ray, m.capture.transmittance, *state.technique, state.parameters);
     for (Pinned& pin : m.pins)
-        pin.curve = sample_curve(pin.ray, *state.technique, state.parameters, plot_depths(pin.ray, SAMPLES / 2));
+        pin.curve =
+            sample_curve(pin.ray, *state.technique, state.parameters, plot_depths(pin.ray, SAMPLES / 2));
 }
 
 }  // namespace momentscope::ui

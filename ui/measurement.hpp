@@ -1,4 +1,5 @@
-// measurement.hpp -- all numbers that the window shows of the picked ray, computed from the state and the captured pixel.
+// measurement.hpp -- all numbers that the window shows of the picked ray, computed from the state and the
+// captured pixel.
 #pragma once
 #include <vector>
 
@@ -27,8 +28,8 @@ struct Pinned {
 struct Measurement {
     glm::ivec2 pixel{0};
     glm::ivec2 picture_size{0};
-    PixelCapture capture;  // its transmittance is of the second pass when it was last asked for
-    Curve curve;           // as the plot draws it; depths ascend
+    PixelCapture capture;         // its transmittance is of the second pass when it was last asked for
+    Curve curve;                  // as the plot draws it; depths ascend
     std::vector<Curve> compared;  // at the same depths
     std::vector<float> ghost;     // the same; empty while it is not shown
     CanonicalRepresentation canonical;
@@ -37,8 +38,8 @@ struct Measurement {
     std::vector<Pinned> pins;
 };
 
-/// Where to evaluate a curve so that its drawing misses nothing: evenly within the range, and at and around every
-/// fragment's own depth.
+/// Where to evaluate a curve so that its drawing misses nothing: evenly within the range, and at and around
+/// every fragment's own depth.
 std::vector<float> plot_depths(const ViewRay& ray, std::size_t samples, Range range = {-1, 1});
 
 /// The part of [-1, 1] that the plot shows.
@@ -50,7 +51,8 @@ float query_depth(const ViewRay& ray, const ExplorerState& state);
 /// Where a curve's truth leaves the band by more than rounding does.
 BandExit band_exit(const Curve& curve);
 
-/// Recomputes everything that follows from the capture: curves, canonical representation, history, pins' curves.
+/// Recomputes everything that follows from the capture: curves, canonical representation, history, pins'
+/// curves.
 void measure(Measurement& measurement, const ExplorerState& state);
 
 }  // namespace momentscope::ui

@@ -25,8 +25,10 @@ bool draw_logarithmic(const Parameter& row, float& value) {
     const float least = LEAST_EXPONENT - 0.25f;
     float exponent = value > 0 ? std::clamp(std::log10(value), LEAST_EXPONENT, most) : least;
     const std::string shown = value > 0 ? fmt::format("{:.2e}", static_cast<double>(value)) : "0";
-    if (!ImGui::SliderFloat("##value", &exponent, least, most, shown.c_str(), ImGuiSliderFlags_NoInput)) return false;
-    value = exponent < LEAST_EXPONENT ? row.minimum : std::clamp(std::pow(10.0f, exponent), row.minimum, row.maximum);
+    if (!ImGui::SliderFloat("##value", &exponent, least, most, shown.c_str(), ImGuiSliderFlags_NoInput))
+        return false;
+    value = exponent < LEAST_EXPONENT ? row.minimum
+                                      : std::clamp(std::pow(10.0f, exponent), row.minimum, row.maximum);
     return true;
 }
 
@@ -50,8 +52,8 @@ bool draw_value(const Parameter& row, float& value) {
         ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput | ImGuiSliderFlags_NoRoundToFormat);
 }
 
-// Ctrl+click on the slider opens a text field in its place. What is typed goes the way of the command line, so it is
-// checked and explained alike.
+// Ctrl+click on the slider opens a text field in its place. What is typed goes the way of the command line,
+// so it is checked and explained alike.
 enum Typing { not_typing, begin_typing, typing };
 
 int& typing_state() {
@@ -62,8 +64,8 @@ void draw_typed(const Parameter& row, ParameterValues& values, std::string& mess
     int& state = typing_state();
     if (state == begin_typing) ImGui::SetKeyboardFocusHere();
     std::string typed;  // ImGui keeps what is typed until Enter
-    const bool entered = ImGui::InputTextWithHint("##typed", row.standard ? "a number" : "a number, or auto", &typed,
-                                                  ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool entered = ImGui::InputTextWithHint("##typed", row.standard ? "a number" : "a number, or auto",
+                                                  &typed, ImGuiInputTextFlags_EnterReturnsTrue);
     if (entered && !typed.empty()) {
         try {
             values.set(row.id, parse_parameter(row, typed));
@@ -87,8 +89,8 @@ bool double_clicked() {
 std::string parameter_help(const Parameter& row) {
     const std::string unit = *row.unit != '\0' ? fmt::format(" {}", row.unit) : "";
     const std::string standard = row.standard ? fmt::format("{:.4g}{}", *row.standard, unit) : "auto";
-    return fmt::format("{}. {}\n--{}, from {:g} to {:.4g}{}, normally {}. Source: {}.", shown_name(row), row.help, row.key,
-                       row.minimum, row.maximum, unit, standard, row.source);
+    return fmt::format("{}. {}\n--{}, from {:g} to {:.4g}{}, normally {}. Source: {}.", shown_name(row),
+                       row.help, row.key, row.minimum, row.maximum, unit, standard, row.source);
 }
 
 void draw_parameter_control(const Ui& ui, const Parameter& row, float recommended, float label_width,

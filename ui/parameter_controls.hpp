@@ -7,8 +7,9 @@
 
 namespace momentscope::ui {
 
-/// Draws the control of a parameter: slider with typed values, tooltip, `auto` where there is one. Double-clicking the
-/// name or the slider resets it. `recommended` is what auto means. A value that was refused is explained in `message`.
+/// Draws the control of a parameter: slider with typed values, tooltip, `auto` where there is one.
+/// Double-clicking the name or the slider resets it. `recommended` is what auto means. A value that was
+/// refused is explained in `message`.
 void draw_parameter_control(const Ui& ui, const Parameter& row, float recommended, float label_width,
                             ParameterValues& values, std::string& message);
 

@@ -10,7 +10,8 @@ namespace momentscope::ui {
 namespace {
 
 bool has_wrapping_zone(const Curve& curve, const PlotState& plot) {
-    return curve.technique->uses(ParameterId::theta) && plot.shown[static_cast<std::size_t>(Series::wrapping_zone)];
+    return curve.technique->uses(ParameterId::theta) &&
+           plot.shown[static_cast<std::size_t>(Series::wrapping_zone)];
 }
 
 Range fitting_depths(const PlotAxes& axes, const Curve& curve, const PlotState& plot) {
@@ -71,7 +72,8 @@ float PlotAxes::shown(float absorbance) const {
     return quantity == Quantity::absorbance ? absorbance : transmittance(absorbance);
 }
 
-PlotAxes make_axes(const ViewRay& ray, const Curve& curve, const PlotState& plot, const Rect& outside, bool labels) {
+PlotAxes make_axes(const ViewRay& ray, const Curve& curve, const PlotState& plot, const Rect& outside,
+                   bool labels) {
     PlotAxes axes;
     axes.quantity = plot.quantity;
     axes.axis = plot.axis;
@@ -108,12 +110,15 @@ void draw_axes(ImDrawList& list, const PlotAxes& axes, const Palette& colors, bo
     });
     list.AddRect(area.low, area.high, colors.grid);
     if (!labels) return;
-    const char* depth_name = !axes.warp.logarithmic            ? "depth z (linear, [−1, 1])"
-                             : axes.axis == DepthAxis::warped ? "depth z (logarithm of view depth, mapped to [−1, 1])"
-                                                              : "view depth (linear, scene units)";
-    const char* value_name = axes.quantity == Quantity::absorbance ? "absorbance A(z) = −ln T(z), linear"
-                                                                   : "transmittance T(z) = exp(−A(z)), linear";
-    draw_text(list, {0.5f * (area.low.x + area.high.x), area.high.y + 4 + line}, {0.5f, 0}, depth_name, colors.text);
+    const char* depth_name = !axes.warp.logarithmic ? "depth z (linear, [−1, 1])"
+                             : axes.axis == DepthAxis::warped
+                                 ? "depth z (logarithm of view depth, mapped to [−1, 1])"
+                                 : "view depth (linear, scene units)";
+    const char* value_name = axes.quantity == Quantity::absorbance
+                                 ? "absorbance A(z) = −ln T(z), linear"
+                                 : "transmittance T(z) = exp(−A(z)), linear";
+    draw_text(list, {0.5f * (area.low.x + area.high.x), area.high.y + 4 + line}, {0.5f, 0}, depth_name,
+              colors.text);
     draw_text(list, {area.low.x, area.low.y - 3}, {0, 1}, value_name, colors.text);
 }
 

@@ -7,9 +7,9 @@ namespace momentscope::ui {
 
 /// The plot's area and what its edges mean.
 struct PlotAxes {
-    Rect area;       // within the axes
-    Range depth;     // in the axis's own unit
-    Range value;     // absorbance or transmittance
+    Rect area;    // within the axes
+    Range depth;  // in the axis's own unit
+    Range value;  // absorbance or transmittance
     Quantity quantity = Quantity::absorbance;
     DepthAxis axis = DepthAxis::warped;
     DepthWarp warp;
@@ -27,16 +27,18 @@ struct PlotAxes {
         return value.low + (area.high.y - y) / (area.high.y - area.low.y) * (value.high - value.low);
     }
 
-    float axis_of(float warped_depth) const;   // warped depth to the axis's own unit
-    float warped_of(float axis_value) const;   // and back
-    float shown(float absorbance) const;       // absorbance to what the vertical axis shows
+    float axis_of(float warped_depth) const;  // warped depth to the axis's own unit
+    float warped_of(float axis_value) const;  // and back
+    float shown(float absorbance) const;      // absorbance to what the vertical axis shows
     float x(float warped_depth) const { return x_of(axis_of(warped_depth)); }
     float y(float absorbance) const { return y_of(shown(absorbance)); }
     ImVec2 point(float warped_depth, float absorbance) const { return {x(warped_depth), y(absorbance)}; }
 };
 
-/// Axes within a rectangle: what the state chose, or what fits the measurement. `labels`: leave room for them?
-PlotAxes make_axes(const ViewRay& ray, const Curve& curve, const PlotState& plot, const Rect& outside, bool labels);
+/// Axes within a rectangle: what the state chose, or what fits the measurement. `labels`: leave room for
+/// them?
+PlotAxes make_axes(const ViewRay& ray, const Curve& curve, const PlotState& plot, const Rect& outside,
+                   bool labels);
 
 /// Grid, ticks and names of the axes.
 void draw_axes(ImDrawList& list, const PlotAxes& axes, const Palette& colors, bool labels);

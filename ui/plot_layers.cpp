@@ -27,7 +27,8 @@ float width_of(const PlotInput& input, Series series, float width) {
     return scale * (input.highlighted == series ? 1.6f * width : width);
 }
 
-std::vector<ImVec2> points_of(const PlotAxes& axes, const std::vector<float>& depths, const std::vector<float>& values) {
+std::vector<ImVec2> points_of(const PlotAxes& axes, const std::vector<float>& depths,
+                              const std::vector<float>& values) {
     std::vector<ImVec2> points;
     points.reserve(values.size());
     for (std::size_t i = 0; i < values.size(); ++i) points.push_back(axes.point(depths[i], values[i]));
@@ -38,13 +39,15 @@ void draw_line(ImDrawList& list, const std::vector<ImVec2>& points, ImU32 tint, 
     list.AddPolyline(points.data(), static_cast<int>(points.size()), tint, ImDrawFlags_None, thickness);
 }
 
-void draw_band(ImDrawList& list, const PlotAxes& axes, const Curve& curve, ImU32 fill, ImU32 edge, float width) {
+void draw_band(ImDrawList& list, const PlotAxes& axes, const Curve& curve, ImU32 fill, ImU32 edge,
+               float width) {
     // Smoothed edges of neighbouring quads would overlap in visible stripes; the outline is drawn as lines.
     const ImDrawListFlags flags = list.Flags;
     list.Flags &= ~ImDrawListFlags_AntiAliasedFill;
     const auto low = points_of(axes, curve.depth, curve.beta0);
     const auto high = points_of(axes, curve.depth, curve.beta1);
-    for (std::size_t i = 1; i < low.size(); ++i) list.AddQuadFilled(high[i - 1], high[i], low[i], low[i - 1], fill);
+    for (std::size_t i = 1; i < low.size(); ++i)
+        list.AddQuadFilled(high[i - 1], high[i], low[i], low[i - 1], fill);
     list.Flags = flags;
     draw_line(list, low, edge, width);
     draw_line(list, high, edge, width);
@@ -64,7 +67,8 @@ void draw_truth(ImDrawList& list, const PlotAxes& axes, const ViewRay& ray, ImU3
 }
 
 // The stretch of the circle beyond the depth range, where roots wrap from the far end to the near one.
-void draw_wrapping_zone(ImDrawList& list, const PlotAxes& axes, const Palette& colors, const PlotInput& input) {
+void draw_wrapping_zone(ImDrawList& list, const PlotAxes& axes, const Palette& colors,
+                        const PlotInput& input) {
     const Curve& curve = input.measurement.curve;
     const float begin = std::max(axes.x(1), axes.area.low.x);
     const float end = std::min(axes.x(end_of_circle(curve.parameters.theta)), axes.area.high.x);
@@ -75,7 +79,8 @@ void draw_wrapping_zone(ImDrawList& list, const PlotAxes& axes, const Palette& c
     list.AddLine({begin, axes.area.low.y}, {begin, axes.area.high.y}, edge);
     const std::string label = fmt::format("θ = {:.2f}", curve.parameters.theta);
     const float room = ImGui::CalcTextSize(label.c_str()).x + 6;
-    draw_text(list, {0.5f * (begin + end), axes.area.low.y + 4}, {0.5f, 0}, end - begin > room ? label : "θ", edge);
+    draw_text(list, {0.5f * (begin + end), axes.area.low.y + 4}, {0.5f, 0}, end - begin > room ? label : "θ",
+              edge);
 }
 
 // Where the truth is outside the band, along the depth axis.
@@ -123,9 +128,10 @@ void draw_stems(ImDrawList& list, const PlotAxes& axes, const Palette& colors, c
     }
     const float x = axes.x(canonical.query);
     list.AddLine({x, ground}, {x, top(canonical.query_absorbance)}, tint, width);
-    list.AddQuadFilled({x - 5 * scale, top(canonical.query_absorbance)}, {x, top(canonical.query_absorbance) - 5 * scale},
-                       {x + 5 * scale, top(canonical.query_absorbance)}, {x, top(canonical.query_absorbance) + 5 * scale},
-                       tint);
+    list.AddQuadFilled({x - 5 * scale, top(canonical.query_absorbance)},
+                       {x, top(canonical.query_absorbance) - 5 * scale},
+                       {x + 5 * scale, top(canonical.query_absorbance)},
+                       {x, top(canonical.query_absorbance) + 5 * scale}, tint);
 }
 
 // Where beta lies between the two bounds at the query depth.
@@ -137,7 +143,7 @@ void draw_query(ImDrawList& list, const PlotAxes& axes, const Palette& colors, c
         list.AddLine({x, y}, {x, std::min(y + 3 * scale, axes.area.high.y)}, colors.axis, scale);
     list.AddTriangleFilled({x - 6 * scale, axes.area.high.y + 1}, {x + 6 * scale, axes.area.high.y + 1},
                            {x, axes.area.high.y - 7 * scale}, colors.text);
-    if (canonical.nodes.empty() || !shows(input, Series::bounds)) return;
+    if (!(input.measurement.curve.moments.b0 > 0) || !shows(input, Series::bounds)) return;
     const float b0 = input.measurement.curve.moments.b0;
     const float beta = input.measurement.curve.parameters.beta;
     const float low = std::clamp(canonical.in_front, 0.0f, b0);
@@ -146,7 +152,8 @@ void draw_query(ImDrawList& list, const PlotAxes& axes, const Palette& colors, c
     const ImU32 tint = tint_of(input, Series::bounds, colors.bounds);
     const float bar = 7 * scale;
     list.AddLine({x, axes.y(low)}, {x, axes.y(high)}, tint, 2 * scale);
-    for (const float end : {low, high}) list.AddLine({x - bar, axes.y(end)}, {x + bar, axes.y(end)}, tint, 2 * scale);
+    for (const float end : {low, high})
+        list.AddLine({x - bar, axes.y(end)}, {x + bar, axes.y(end)}, tint, 2 * scale);
     const float y = axes.y(at);
     const ImU32 fill = tint_of(input, Series::reconstruction, colors.reconstruction);
     list.AddQuadFilled({x - 5 * scale, y}, {x, y - 5 * scale}, {x + 5 * scale, y}, {x, y + 5 * scale}, fill);
@@ -154,7 +161,8 @@ void draw_query(ImDrawList& list, const PlotAxes& axes, const Palette& colors, c
     const bool right = x + ImGui::CalcTextSize(label.c_str()).x + 2 * bar < axes.area.high.x;
     const float height = 0.5f * ImGui::GetTextLineHeight();
     const float text_y = std::clamp(y, axes.area.low.y + height, axes.area.high.y - height);
-    draw_text(list, {right ? x + 1.6f * bar : x - 1.6f * bar, text_y}, {right ? 0.0f : 1.0f, 0.5f}, label, fill);
+    draw_text(list, {right ? x + 1.6f * bar : x - 1.6f * bar, text_y}, {right ? 0.0f : 1.0f, 0.5f}, label,
+              fill);
 }
 
 void draw_marked(ImDrawList& list, const PlotAxes& axes, const Palette& colors, const PlotInput& input) {
@@ -174,7 +182,8 @@ ImVec2 dash_of(std::size_t i) {
     return DASHES[i % std::size(DASHES)];
 }
 
-void draw_dashed(ImDrawList& list, const std::vector<ImVec2>& points, ImU32 tint, float thickness, ImVec2 dash) {
+void draw_dashed(ImDrawList& list, const std::vector<ImVec2>& points, ImU32 tint, float thickness,
+                 ImVec2 dash) {
     if (!(dash.x > 0)) return draw_line(list, points, tint, thickness);
     const float scale = em() / 15;
     const float on = dash.x * scale;

@@ -24,6 +24,7 @@ void draw_small_layers(ImDrawList& list, const PlotAxes& axes, const Palette& co
 ImVec2 dash_of(std::size_t i);
 
 /// A line through points that is dashed along its length.
-void draw_dashed(ImDrawList& list, const std::vector<ImVec2>& points, ImU32 tint, float thickness, ImVec2 dash);
+void draw_dashed(ImDrawList& list, const std::vector<ImVec2>& points, ImU32 tint, float thickness,
+                 ImVec2 dash);
 
 }  // namespace momentscope::ui

@@ -34,28 +34,36 @@ bool has_series(Series series, const Technique& technique) {
 const char* series_help(Series series, const Technique& technique) {
     switch (series) {
         case Series::truth:
-            return "A(z): the sum of the absorbances of all fragments in front of z. It has a step at every fragment.";
+            return "A(z): the sum of the absorbances of all fragments in front of z. It has a step at every "
+                   "fragment.";
         case Series::reconstruction:
-            return "A(z, b, β): what the technique makes of the moments. Its value at a fragment's own depth weighs that "
+            return "A(z, b, β): what the technique makes of the moments. Its value at a fragment's own depth "
+                   "weighs that "
                    "fragment in the picture.";
         case Series::bounds:
-            return technique.has_bounds
-                       ? "The least and the greatest absorbance that any distribution with the biased moments has in "
-                         "front of z (β = 0 and β = 1)."
-                       : "The results for β = 0 and β = 1. For trigonometric moments these are no bounds: the truth may "
-                         "lie outside.";
+            return technique.has_bounds ? "The least and the greatest absorbance that any distribution with "
+                                          "the biased moments has in "
+                                          "front of z (β = 0 and β = 1)."
+                                        : "The results for β = 0 and β = 1. For trigonometric moments these "
+                                          "are no bounds: the truth may "
+                                          "lie outside.";
         case Series::ghost:
-            return "The reconstruction in exact arithmetic without moment bias, in long double. What lies between it and "
+            return "The reconstruction in exact arithmetic without moment bias, in long double. What lies "
+                   "between it and "
                    "the orange curve is the price of bias.";
         case Series::stems:
-            return "The canonical representation: masses that have the biased moments, one of them at the query depth "
-                   "(diamond). Full heads count as in front of it. In a plot of T a stem's height is its share of b₀.";
+            return "The canonical representation: masses that have the biased moments, one of them at the "
+                   "query depth "
+                   "(diamond). Full heads count as in front of it. In a plot of T a stem's height is its "
+                   "share of b₀.";
         case Series::errors:
-            return "From truth to reconstruction at every fragment's own depth: only these values reach the picture.";
+            return "From truth to reconstruction at every fragment's own depth: only these values reach the "
+                   "picture.";
         case Series::wrapping_zone:
             break;
     }
-    return "The arc θ of the circle that holds no depths: beyond the far end of the depth range, where roots wrap to the near "
+    return "The arc θ of the circle that holds no depths: beyond the far end of the depth range, where roots "
+           "wrap to the near "
            "end (Eq. 6).";
 }
 
@@ -111,8 +119,8 @@ std::optional<Series> draw_legend(const Ui& ui, const Measurement& m, ExplorerSt
         bool& shown = state.plot.shown[static_cast<std::size_t>(series)];
         const ImVec2 dash = series == Series::ghost ? ImVec2(7, 4) : ImVec2(0, 0);
         const std::string anchor = fmt::format("legend.{}", SERIES_KEYS[static_cast<std::size_t>(series)]);
-        if (legend_entry(ui, series_name(series, technique), series_color(series, ui.colors), dash, shown, right, first,
-                         anchor))
+        if (legend_entry(ui, series_name(series, technique), series_color(series, ui.colors), dash, shown,
+                         right, first, anchor))
             shown = !shown;
         if (ImGui::IsItemHovered() && shown) hovered = series;
         tooltip(series_help(series, technique), "click to show or hide");
@@ -120,8 +128,8 @@ std::optional<Series> draw_legend(const Ui& ui, const Measurement& m, ExplorerSt
     }
     for (std::size_t i = 0; i < m.compared.size(); ++i) {
         const Technique* compared = m.compared[i].technique;
-        if (legend_entry(ui, compared->id, ui.colors.compared[i % ui.colors.compared.size()], dash_of(i + 1), true, right,
-                         first, fmt::format("legend.{}", compared->id)))
+        if (legend_entry(ui, compared->id, ui.colors.compared[i % ui.colors.compared.size()], dash_of(i + 1),
+                         true, right, first, fmt::format("legend.{}", compared->id)))
             std::erase(state.compared, compared);
         tooltip(compared->description, "click to remove it from the plot");
         first = false;
@@ -131,7 +139,8 @@ std::optional<Series> draw_legend(const Ui& ui, const Measurement& m, ExplorerSt
 
 void draw_tools(const Ui& ui, const Measurement& m, ExplorerState& state) {
     PlotState& plot = state.plot;
-    const auto choose = [&](const char* label, bool on, const char* anchor, const char* help, const char* key) {
+    const auto choose = [&](const char* label, bool on, const char* anchor, const char* help,
+                            const char* key) {
         const bool clicked = toggle_button(label, on);
         ui.mark(anchor);
         tooltip(help, key);
@@ -148,17 +157,18 @@ void draw_tools(const Ui& ui, const Measurement& m, ExplorerState& state) {
     };
     if (choose("A", plot.quantity == Quantity::absorbance, "plot.absorbance", "Show absorbance A(z).", "T"))
         set_quantity(Quantity::absorbance);
-    if (choose("T", plot.quantity == Quantity::transmittance, "plot.transmittance", "Show transmittance T(z) = exp(−A(z)).",
-               "T"))
+    if (choose("T", plot.quantity == Quantity::transmittance, "plot.transmittance",
+               "Show transmittance T(z) = exp(−A(z)).", "T"))
         set_quantity(Quantity::transmittance);
     ImGui::SameLine(0, em());
-    if (choose("warped", plot.axis == DepthAxis::warped, "plot.warped", "Warped depth, as the moments see it (Section 3.3).",
-               "D"))
+    if (choose("warped", plot.axis == DepthAxis::warped, "plot.warped",
+               "Warped depth, as the moments see it (Section 3.3).", "D"))
         set_axis(DepthAxis::warped);
     ImGui::BeginDisabled(!m.capture.ray.warp.logarithmic);
     if (choose("view", plot.axis == DepthAxis::view, "plot.view",
-               m.capture.ray.warp.logarithmic ? "View depth: the distance from the camera's plane in scene units."
-                                              : "This ray has no warp: view depth is its depth.",
+               m.capture.ray.warp.logarithmic
+                   ? "View depth: the distance from the camera's plane in scene units."
+                   : "This ray has no warp: view depth is its depth.",
                "D"))
         set_axis(DepthAxis::view);
     ImGui::EndDisabled();
@@ -172,10 +182,13 @@ void draw_tools(const Ui& ui, const Measurement& m, ExplorerState& state) {
     ImGui::SameLine(0, em());
     ImGui::SetNextItemWidth(std::min(9 * em(), std::max(ImGui::GetContentRegionAvail().x, 20.0f)));
     float query = query_depth(m.capture.ray, state);
-    if (ImGui::SliderFloat("##query", &query, -1, 1, "query z = %.3f", ImGuiSliderFlags_AlwaysClamp)) plot.query = query;
+    if (ImGui::SliderFloat("##query", &query, -1, 1, "query z = %.3f", ImGuiSliderFlags_AlwaysClamp))
+        plot.query = query;
     ui.mark("plot.query");
-    tooltip("The query depth z at which bounds, β and the canonical representation are drawn. Drag in the plot, or "
-            "Ctrl+click here to type a number.");
+    tooltip(
+        "The query depth z at which bounds, β and the canonical representation are drawn. Drag in the plot, "
+        "or "
+        "Ctrl+click here to type a number.");
 }
 
 // The fragment whose step is nearest to the mouse, if it is near.
@@ -218,8 +231,10 @@ void draw_crosshair(const Ui& ui, const PlotAxes& axes, const Measurement& m, co
     value_line("truth", ui.colors.truth, static_cast<float>(curve.truth[0]), axes);
     if (!curve.beta0.empty()) {
         value_line("reconstruction", ui.colors.reconstruction, curve.reconstructed[0], axes);
-        value_line(curve.technique->has_bounds ? "lower bound of A" : "β = 0", ui.colors.bounds, curve.beta0[0], axes);
-        value_line(curve.technique->has_bounds ? "upper bound of A" : "β = 1", ui.colors.bounds, curve.beta1[0], axes);
+        value_line(curve.technique->has_bounds ? "lower bound of A" : "β = 0", ui.colors.bounds,
+                   curve.beta0[0], axes);
+        value_line(curve.technique->has_bounds ? "upper bound of A" : "β = 1", ui.colors.bounds,
+                   curve.beta1[0], axes);
     }
     if (!m.ghost.empty())
         value_line("exact, no bias", ui.colors.ghost,
@@ -258,8 +273,8 @@ const char* series_name(Series series, const Technique& technique) {
 
 std::string band_note(const Measurement& m) {
     if (m.curve.beta0.empty() || m.exit.where.empty()) return "";
-    const std::string where = fmt::format("Near z = {:.2f} the truth leaves the band by {:.3g}: ", m.exit.worst_depth,
-                                          m.exit.worst);
+    const std::string where = fmt::format(
+        "Near z = {:.2f} the truth leaves the band by {:.3g}: ", m.exit.worst_depth, m.exit.worst);
     if (m.canonical.floored_pivots > 0)
         return where + "the matrix of the moments is singular in floats; a greater moment bias α mends it.";
     return where + (m.curve.technique->has_bounds
@@ -360,8 +375,9 @@ void PlotPanel::draw(const Ui& ui, const Measurement& m, ExplorerState& state, I
     list.PopClipRect();
     if (m.capture.ray.fragments.empty())
         draw_text(list,
-                  {0.5f * (axes.area.low.x + axes.area.high.x), 0.5f * (axes.area.low.y + axes.area.high.y)}, {0.5f, 0.5f},
-                  "No transparent surface covers this pixel. Click one in the scene.", ui.colors.text);
+                  {0.5f * (axes.area.low.x + axes.area.high.x), 0.5f * (axes.area.low.y + axes.area.high.y)},
+                  {0.5f, 0.5f}, "No transparent surface covers this pixel. Click one in the scene.",
+                  ui.colors.text);
     list.PopClipRect();
     if (ImGui::IsItemHovered() && contains(axes.area, ImGui::GetIO().MousePos) && grip_ != Grip::pan)
         draw_crosshair(ui, axes, m, state);
@@ -385,8 +401,10 @@ void draw_pinned_plots(const Ui& ui, const Measurement& m, ExplorerState& state,
         const float line = ImGui::GetTextLineHeight();
         const bool clicked = ImGui::InvisibleButton("pin", each);
         ui.mark(fmt::format("pin.{}", i + 1));
-        const bool on_cross = ImGui::GetIO().MousePos.x > area.high.x - 1.3f * line && ImGui::GetIO().MousePos.y < low.y + 1.3f * line;
-        ui.anchors[fmt::format("pin.{}.remove", i + 1)] = {{area.high.x - 1.3f * line, low.y}, {area.high.x, low.y + 1.3f * line}};
+        const bool on_cross = ImGui::GetIO().MousePos.x > area.high.x - 1.3f * line &&
+                              ImGui::GetIO().MousePos.y < low.y + 1.3f * line;
+        ui.anchors[fmt::format("pin.{}.remove", i + 1)] = {{area.high.x - 1.3f * line, low.y},
+                                                           {area.high.x, low.y + 1.3f * line}};
         tooltip(on_cross ? "Remove this pin." : "Click to go to this pixel.");
         ImDrawList& list = *ImGui::GetWindowDrawList();
         list.PushClipRect(area.low, area.high, true);

@@ -23,7 +23,8 @@ void SceneLoader::start(const std::string& id_or_path, float opacity) {
 }
 
 std::optional<Scene> SceneLoader::take() {
-    if (!busy() || result_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
+    if (!busy() || result_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+        return std::nullopt;
     return result_.get();  // leaves the future without a state: not busy any more, even if it throws
 }
 

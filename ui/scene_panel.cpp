@@ -42,25 +42,30 @@ void draw_label(ImDrawList& list, ImVec2 at, const std::string& text, const Pale
 }
 
 // Pixels with their values in 8-bit sRGB, the picked one framed.
-void draw_lens(ImDrawList& list, const Rect& area, const ScenePicture& picture, glm::ivec2 pixel, const Palette& colors) {
+void draw_lens(ImDrawList& list, const Rect& area, const ScenePicture& picture, glm::ivec2 pixel,
+               const Palette& colors) {
     if (picture.lens.width < 1) return;
     const float cell = 3.0f * em();
     const float pad = 0.5f * em();
-    const ImVec2 extent = {cell * static_cast<float>(picture.lens.width), cell * static_cast<float>(picture.lens.height)};
+    const ImVec2 extent = {cell * static_cast<float>(picture.lens.width),
+                           cell * static_cast<float>(picture.lens.height)};
     const ImVec2 low = {area.low.x + pad, area.high.y - pad - extent.y};
     if (low.y < area.low.y || low.x + extent.x > area.high.x) return;  // no room
-    list.AddRectFilled({low.x - 3, low.y - 3}, {low.x + extent.x + 3, low.y + extent.y + 3}, colors.mark_edge);
+    list.AddRectFilled({low.x - 3, low.y - 3}, {low.x + extent.x + 3, low.y + extent.y + 3},
+                       colors.mark_edge);
     const float size = 0.78f * em();
     for (int y = 0; y < picture.lens.height; ++y)
         for (int x = 0; x < picture.lens.width; ++x) {
             const glm::vec4 value = picture.lens.at(x, y);
             glm::ivec3 srgb;
-            for (int c = 0; c < 3; ++c) srgb[c] = static_cast<int>(std::lround(255 * srgb_from_linear(value[c])));
+            for (int c = 0; c < 3; ++c)
+                srgb[c] = static_cast<int>(std::lround(255 * srgb_from_linear(value[c])));
             const ImVec2 at = {low.x + cell * static_cast<float>(x), low.y + cell * static_cast<float>(y)};
             list.AddRectFilled(at, {at.x + cell, at.y + cell}, IM_COL32(srgb.r, srgb.g, srgb.b, 255));
             const bool bright = 2 * srgb.r + 5 * srgb.g + srgb.b > 8 * 110;
             for (int c = 0; c < 3; ++c)
-                list.AddText(ImGui::GetFont(), size, {at.x + 0.18f * cell, at.y + (0.08f + 0.3f * static_cast<float>(c)) * cell},
+                list.AddText(ImGui::GetFont(), size,
+                             {at.x + 0.18f * cell, at.y + (0.08f + 0.3f * static_cast<float>(c)) * cell},
                              bright ? IM_COL32(0, 0, 0, 255) : IM_COL32(255, 255, 255, 255),
                              fmt::format("{}", srgb[c]).c_str());
         }
@@ -68,7 +73,8 @@ void draw_lens(ImDrawList& list, const Rect& area, const ScenePicture& picture, 
     const ImVec2 frame = {low.x + middle.x, low.y + middle.y};
     list.AddRect(frame, {frame.x + cell, frame.y + cell}, colors.mark_edge, 0, 0, 4);
     list.AddRect(frame, {frame.x + cell, frame.y + cell}, colors.mark, 0, 0, 2);
-    draw_label(list, {low.x + pad, low.y - 1.6f * em()}, fmt::format("pixel {}, {}: sRGB", pixel.x, pixel.y), colors, colors.text);
+    draw_label(list, {low.x + pad, low.y - 1.6f * em()}, fmt::format("pixel {}, {}: sRGB", pixel.x, pixel.y),
+               colors, colors.text);
 }
 
 std::optional<glm::ivec2> parse_place(const std::string& text) {
@@ -98,8 +104,8 @@ void pick(ExplorerState& state, glm::vec2 fraction) {
     state.marked.reset();
 }
 
-void ScenePanel::draw_tools(const Ui& ui, const Measurement& m, const ScenePicture& picture, ExplorerState& state,
-                            std::string& message) {
+void ScenePanel::draw_tools(const Ui& ui, const Measurement& m, const ScenePicture& picture,
+                            ExplorerState& state, std::string& message) {
     const auto next = [&](const char* anchor, const std::string& help, const char* key) {
         ui.mark(anchor);
         tooltip(help, key);
@@ -123,7 +129,8 @@ void ScenePanel::draw_tools(const Ui& ui, const Measurement& m, const ScenePictu
     next("scene.lens", "Magnify the pixels around the picked one, with their values.", "L");
     if (toggle_button("failures", state.failures)) state.failures = !state.failures;
     next("scene.failures",
-         "Mark pixels with a fragment whose matrix was singular in floats (hatched) or whose sum left [0, 1] and was clamped "
+         "Mark pixels with a fragment whose matrix was singular in floats (hatched) or whose sum left [0, 1] "
+         "and was clamped "
          "(plain).",
          "O");
     ImGui::Button("truth");
@@ -135,25 +142,27 @@ void ScenePanel::draw_tools(const Ui& ui, const Measurement& m, const ScenePictu
     if (ImGui::InputTextWithHint("##goto", "go to x, y", &go_to_, ImGuiInputTextFlags_EnterReturnsTrue)) {
         const auto place = parse_place(go_to_);
         const glm::ivec2 size = m.picture_size;
-        if (place && glm::all(glm::greaterThanEqual(*place, glm::ivec2(0))) && glm::all(glm::lessThan(*place, size))) {
+        if (place && glm::all(glm::greaterThanEqual(*place, glm::ivec2(0))) &&
+            glm::all(glm::lessThan(*place, size))) {
             pick(state, fraction_of(*place, size));
             go_to_.clear();
         } else {
-            message = fmt::format("'{}' is no pixel of the picture; type two numbers from 0, 0 to {}, {}.", go_to_, size.x - 1,
-                                  size.y - 1);
+            message = fmt::format("'{}' is no pixel of the picture; type two numbers from 0, 0 to {}, {}.",
+                                  go_to_, size.x - 1, size.y - 1);
         }
     }
     ui.mark("scene.goto");
     tooltip("Type the column and row of a pixel and press Enter.", "Ctrl+G");
 }
 
-glm::ivec2 ScenePanel::draw_controls(const Ui& ui, const Measurement& m, const ScenePicture& picture, ExplorerState& state,
-                                     ImVec2 size, std::string& message) {
+glm::ivec2 ScenePanel::draw_controls(const Ui& ui, const Measurement& m, const ScenePicture& picture,
+                                     ExplorerState& state, ImVec2 size, std::string& message) {
     const float top = ImGui::GetCursorScreenPos().y;
     ImGui::PushID("scene panel");
     draw_tools(ui, m, picture, state, message);
     corner_ = ImGui::GetCursorScreenPos();
-    const ImVec2 extent = {std::max(std::floor(size.x), 1.0f), std::max(std::floor(size.y - (corner_.y - top)), 1.0f)};
+    const ImVec2 extent = {std::max(std::floor(size.x), 1.0f),
+                           std::max(std::floor(size.y - (corner_.y - top)), 1.0f)};
     ImGui::InvisibleButton("scene", extent,
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
@@ -173,7 +182,8 @@ void ScenePanel::handle_mouse(const Measurement& m, const ScenePicture& picture,
         pick(state, fraction_of(glm::ivec2(glm::floor(at)), m.picture_size));
     }
     const bool moved = io.MouseDelta.x != 0 || io.MouseDelta.y != 0;
-    if (active && moved && ImGui::IsMouseDown(ImGuiMouseButton_Right)) camera = orbited(camera, io.MouseDelta);
+    if (active && moved && ImGui::IsMouseDown(ImGuiMouseButton_Right))
+        camera = orbited(camera, io.MouseDelta);
     if (active && moved && ImGui::IsMouseDown(ImGuiMouseButton_Middle))
         camera = panned(camera, io.MouseDelta, m.picture_size);
     if (ImGui::IsItemHovered() && io.MouseWheel != 0) camera = zoomed(camera, io.MouseWheel);
@@ -187,31 +197,39 @@ void ScenePanel::draw_picture(const Ui& ui, const Measurement& m, const ScenePic
     const float pad = 0.8f * em();
     if (state.ray) {
         list.AddRectFilled(area.low, area.high, ui.colors.plot_background);
-        list.AddText({area.low.x + pad, area.low.y + pad}, ui.colors.text,
-                     "A view ray from a file: it has a function, but no picture.\nChoose a scene to see one.");
+        list.AddText(
+            {area.low.x + pad, area.low.y + pad}, ui.colors.text,
+            "A view ray from a file: it has a function, but no picture.\nChoose a scene to see one.");
         return;
     }
+    if (picture.texture == 0) return list.AddRectFilled(area.low, area.high, ui.colors.plot_background);
     const auto texture = [](unsigned name) {
-        return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(name));  // NOLINT(performance-no-int-to-ptr): ImGui
+        return reinterpret_cast<ImTextureID>(
+            static_cast<std::intptr_t>(name));  // NOLINT(performance-no-int-to-ptr): ImGui
     };
     list.PushClipRect(area.low, area.high, true);
     // GL's first row is the lowest. While another scene is read the last picture may have another size.
     list.AddImage(texture(picture.texture), area.low, area.high, {0, 1}, {1, 0});
     if (picture.overlay != 0) list.AddImage(texture(picture.overlay), area.low, area.high, {0, 1}, {1, 0});
     const auto place = [&](glm::ivec2 pixel) {
-        return ImVec2(area.low.x + static_cast<float>(pixel.x) + 0.5f, area.low.y + static_cast<float>(pixel.y) + 0.5f);
+        return ImVec2(area.low.x + static_cast<float>(pixel.x) + 0.5f,
+                      area.low.y + static_cast<float>(pixel.y) + 0.5f);
     };
-    for (std::size_t i = 0; i < m.pins.size(); ++i) draw_pin_mark(list, place(m.pins[i].pixel), i + 1, ui.colors);
+    for (std::size_t i = 0; i < m.pins.size(); ++i)
+        draw_pin_mark(list, place(m.pins[i].pixel), i + 1, ui.colors);
     draw_crosshair_mark(list, place(m.pixel), ui.colors);
     draw_lens(list, area, picture, m.pixel, ui.colors);
-    if (*picture.title != '\0') draw_label(list, {area.low.x + pad, area.low.y + pad}, picture.title, ui.colors, ui.colors.text);
+    if (*picture.title != '\0')
+        draw_label(list, {area.low.x + pad, area.low.y + pad}, picture.title, ui.colors, ui.colors.text);
     if (state.failures) {
         const std::string counts =
-            picture.failures ? fmt::format("failed: {} pixels (hatched)   clamped: {} pixels (plain)", picture.failures->failed,
-                                           picture.failures->clamped)
+            picture.failures ? fmt::format("failed: {} pixels (hatched)   clamped: {} pixels (plain)",
+                                           picture.failures->failed, picture.failures->clamped)
                              : std::string("this technique reconstructs nothing that could fail");
-        draw_label(list, {area.low.x + pad, area.high.y - pad - ImGui::GetTextLineHeight() - (state.lens ? 18 * em() : 0)},
-                   counts, ui.colors, ui.colors.text);
+        draw_label(
+            list,
+            {area.low.x + pad, area.high.y - pad - ImGui::GetTextLineHeight() - (state.lens ? 18 * em() : 0)},
+            counts, ui.colors, ui.colors.text);
     }
     list.PopClipRect();
 }

@@ -13,19 +13,19 @@ struct ScenePicture {
     unsigned texture = 0;
     unsigned overlay = 0;  // of failures, or 0
     std::optional<FailureCounts> failures;
-    const char* title = "";      // drawn in the corner, as "ground truth"; or empty
-    glm::ivec2 lens_corner{0};   // upper left pixel of the lens's region
-    Image lens;                  // empty: no lens
-    Camera scene_camera;         // the scene's own
+    const char* title = "";     // drawn in the corner, as "ground truth"; or empty
+    glm::ivec2 lens_corner{0};  // upper left pixel of the lens's region
+    Image lens;                 // empty: no lens
+    Camera scene_camera;        // the scene's own
     glm::vec2 scene_picked{0.5f};
 };
 
 class ScenePanel {
 public:
-    /// Draws the tool row and makes room for the picture; the mouse and the controls change `state`. Returns the
-    /// picture's size in pixels, for which the picture is then computed, and drawn by draw_picture.
-    glm::ivec2 draw_controls(const Ui& ui, const Measurement& measurement, const ScenePicture& picture, ExplorerState& state,
-                             ImVec2 size, std::string& message);
+    /// Draws the tool row and makes room for the picture; the mouse and the controls change `state`. Returns
+    /// the picture's size in pixels, for which the picture is then computed, and drawn by draw_picture.
+    glm::ivec2 draw_controls(const Ui& ui, const Measurement& measurement, const ScenePicture& picture,
+                             ExplorerState& state, ImVec2 size, std::string& message);
 
     void draw_picture(const Ui& ui, const Measurement& measurement, const ScenePicture& picture,
                       const ExplorerState& state) const;
@@ -37,9 +37,10 @@ public:
     void focus_go_to() { focus_go_to_ = true; }
 
 private:
-    void draw_tools(const Ui& ui, const Measurement& measurement, const ScenePicture& picture, ExplorerState& state,
-                    std::string& message);
-    void handle_mouse(const Measurement& measurement, const ScenePicture& picture, ExplorerState& state) const;
+    void draw_tools(const Ui& ui, const Measurement& measurement, const ScenePicture& picture,
+                    ExplorerState& state, std::string& message);
+    void handle_mouse(const Measurement& measurement, const ScenePicture& picture,
+                      ExplorerState& state) const;
 
     ImVec2 corner_{0, 0};
     std::string go_to_;

@@ -105,7 +105,8 @@ public:
         value = static_cast<Enum>(at - std::begin(names));
     }
     /// `count` numbers, each within [low, high].
-    std::vector<float> numbers(const json& list, const std::string& key, std::size_t count, float low, float high) const {
+    std::vector<float> numbers(const json& list, const std::string& key, std::size_t count, float low,
+                               float high) const {
         if (!list.is_array() || list.size() != count) fail(key, fmt::format("a list of {} numbers", count));
         std::vector<float> values;
         for (const json& entry : list) values.push_back(checked(entry, key, low, high));
@@ -120,7 +121,8 @@ public:
 private:
     float checked(const json& value, const std::string& key, float low, float high) const {
         const float number = value.is_number() ? value.get<float>() : std::nanf("");
-        if (!(number >= low && number <= high)) fail(key, fmt::format("a number from {:g} to {:g}", low, high));
+        if (!(number >= low && number <= high))
+            fail(key, fmt::format("a number from {:g} to {:g}", low, high));
         return number;
     }
 
@@ -262,14 +264,16 @@ Session session_from_json(const std::string& text) {
     if (version == nullptr || !version->is_number_integer())
         throw Error("This file is no session of Momentscope; choose one that Momentscope saved.");
     if (version->get<long long>() != SESSION_VERSION)
-        throw Error(fmt::format("This session has version {}, but this Momentscope reads version {}; open it with the "
-                                "Momentscope that saved it.",
-                                version->get<long long>(), SESSION_VERSION));
+        throw Error(fmt::format(
+            "This session has version {}, but this Momentscope reads version {}; open it with the "
+            "Momentscope that saved it.",
+            version->get<long long>(), SESSION_VERSION));
     reader.text("scene", state.scene);
     if (const json* ray = reader.find("ray"); ray != nullptr && !ray->is_null())
         state.ray = ray_from_json(ray->dump());
     read_techniques(reader, state);
-    if (const json* found = reader.find("parameters")) read_parameters(*found, state.parameters, session.ignored);
+    if (const json* found = reader.find("parameters"))
+        read_parameters(*found, state.parameters, session.ignored);
     if (const json* found = reader.find("camera")) state.camera = camera_from(*found, session.ignored);
     read_places(reader, state);
     if (const json* found = reader.find("plot")) read_plot(*found, state.plot, session.ignored);
@@ -277,7 +281,8 @@ Session session_from_json(const std::string& text) {
     reader.flag("lens", state.lens);
     reader.flag("failures", state.failures);
     reader.text("card", state.card);
-    if (!state.card.empty() && find_lesson(state.card) == nullptr) reader.fail("card", "the id of a card, or empty");
+    if (!state.card.empty() && find_lesson(state.card) == nullptr)
+        reader.fail("card", "the id of a card, or empty");
     reader.flag("answer", state.answer);
     reader.choice("theme", state.theme, THEMES);
     reader.number("scene_share", state.scene_share, 0.2f, 0.8f);
@@ -288,9 +293,11 @@ Session session_from_json(const std::string& text) {
 Session read_session_file(const std::filesystem::path& path) {
     std::error_code status;
     if (!std::filesystem::is_regular_file(path, status))
-        throw Error(fmt::format("There is no session file '{}'; choose one that Momentscope saved.", path.string()));
+        throw Error(
+            fmt::format("There is no session file '{}'; choose one that Momentscope saved.", path.string()));
     if (std::filesystem::file_size(path, status) > MAX_SESSION_BYTES)
-        throw Error(fmt::format("'{}' is too large for a session; choose one that Momentscope saved.", path.string()));
+        throw Error(fmt::format("'{}' is too large for a session; choose one that Momentscope saved.",
+                                path.string()));
     std::ifstream file(path, std::ios::binary);
     const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
     if (!file) throw Error(fmt::format("The session file '{}' cannot be read.", path.string()));

@@ -14,13 +14,23 @@ struct NamedKey {
     int number;  // GLFW's
     int imgui;   // ImGuiKey_, or -1
 };
-constexpr NamedKey KEYS[] = {
-    {"Space", 32, ImGuiKey_Space},       {"Escape", 256, ImGuiKey_Escape},     {"Enter", 257, ImGuiKey_Enter},
-    {"Tab", 258, ImGuiKey_Tab},          {"Backspace", 259, ImGuiKey_Backspace}, {"Insert", 260, ImGuiKey_Insert},
-    {"Delete", 261, ImGuiKey_Delete},    {"Right", 262, ImGuiKey_RightArrow},  {"Left", 263, ImGuiKey_LeftArrow},
-    {"Down", 264, ImGuiKey_DownArrow},   {"Up", 265, ImGuiKey_UpArrow},        {"PageUp", 266, ImGuiKey_PageUp},
-    {"PageDown", 267, ImGuiKey_PageDown}, {"Home", 268, ImGuiKey_Home},        {"End", 269, ImGuiKey_End},
-    {"F1", 290, -1},                     {"F11", 300, -1}};
+constexpr NamedKey KEYS[] = {{"Space", 32, ImGuiKey_Space},
+                             {"Escape", 256, ImGuiKey_Escape},
+                             {"Enter", 257, ImGuiKey_Enter},
+                             {"Tab", 258, ImGuiKey_Tab},
+                             {"Backspace", 259, ImGuiKey_Backspace},
+                             {"Insert", 260, ImGuiKey_Insert},
+                             {"Delete", 261, ImGuiKey_Delete},
+                             {"Right", 262, ImGuiKey_RightArrow},
+                             {"Left", 263, ImGuiKey_LeftArrow},
+                             {"Down", 264, ImGuiKey_DownArrow},
+                             {"Up", 265, ImGuiKey_UpArrow},
+                             {"PageUp", 266, ImGuiKey_PageUp},
+                             {"PageDown", 267, ImGuiKey_PageDown},
+                             {"Home", 268, ImGuiKey_Home},
+                             {"End", 269, ImGuiKey_End},
+                             {"F1", 290, -1},
+                             {"F11", 300, -1}};
 
 bool modifiers_match(const Shortcut& shortcut) {
     const ImGuiIO& io = ImGui::GetIO();
@@ -33,7 +43,8 @@ std::optional<Shortcut> parse_shortcut(std::string_view name) {
     Shortcut shortcut;
     for (bool found = true; found;) {
         found = false;
-        for (const auto& [prefix, flag] : {std::pair("Ctrl+", &shortcut.ctrl), std::pair("Shift+", &shortcut.shift)})
+        for (const auto& [prefix, flag] :
+             {std::pair("Ctrl+", &shortcut.ctrl), std::pair("Shift+", &shortcut.shift)})
             if (name.starts_with(prefix)) {
                 name.remove_prefix(std::string_view(prefix).size());
                 *flag = found = true;
@@ -70,8 +81,9 @@ void use_key_numbers() {
     ImGuiIO& io = ImGui::GetIO();
     for (const NamedKey& key : KEYS)
         if (key.imgui >= 0) io.KeyMap[key.imgui] = key.number;
-    for (const auto& [imgui, letter] : {std::pair(ImGuiKey_A, 'A'), std::pair(ImGuiKey_C, 'C'), std::pair(ImGuiKey_V, 'V'),
-                                        std::pair(ImGuiKey_X, 'X'), std::pair(ImGuiKey_Y, 'Y'), std::pair(ImGuiKey_Z, 'Z')})
+    for (const auto& [imgui, letter] :
+         {std::pair(ImGuiKey_A, 'A'), std::pair(ImGuiKey_C, 'C'), std::pair(ImGuiKey_V, 'V'),
+          std::pair(ImGuiKey_X, 'X'), std::pair(ImGuiKey_Y, 'Y'), std::pair(ImGuiKey_Z, 'Z')})
         io.KeyMap[imgui] = letter;
 }
 

@@ -18,8 +18,8 @@ struct Shortcut {
 /// nullopt for a name that is none.
 std::optional<Shortcut> parse_shortcut(std::string_view name);
 
-/// Was it pressed in this frame? False while a text is being typed, unless it has Ctrl or is Escape. `repeats`: does a
-/// key that is held count again and again?
+/// Was it pressed in this frame? False while a text is being typed, unless it has Ctrl or is Escape.
+/// `repeats`: does a key that is held count again and again?
 bool pressed(const Shortcut& shortcut, bool repeats = false);
 
 /// Is its key down, without modifiers?

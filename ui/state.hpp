@@ -1,4 +1,5 @@
-// state.hpp -- all that the user chose, as one value: sessions save it, undo restores it, everything shown follows from it.
+// state.hpp -- all that the user chose, as one value: sessions save it, undo restores it, everything shown
+// follows from it.
 #pragma once
 #include <array>
 #include <optional>
@@ -19,8 +20,8 @@ enum class Series : std::size_t { truth, reconstruction, bounds, ghost, stems, e
 constexpr std::size_t SERIES_COUNT = 7;
 
 /// Names by which sessions and events know a series.
-constexpr std::array<const char*, SERIES_COUNT> SERIES_KEYS = {"truth", "reconstruction", "bounds", "ghost",
-                                                               "stems", "errors",         "wrapping_zone"};
+constexpr std::array<const char*, SERIES_COUNT> SERIES_KEYS = {
+    "truth", "reconstruction", "bounds", "ghost", "stems", "errors", "wrapping_zone"};
 
 /// An interval of an axis; low < high.
 struct Range {
@@ -35,7 +36,8 @@ struct PlotState {
     std::array<bool, SERIES_COUNT> shown = {true, true, true, false, true, true, true};
     std::optional<Range> depth;  // visible part of the axis, in [-1, 1] or view depth; nullopt: all
     std::optional<Range> value;  // the same of the vertical axis
-    std::optional<float> query;  // warped depth of the canonical representation; nullopt: the marked fragment's, or 0
+    std::optional<float>
+        query;  // warped depth of the canonical representation; nullopt: the marked fragment's, or 0
     friend bool operator==(const PlotState&, const PlotState&) = default;
 };
 
@@ -52,8 +54,9 @@ struct ExplorerState {
     const Technique* technique = &require_technique("power6-32");
     std::vector<const Technique*> compared;  // drawn beside it in the plot
     ParameterValues parameters;
-    std::optional<Camera> camera;       // nullopt: the scene's own
-    std::optional<glm::vec2> picked;    // fraction of the picture from its upper left corner; nullopt: the scene's own
+    std::optional<Camera> camera;  // nullopt: the scene's own
+    std::optional<glm::vec2>
+        picked;  // fraction of the picture from its upper left corner; nullopt: the scene's own
     std::vector<glm::vec2> pins;        // at most MAX_PINS, as fractions
     std::optional<std::size_t> marked;  // index of a fragment of the picked ray
     PlotState plot;

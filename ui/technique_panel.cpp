@@ -18,8 +18,8 @@ void row(const char* name, const std::string& value, const char* help) {
 std::string memory(const Technique& technique, glm::ivec2 size) {
     if (technique.bits_per_pixel == 0) return "grows with the fragments";
     const double bytes = static_cast<double>(technique.bits_per_pixel) / 8 * size.x * size.y;
-    return fmt::format("{} bits per pixel, {:.1f} MB for these {} × {} pixels", technique.bits_per_pixel, bytes / 1e6, size.x,
-                       size.y);
+    return fmt::format("{} bits per pixel, {:.1f} MB for these {} × {} pixels", technique.bits_per_pixel,
+                       bytes / 1e6, size.x, size.y);
 }
 
 }  // namespace

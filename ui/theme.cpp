@@ -13,8 +13,8 @@ constexpr ImU32 rgb(unsigned hex, unsigned opacity = 255) {
 }
 
 // Okabe and Ito's palette.
-constexpr unsigned ORANGE = 0xE69F00, SKY_BLUE = 0x56B4E9, GREEN = 0x009E73, YELLOW = 0xF0E442, BLUE = 0x0072B2,
-                   VERMILION = 0xD55E00, PURPLE = 0xCC79A7;
+constexpr unsigned ORANGE = 0xE69F00, SKY_BLUE = 0x56B4E9, GREEN = 0x009E73, YELLOW = 0xF0E442,
+                   BLUE = 0x0072B2, VERMILION = 0xD55E00, PURPLE = 0xCC79A7;
 
 constexpr Palette DARK = {.text = rgb(0xD5D9DE),
                           .dim_text = rgb(0x8F98A3),
@@ -32,7 +32,7 @@ constexpr Palette DARK = {.text = rgb(0xD5D9DE),
                           .wrapping_zone = rgb(PURPLE),
                           .wrapping_zone_fill = rgb(PURPLE, 58),
                           .exit = rgb(0xF07030),
-                          .compared = {rgb(0x35C79A), rgb(YELLOW), rgb(PURPLE), rgb(SKY_BLUE)},
+                          .compared = {rgb(PURPLE), rgb(SKY_BLUE), rgb(YELLOW), rgb(0x35C79A)},
                           .mark = rgb(0xFFFFFF),
                           .mark_edge = rgb(0x000000),
                           .pin = rgb(YELLOW)};
@@ -53,7 +53,7 @@ constexpr Palette LIGHT = {.text = rgb(0x22272E),
                            .wrapping_zone = rgb(0xA84C80),
                            .wrapping_zone_fill = rgb(PURPLE, 70),
                            .exit = rgb(0xB0305A),
-                           .compared = {rgb(GREEN), rgb(0x8A6D00), rgb(0xA84C80), rgb(BLUE)},
+                           .compared = {rgb(0xA84C80), rgb(BLUE), rgb(0x8A6D00), rgb(GREEN)},
                            .mark = rgb(0xFFFFFF),
                            .mark_edge = rgb(0x000000),
                            .pin = rgb(YELLOW)};
@@ -88,8 +88,10 @@ void apply_colors(const WindowColors& c) {
     set({ImGuiCol_TabActive, ImGuiCol_TabUnfocusedActive, ImGuiCol_Header}, color(c.header));
     set({ImGuiCol_HeaderHovered}, color(c.accent, 0.35f));
     set({ImGuiCol_HeaderActive}, color(c.accent, 0.5f));
-    set({ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive, ImGuiCol_CheckMark, ImGuiCol_PlotHistogram}, color(c.accent));
-    set({ImGuiCol_Border, ImGuiCol_Separator, ImGuiCol_TableBorderLight, ImGuiCol_TableBorderStrong}, color(c.border));
+    set({ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive, ImGuiCol_CheckMark, ImGuiCol_PlotHistogram},
+        color(c.accent));
+    set({ImGuiCol_Border, ImGuiCol_Separator, ImGuiCol_TableBorderLight, ImGuiCol_TableBorderStrong},
+        color(c.border));
     set({ImGuiCol_TableHeaderBg}, color(c.frame));
     set({ImGuiCol_TableRowBgAlt}, color(c.text, 0.04f));
     set({ImGuiCol_TitleBg, ImGuiCol_TitleBgActive, ImGuiCol_TitleBgCollapsed}, color(c.header));
@@ -117,8 +119,8 @@ void load_fonts(float scale) {
     ImGuiIO& io = ImGui::GetIO();
     io.Fonts->AddFontFromFileTTF(REGULAR, SIZE * scale, nullptr, ranges);
     io.Fonts->AddFontFromFileTTF(BOLD, SIZE * scale, nullptr, ranges);
-    io.IniFilename = nullptr;                 // nothing is written behind the user's back
-    io.ConfigInputTextCursorBlink = false;    // a blinking cursor would redraw an idle window
+    io.IniFilename = nullptr;               // nothing is written behind the user's back
+    io.ConfigInputTextCursorBlink = false;  // a blinking cursor would redraw an idle window
     io.ConfigWindowsMoveFromTitleBarOnly = true;
 }
 

@@ -8,8 +8,8 @@
 
 namespace momentscope::ui {
 
-/// Colours of what the plot and the scene view draw. Those of curves are Okabe and Ito's, which colour-blind people tell
-/// apart; the light theme takes the darker ones.
+/// Colours of what the plot and the scene view draw. Those of curves are Okabe and Ito's, which colour-blind
+/// people tell apart; the light theme takes the darker ones.
 struct Palette {
     ImU32 text, dim_text, warning;
     ImU32 plot_background, grid, axis;
@@ -19,8 +19,8 @@ struct Palette {
 };
 const Palette& palette(ThemeKind kind);
 
-/// Loads DejaVu Sans with Greek and the mathematical signs that labels use, and its bold for headings. Throws Error when
-/// the font is not installed. Call once per ImGui context.
+/// Loads DejaVu Sans with Greek and the mathematical signs that labels use, and its bold for headings. Throws
+/// Error when the font is not installed. Call once per ImGui context.
 void load_fonts(float scale);
 ImFont* bold_font();
 

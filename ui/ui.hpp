@@ -14,8 +14,8 @@ struct Rect {
     bool empty() const { return !(low.x < high.x && low.y < high.y); }
 };
 
-/// Where named controls were drawn in the last frame, so that event files and tests can point at them without knowing
-/// the layout.
+/// Where named controls were drawn in the last frame, so that event files and tests can point at them without
+/// knowing the layout.
 using Anchors = std::map<std::string, Rect>;
 
 struct Ui {
@@ -33,7 +33,8 @@ inline float em() {
     return ImGui::GetFontSize();
 }
 
-/// A wrapped tooltip for the control that was drawn last: what it is, and in weaker text its shortcut or source.
+/// A wrapped tooltip for the control that was drawn last: what it is, and in weaker text its shortcut or
+/// source.
 void tooltip(const std::string& text, const std::string& weaker = "");
 
 /// A button that looks pressed while `on`. True when it was clicked.

@@ -19,7 +19,8 @@ bool has_extension(std::string_view wanted) {
     GLint count = 0;
     glGetIntegerv(GL_NUM_EXTENSIONS, &count);
     for (GLint i = 0; i < count; ++i)
-        if (wanted == reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)))) return true;
+        if (wanted == reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i))))
+            return true;
     return false;
 }
 
@@ -29,16 +30,20 @@ GlInfo gl_info() {
     GlInfo info;
     info.renderer = gl_text(GL_RENDERER);
     info.version = gl_text(GL_VERSION);
-    info.software = std::ranges::any_of(std::initializer_list<const char*>{"llvmpipe", "softpipe", "SWR"}, [&](const char* name) {
-        return info.renderer.find(name) != std::string::npos;
-    });
+    info.software =
+        std::ranges::any_of(std::initializer_list<const char*>{"llvmpipe", "softpipe", "SWR"},
+                            [&](const char* name) { return info.renderer.find(name) != std::string::npos; });
     if (info.software)
-        info.missing.push_back({"a GPU", "pictures are drawn by the CPU, so times say nothing about graphics hardware"});
-    if (!has_extension("GL_ARB_fragment_shader_interlock") && !has_extension("GL_NV_fragment_shader_interlock"))
-        info.missing.push_back({"fragment shader interlock",
-                                "methods that read, change and write a pixel in order cannot run in one pass"});
+        info.missing.push_back(
+            {"a GPU", "pictures are drawn by the CPU, so times say nothing about graphics hardware"});
+    if (!has_extension("GL_ARB_fragment_shader_interlock") &&
+        !has_extension("GL_NV_fragment_shader_interlock"))
+        info.missing.push_back(
+            {"fragment shader interlock",
+             "methods that read, change and write a pixel in order cannot run in one pass"});
     if (!has_extension("GL_NV_shader_atomic_int64"))
-        info.missing.push_back({"64-bit atomics in shaders", "methods that sort fragments by atomics cannot run"});
+        info.missing.push_back(
+            {"64-bit atomics in shaders", "methods that sort fragments by atomics cannot run"});
     GLint64 block = 0;
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &block);
     constexpr GLint64 WHOLE_PICTURE = 120'000'000;  // the list that sorted asks for

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace momentscope {
 
@@ -9,9 +10,13 @@ namespace {
 
 constexpr float PI = 3.14159265f;
 
+bool knows(std::string_view basis) {
+    return basis == "power" || basis == "trigonometric";
+}
+
 // Undoes the change of variable in which a basis finds its roots (see shaders/shared/<basis>_moments.glsl).
 float node_depth(float t, float query, const Curve& curve) {
-    if (!curve.technique->uses(ParameterId::theta)) return query + 1.0f / t;
+    if (std::string_view(curve.technique->basis) == "power") return query + 1.0f / t;
     const float phase_per_depth = PI - 0.5f * curve.parameters.theta;
     const float phase = (query + 1) * phase_per_depth + 2 * std::atan2(1.0f, t);
     return std::fmod(phase, 2 * PI) / phase_per_depth - 1;
@@ -26,7 +31,8 @@ float end_of_circle(float wrapping_zone_angle) {
 CanonicalRepresentation canonical_representation(const Curve& curve, float query) {
     CanonicalRepresentation result;
     result.query = query;
-    if (curve.technique == nullptr || curve.technique->kernel == nullptr || !(curve.moments.b0 > 0)) return result;
+    if (curve.technique == nullptr || curve.technique->kernel == nullptr || !(curve.moments.b0 > 0))
+        return result;
     const MomentKernel& kernel = *curve.technique->kernel;
     const float b0 = curve.moments.b0;
     const ReconstructionSteps steps = kernel.steps(
@@ -34,6 +40,7 @@ CanonicalRepresentation canonical_representation(const Curve& curve, float query
     result.query_absorbance = steps.query_weight * b0;
     result.in_front = steps.in_front * b0;
     result.floored_pivots = steps.floored_pivots;
+    if (!knows(curve.technique->basis)) return result;  // in front and behind are known, but not the depths
     for (std::size_t l = 0; l < static_cast<std::size_t>(kernel.node_count); ++l)
         result.nodes.push_back({node_depth(steps.t[l], query, curve), steps.weight[l] * b0, steps.value[l]});
     std::ranges::sort(result.nodes, {}, &PointMass::depth);

@@ -8,20 +8,21 @@ namespace momentscope {
 
 /// One mass of the distribution that has the biased moments and a mass at the query depth.
 struct PointMass {
-    float depth;       // power moments: anywhere, +-infinity included. Trigonometric moments: [-1, end of circle)
+    float depth;  // power moments: anywhere, +-infinity included. Trigonometric moments: [-1, end of circle)
     float absorbance;  // >= 0
     float value;       // v_l in [0, 1]: the share that counts as in front of the query depth
 };
 
 struct CanonicalRepresentation {
-    float query = 0;              // depth
-    float query_absorbance = 0;   // w_0 b0: the gap between the bounds, of which beta counts
-    float in_front = 0;           // absorbance of the others that counts as in front
+    float query = 0;               // depth
+    float query_absorbance = 0;    // w_0 b0: the gap between the bounds, of which beta counts
+    float in_front = 0;            // absorbance of the others that counts as in front
     std::vector<PointMass> nodes;  // without the query; ascending depth
-    int floored_pivots = 0;       // how often the matrix was singular in floats
+    int floored_pivots = 0;        // how often the matrix was singular in floats
 };
 
-/// Empty nodes for an empty ray or a technique without moments. query in [-1, 1].
+/// Empty nodes for an empty ray, a technique without moments, or a basis other than power and trigonometric.
+/// query in [-1, 1].
 CanonicalRepresentation canonical_representation(const Curve& curve, float query);
 
 /// The depth at which the circle of trigonometric moments ends: beyond 1 lies the wrapping zone (Eq. 5).

@@ -29,8 +29,8 @@ std::vector<reference::PointMass<Real>> exact_masses(const ViewRay& ray) {
 // nullopt where the matrix is singular: the distribution is the only one with its moments.
 template <std::size_t M>
 std::optional<Fraction> power(Masses masses, const ResolvedParameters& parameters) {
-    const auto moments =
-        reference::normalise_and_bias(reference::power_moments<M>(masses), reference::PowerMoments<M, Real>{1}, Real(0));
+    const auto moments = reference::normalise_and_bias(reference::power_moments<M>(masses),
+                                                       reference::PowerMoments<M, Real>{1}, Real(0));
     const auto factor = reference::factor_power<M, Real>(moments);
     if (!factor) return std::nullopt;
     return [factor = *factor, beta = static_cast<Real>(parameters.beta)](Real depth) {
@@ -52,9 +52,25 @@ std::optional<Fraction> trigonometric(Masses masses, const ResolvedParameters& p
     };
 }
 
-std::optional<Fraction> exact_fraction(const Technique& technique, Masses masses, const ResolvedParameters& parameters) {
+// A row's basis as a value, so that rows of bases without a reference compile too.
+enum class Basis { power, trigonometric, other };
+
+constexpr Basis basis_of(std::string_view name) {
+    return name == "power" ? Basis::power : name == "trigonometric" ? Basis::trigonometric : Basis::other;
+}
+
+template <Basis basis, std::size_t M>
+std::optional<Fraction> fraction(Masses masses, const ResolvedParameters& parameters) {
+    if constexpr (basis == Basis::power) return power<M>(masses, parameters);
+    if constexpr (basis == Basis::trigonometric) return trigonometric<M>(masses, parameters);
+    return std::nullopt;
+}
+
+std::optional<Fraction> exact_fraction(const Technique& technique, Masses masses,
+                                       const ResolvedParameters& parameters) {
 #define MOMENT_TECHNIQUE(row, basis, count, text, ...) \
-    if (std::string_view(technique.id) == (text)) return basis<count>(masses, parameters);
+    if (std::string_view(technique.id) == (text))      \
+        return fraction<basis_of(#basis), count>(masses, parameters);
 #include "core/techniques/moment_techniques.def"
 #undef MOMENT_TECHNIQUE
     return std::nullopt;
@@ -71,7 +87,7 @@ Real determined(Masses masses, Real depth, Real beta) {
 
 std::vector<float> unbiased_absorbance(const ViewRay& ray, const Technique& technique,
                                        const ResolvedParameters& parameters, std::span<const float> depths) {
-    if (technique.kernel == nullptr) return {};
+    if (technique.kernel == nullptr || basis_of(technique.basis) == Basis::other) return {};
     const auto masses = exact_masses(ray);
     if (masses.empty()) return std::vector<float>(depths.size(), 0.0f);
     const auto fraction = exact_fraction(technique, masses, parameters);
@@ -81,9 +97,9 @@ std::vector<float> unbiased_absorbance(const ViewRay& ray, const Technique& tech
     absorbance.reserve(depths.size());
     for (const float depth : depths) {
         const auto at = static_cast<Real>(depth);
-        absorbance.push_back(static_cast<float>(
-            fraction ? total * std::clamp((*fraction)(at), Real(0), Real(1))
-                     : determined(masses, at, static_cast<Real>(parameters.beta))));
+        absorbance.push_back(
+            static_cast<float>(fraction ? total * std::clamp((*fraction)(at), Real(0), Real(1))
+                                        : determined(masses, at, static_cast<Real>(parameters.beta))));
     }
     return absorbance;
 }

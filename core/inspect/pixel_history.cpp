@@ -34,15 +34,16 @@ std::vector<PixelHistoryRow> pixel_history(const ViewRay& ray, std::span<const f
 
 std::string pixel_history_to_csv(const ViewRay& ray, const std::vector<PixelHistoryRow>& rows) {
     std::string text =
-        "draw,primitive,view_depth,depth,opacity,absorbance,true_transmittance,gl_transmittance,transmittance,"
+        "draw,primitive,view_depth,depth,opacity,absorbance,true_transmittance,gl_transmittance,"
+        "transmittance,"
         "error,source_r,source_g,source_b,source_weight,sum_r,sum_g,sum_b,sum_weight\n";
     for (const PixelHistoryRow& row : rows) {
         const Fragment& f = ray.fragments[row.fragment];
         const std::string gl = row.gl_transmittance ? fmt::format("{}", *row.gl_transmittance) : "";
-        fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", f.draw,
-                       f.primitive, f.view_depth, f.depth, f.opacity, row.absorbance, row.true_transmittance, gl,
-                       row.transmittance, row.error(), row.source.r, row.source.g, row.source.b, row.source.a,
-                       row.sum.r, row.sum.g, row.sum.b, row.sum.a);
+        fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+                       f.draw, f.primitive, f.view_depth, f.depth, f.opacity, row.absorbance,
+                       row.true_transmittance, gl, row.transmittance, row.error(), row.source.r, row.source.g,
+                       row.source.b, row.source.a, row.sum.r, row.sum.g, row.sum.b, row.sum.a);
     }
     return text;
 }

@@ -10,13 +10,13 @@
 namespace momentscope {
 
 struct PixelHistoryRow {
-    std::size_t fragment;            // index into ViewRay::fragments
-    float absorbance;                // -ln(1 - alpha_l), as the shaders compute it
-    double true_transmittance;       // of all that lies strictly in front
-    float transmittance;             // reconstructed in C++; the truth for techniques without moments
+    std::size_t fragment;                   // index into ViewRay::fragments
+    float absorbance;                       // -ln(1 - alpha_l), as the shaders compute it
+    double true_transmittance;              // of all that lies strictly in front
+    float transmittance;                    // reconstructed in C++; the truth for techniques without moments
     std::optional<float> gl_transmittance;  // by the GL's second pass, where there is one
-    glm::vec4 source;                // what blending adds: T alpha_l (colour, 1)
-    glm::vec4 sum;                   // what stood there before, with all submitted earlier
+    glm::vec4 source;                       // what blending adds: T alpha_l (colour, 1)
+    glm::vec4 sum;                          // what stood there before, with all submitted earlier
 
     /// Reconstructed minus true: positive where the fragment shines through too much.
     double error() const { return static_cast<double>(transmittance) - true_transmittance; }

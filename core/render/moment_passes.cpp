@@ -75,7 +75,8 @@ void MomentPasses::draw_composite(const PassInput& input) {
 
 bool MomentPasses::draw_failures(const PassInput& input) {
     if (failure_program_ == 0)
-        failure_program_ = link_program("passes/scene.vert", "passes/failures.frag", moment_variant(technique_));
+        failure_program_ =
+            link_program("passes/scene.vert", "passes/failures.frag", moment_variant(technique_));
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);

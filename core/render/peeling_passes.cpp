@@ -23,7 +23,8 @@ PeelingPasses::PeelingPasses(glm::ivec2 size, GLuint /*depth: copied for every l
 bool PeelingPasses::draw_layer(const PassInput& input, int layer) {
     const int now = layer % 2;
     const float zero[4] = {0, 0, 0, 0};
-    if (layer == 0) glClearNamedFramebufferfv(layer_targets_[1], GL_DEPTH, 0, zero);  // nothing lies before it
+    if (layer == 0)
+        glClearNamedFramebufferfv(layer_targets_[1], GL_DEPTH, 0, zero);  // nothing lies before it
     glCopyImageSubData(input.depth, GL_TEXTURE_2D, 0, 0, 0, 0, depths_[now], GL_TEXTURE_2D, 0, 0, 0, 0,
                        input.size.x, input.size.y, 1);
     glClearNamedFramebufferfv(layer_targets_[now], GL_COLOR, 0, zero);

@@ -203,8 +203,8 @@ std::optional<FailureCounts> Renderer::draw_failures() {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     std::vector<glm::vec2> counts(static_cast<std::size_t>(view_.size.x) *
                                   static_cast<std::size_t>(view_.size.y));
-    glGetTextureImage(failure_counts_, 0, GL_RG, GL_FLOAT, static_cast<GLsizei>(counts.size() * sizeof(glm::vec2)),
-                      counts.data());
+    glGetTextureImage(failure_counts_, 0, GL_RG, GL_FLOAT,
+                      static_cast<GLsizei>(counts.size() * sizeof(glm::vec2)), counts.data());
     check_gl("marking failed reconstructions");
     FailureCounts total;
     for (const glm::vec2& count : counts) {

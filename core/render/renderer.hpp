@@ -58,7 +58,8 @@ public:
     /// All transparent fragments that cover a pixel of the last picture and are not behind opaque surfaces.
     PixelCapture capture_pixel(glm::ivec2 pixel);
 
-    /// A rectangle of the picture in linear RGBA; corner is its upper left. Throws Error unless it lies within.
+    /// A rectangle of the picture in linear RGBA; corner is its upper left. Throws Error unless it lies
+    /// within.
     Image read_region(glm::ivec2 corner, glm::ivec2 extent) const;
 
     /// Counts failed and clamped reconstructions of the last picture, and draws where they are into

@@ -35,8 +35,8 @@ public:
     /// Binds what capture.frag WITH_TRANSMITTANCE reads. False when the technique has no such thing.
     virtual bool bind_for_capture() const { return false; }
 
-    /// Counts failed and clamped reconstructions into the bound two-channel target, additively. False when the
-    /// technique reconstructs nothing.
+    /// Counts failed and clamped reconstructions into the bound two-channel target, additively. False when
+    /// the technique reconstructs nothing.
     virtual bool draw_failures(const PassInput&) { return false; }
 };
 

@@ -65,23 +65,24 @@ std::vector<Technique> make_rows() {
                     .bits_per_pixel = 0,
                     .geometry_passes = 1,
                     .order_dependent = false});
-    rows.push_back({.id = "peeling",
-                    .name = "depth peeling",
-                    .description =
-                        "A second ground truth that shares nothing with the first: the depth test peels one layer after "
-                        "another, and blending puts them together from front to back. One geometry pass per layer; of "
-                        "fragments at the same depth only one survives.",
-                    .source = "Everitt 2001",
-                    .path = RenderPath::peeling,
-                    .kernel = nullptr,
-                    .basis = nullptr,
-                    .moment_count = 0,
-                    .parameters = {},
-                    .recommended_bias = 0,
-                    .has_bounds = false,
-                    .bits_per_pixel = 64,  // two depth buffers
-                    .geometry_passes = 0,
-                    .order_dependent = false});
+    rows.push_back(
+        {.id = "peeling",
+         .name = "depth peeling",
+         .description =
+             "A second ground truth that shares nothing with the first: the depth test peels one layer after "
+             "another, and blending puts them together from front to back. One geometry pass per layer; of "
+             "fragments at the same depth only one survives.",
+         .source = "Everitt 2001",
+         .path = RenderPath::peeling,
+         .kernel = nullptr,
+         .basis = nullptr,
+         .moment_count = 0,
+         .parameters = {},
+         .recommended_bias = 0,
+         .has_bounds = false,
+         .bits_per_pixel = 64,  // two depth buffers
+         .geometry_passes = 0,
+         .order_dependent = false});
     return rows;
 }
 

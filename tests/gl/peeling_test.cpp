@@ -85,7 +85,8 @@ TEST_F(PeelingTest, ARegionIsCutOutOfThePicture) {
     EXPECT_GT(renderer.pass_times().color, 0) << "the GL measures its passes";
 }
 
-// Equation 2 by hand, from the fragments and T that the second pass gave them: sums in half floats, so 3 digits.
+// Equation 2 by hand, from the fragments and T that the second pass gave them: sums in half floats, so 3
+// digits.
 TEST_F(PeelingTest, MomentsCompositeByHand) {
     const Scene scene = load_scene("planes", 0.4f);
     for (const float renormalize : {0.0f, 1.0f}) {

@@ -26,10 +26,12 @@ TEST_F(ExplorerTest, EveryParameterChangesPlotAndPicture) {
         if (row.scale == Scale::toggle)
             play(fmt::format("click @parameter.{}\nmove 5 790", row.key));
         else
-            play(fmt::format("drag @parameter.{} 0.3 0.5 to @parameter.{} 1 0.5\nmove 5 790", row.key, row.key));
+            play(fmt::format("drag @parameter.{} 0.3 0.5 to @parameter.{} 1 0.5\nmove 5 790", row.key,
+                             row.key));
         const auto after = screen();
         EXPECT_NE(explorer().state().parameters[id], ParameterValues()[id]) << row.key;
-        EXPECT_GT(changed(fmt::format("parameter.{}", row.key), before, after), 0) << row.key << " moves its control";
+        EXPECT_GT(changed(fmt::format("parameter.{}", row.key), before, after), 0)
+            << row.key << " moves its control";
         EXPECT_GT(changed("scene", before, after), 50) << row.key << " changes the picture";
     }
 }
@@ -50,9 +52,11 @@ TEST_F(ExplorerTest, TheGoToBoxPicksAndExplainsNonsense) {
     play("key Ctrl+G\ntype 120, 77\nkey Enter");
     EXPECT_EQ(measurement().pixel, glm::ivec2(120, 77));
     for (const char* nonsense : {"abc", "12", "1 2 3", "-1, 5", "99999, 3", "1e99, 4"}) {
-        play(fmt::format("key Ctrl+G\ntype {}\nkey Enter\nexpect-message is no pixel of the picture\nkey Escape\nclick @scene.goto\n"
-                         "key Ctrl+A\nkey Delete\nkey Escape",
-                         nonsense));
+        play(
+            fmt::format("key Ctrl+G\ntype {}\nkey Enter\nexpect-message is no pixel of the picture\nkey "
+                        "Escape\nclick @scene.goto\n"
+                        "key Ctrl+A\nkey Delete\nkey Escape",
+                        nonsense));
         EXPECT_EQ(measurement().pixel, glm::ivec2(120, 77)) << nonsense;
     }
 }
@@ -65,7 +69,8 @@ TEST_F(ExplorerTest, OrbitPanAndZoomMoveTheCamera) {
     EXPECT_LT(explorer().camera().azimuth, own.azimuth);
     EXPECT_GT(explorer().camera().elevation, own.elevation);
     play("drag " + on_scene({300, 300}) + " to " + on_scene({400, 300}) + " middle");
-    EXPECT_LT(explorer().camera().target.x, own.target.x) << "what is dragged to the right shows what was on the left";
+    EXPECT_LT(explorer().camera().target.x, own.target.x)
+        << "what is dragged to the right shows what was on the left";
     play("move " + on_scene({300, 300}) + "\nwheel 3");
     EXPECT_LT(explorer().camera().distance, own.distance);
     EXPECT_GT(changed("scene", before, screen()), 1000);
@@ -79,8 +84,8 @@ TEST_F(ExplorerTest, PanningFollowsTheMouse) {
     const auto on_screen = [&](const glm::vec3& point) {
         const glm::ivec2 size = measurement().picture_size;
         const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
-        const glm::vec4 clip =
-            projection_matrix(explorer().camera(), aspect) * view_matrix(explorer().camera()) * glm::vec4(point, 1);
+        const glm::vec4 clip = projection_matrix(explorer().camera(), aspect) *
+                               view_matrix(explorer().camera()) * glm::vec4(point, 1);
         return 0.5f * glm::vec2(clip) / clip.w * glm::vec2(size);
     };
     const glm::vec3 target = explorer().camera().target;
@@ -111,11 +116,15 @@ TEST_F(ExplorerTest, ChangesRunNoMorePassesThanTheyNeed) {
         const PassCounts before = window_->renderer().pass_counts();
         play(event);
         const PassCounts& after = window_->renderer().pass_counts();
-        return std::array<int, 3>{after.opaque > before.opaque, after.moments > before.moments, after.color > before.color};
+        return std::array<int, 3>{after.opaque > before.opaque, after.moments > before.moments,
+                                  after.color > before.color};
     };
-    EXPECT_EQ(passes_of("drag @parameter.beta 0.25 0.5 to @parameter.beta 1 0.5"), (std::array<int, 3>{0, 0, 1}));
-    EXPECT_EQ(passes_of("drag @parameter.theta 0.2 0.5 to @parameter.theta 0.6 0.5"), (std::array<int, 3>{0, 1, 1}));
-    EXPECT_EQ(passes_of("click @plot 0.3 0.4\nkey T\nkey P\nkey Ctrl+2\nkey B"), (std::array<int, 3>{0, 0, 0}));
+    EXPECT_EQ(passes_of("drag @parameter.beta 0.25 0.5 to @parameter.beta 1 0.5"),
+              (std::array<int, 3>{0, 0, 1}));
+    EXPECT_EQ(passes_of("drag @parameter.theta 0.2 0.5 to @parameter.theta 0.6 0.5"),
+              (std::array<int, 3>{0, 1, 1}));
+    EXPECT_EQ(passes_of("click @plot 0.3 0.4\nkey T\nkey P\nkey Ctrl+2\nkey B"),
+              (std::array<int, 3>{0, 0, 0}));
     EXPECT_EQ(passes_of("wait 60\nmove 20 780\nmove 60 780"), (std::array<int, 3>{0, 0, 0}));
 }
 
@@ -161,8 +170,10 @@ TEST_F(ExplorerTest, EveryTechniqueAndSceneCanBeChosen) {
 TEST_F(ExplorerTest, ComparedTechniquesArePlotted) {
     open();
     const auto before = screen();
-    play("click @controls.compared\nclick @controls.compared.power4-32\nclick @controls.compared.trig3-32\nkey Escape\n"
-         "click 5 790");
+    play(
+        "click @controls.compared\nclick @controls.compared.power4-32\nclick "
+        "@controls.compared.trig3-32\nkey Escape\n"
+        "click 5 790");
     ASSERT_EQ(measurement().compared.size(), 2u);
     EXPECT_EQ(std::string(measurement().compared[1].technique->id), "trig3-32");
     EXPECT_GT(changed("plot", before, screen()), 200);
@@ -189,9 +200,11 @@ TEST_F(ExplorerTest, GroundTruthIsShownWhileHeld) {
     const ui::Rect rect = explorer().anchors().at("scene");
     const auto sorted = screen();
     long differing = 0;
-    for (int y = static_cast<int>(rect.low.y) + 60; y < static_cast<int>(rect.high.y); ++y)  // below the label
+    for (int y = static_cast<int>(rect.low.y) + 60; y < static_cast<int>(rect.high.y);
+         ++y)  // below the label
         for (int x = static_cast<int>(rect.low.x); x < static_cast<int>(rect.high.x); ++x)
-            differing += std::equal(&sorted[4u * static_cast<unsigned>(y * size_.x + x)], &sorted[4u * static_cast<unsigned>(y * size_.x + x)] + 4,
+            differing += std::equal(&sorted[4u * static_cast<unsigned>(y * size_.x + x)],
+                                    &sorted[4u * static_cast<unsigned>(y * size_.x + x)] + 4,
                                     &truth[4u * static_cast<unsigned>(y * size_.x + x)])
                              ? 0
                              : 1;
@@ -229,7 +242,8 @@ TEST_F(ExplorerTest, PinsKeepSmallPlots) {
     EXPECT_EQ(measurement().pixel, measurement().pins[0].pixel);
     play("click @pin.1.remove");
     EXPECT_EQ(measurement().pins.size(), 1u);
-    for (const char* place : {"0.1", "0.2", "0.3", "0.4"}) play(fmt::format("click @scene {} 0.5\nkey P", place));
+    for (const char* place : {"0.1", "0.2", "0.3", "0.4"})
+        play(fmt::format("click @scene {} 0.5\nkey P", place));
     EXPECT_EQ(measurement().pins.size(), ui::MAX_PINS);
     EXPECT_NE(explorer().message().find("Four pixels"), std::string::npos);
     play("drag " + on_scene({300, 300}) + " to " + on_scene({320, 300}) + " right");

@@ -1,4 +1,5 @@
 // keys_test.cpp -- every key of the key list does what the list says: one test per key.
+#include <fstream>
 #include <map>
 #include <set>
 
@@ -28,7 +29,9 @@ const std::map<std::string, Check>& checks() {
             EXPECT_NE(p.now.state().plot.shown[i], p.before.plot.shown[i]);
         };
     };
-    const auto panel = [](ui::Panel one) { return [one](const Pressed& p) { EXPECT_EQ(p.now.state().panel, one); }; };
+    const auto panel = [](ui::Panel one) {
+        return [one](const Pressed& p) { EXPECT_EQ(p.now.state().panel, one); };
+    };
     const auto file = [](const Pressed& p) { EXPECT_TRUE(p.now.shows_file_dialog()); };
     static const std::map<std::string, Check> all = {
         {"file.open_session", file},
@@ -36,17 +39,32 @@ const std::map<std::string, Check>& checks() {
         {"file.open_mesh", file},
         {"file.open_ray", file},
         {"file.export", file},
-        {"edit.undo", [](const Pressed& p) { EXPECT_NE(p.now.state(), p.before); EXPECT_TRUE(p.now.can_redo()); }},
-        {"edit.redo", [](const Pressed& p) { EXPECT_FALSE(p.now.can_redo()); EXPECT_NE(p.now.state(), p.before); }},
-        {"edit.reset_parameters", [](const Pressed& p) {
+        {"edit.undo",
+         [](const Pressed& p) {
+             EXPECT_NE(p.now.state(), p.before);
+             EXPECT_TRUE(p.now.can_redo());
+         }},
+        {"edit.redo",
+         [](const Pressed& p) {
+             EXPECT_FALSE(p.now.can_redo());
+             EXPECT_NE(p.now.state(), p.before);
+         }},
+        {"edit.reset_parameters",
+         [](const Pressed& p) {
              EXPECT_NE(p.before.parameters, ParameterValues());
              EXPECT_EQ(p.now.state().parameters, ParameterValues());
          }},
         {"view.lens", [](const Pressed& p) { EXPECT_NE(p.now.state().lens, p.before.lens); }},
         {"view.failures", [](const Pressed& p) { EXPECT_NE(p.now.state().failures, p.before.failures); }},
-        {"view.reset", [](const Pressed& p) { EXPECT_TRUE(p.before.camera); EXPECT_FALSE(p.now.state().camera); }},
-        {"view.zoom_in", [](const Pressed& p) { EXPECT_LT(p.now.camera().distance, p.before.camera->distance); }},
-        {"view.zoom_out", [](const Pressed& p) { EXPECT_GT(p.now.camera().distance, p.before.camera->distance); }},
+        {"view.reset",
+         [](const Pressed& p) {
+             EXPECT_TRUE(p.before.camera);
+             EXPECT_FALSE(p.now.state().camera);
+         }},
+        {"view.zoom_in",
+         [](const Pressed& p) { EXPECT_LT(p.now.camera().distance, p.before.camera->distance); }},
+        {"view.zoom_out",
+         [](const Pressed& p) { EXPECT_GT(p.now.camera().distance, p.before.camera->distance); }},
         {"view.panel1", panel(ui::Panel::controls)},
         {"view.panel2", panel(ui::Panel::fragments)},
         {"view.panel3", panel(ui::Panel::technique)},
@@ -60,19 +78,24 @@ const std::map<std::string, Check>& checks() {
         {"pixel.up10", moved({0, -10})},
         {"pixel.down10", moved({0, 10})},
         {"pixel.go_to", [](const Pressed&) { EXPECT_TRUE(ImGui::GetIO().WantTextInput); }},
-        {"pixel.pin", [](const Pressed& p) { EXPECT_EQ(p.now.state().pins.size(), p.before.pins.size() + 1); }},
-        {"pixel.unpin_all", [](const Pressed& p) {
+        {"pixel.pin",
+         [](const Pressed& p) { EXPECT_EQ(p.now.state().pins.size(), p.before.pins.size() + 1); }},
+        {"pixel.unpin_all",
+         [](const Pressed& p) {
              EXPECT_FALSE(p.before.pins.empty());
              EXPECT_TRUE(p.now.state().pins.empty());
          }},
-        {"pixel.next_fragment", [](const Pressed& p) {
-             EXPECT_EQ(p.now.state().marked, p.now.measurement().history[1].fragment);
+        {"pixel.next_fragment",
+         [](const Pressed& p) { EXPECT_EQ(p.now.state().marked, p.now.measurement().history[1].fragment); }},
+        {"pixel.previous_fragment",
+         [](const Pressed& p) { EXPECT_EQ(p.now.state().marked, p.now.measurement().history[0].fragment); }},
+        {"plot.fit",
+         [](const Pressed& p) {
+             EXPECT_TRUE(p.before.plot.depth);
+             EXPECT_FALSE(p.now.state().plot.depth);
          }},
-        {"pixel.previous_fragment", [](const Pressed& p) {
-             EXPECT_EQ(p.now.state().marked, p.now.measurement().history[0].fragment);
-         }},
-        {"plot.fit", [](const Pressed& p) { EXPECT_TRUE(p.before.plot.depth); EXPECT_FALSE(p.now.state().plot.depth); }},
-        {"plot.quantity", [](const Pressed& p) { EXPECT_EQ(p.now.state().plot.quantity, ui::Quantity::transmittance); }},
+        {"plot.quantity",
+         [](const Pressed& p) { EXPECT_EQ(p.now.state().plot.quantity, ui::Quantity::transmittance); }},
         {"plot.axis", [](const Pressed& p) { EXPECT_EQ(p.now.state().plot.axis, ui::DepthAxis::view); }},
         {"plot.truth", series(Series::truth)},
         {"plot.reconstruction", series(Series::reconstruction)},
@@ -83,7 +106,11 @@ const std::map<std::string, Check>& checks() {
         {"plot.wrapping_zone", series(Series::wrapping_zone)},
         {"help.keys", [](const Pressed& p) { EXPECT_TRUE(p.now.shows_help()); }},
         {"help.palette", [](const Pressed& p) { EXPECT_TRUE(p.now.shows_palette()); }},
-        {"help.close", [](const Pressed& p) { EXPECT_FALSE(p.before.card.empty()); EXPECT_TRUE(p.now.state().card.empty()); }},
+        {"help.close",
+         [](const Pressed& p) {
+             EXPECT_FALSE(p.before.card.empty());
+             EXPECT_TRUE(p.now.state().card.empty());
+         }},
     };
     return all;
 }
@@ -147,7 +174,8 @@ TEST_P(KeyTest, DoesWhatTheListSays) {
 
 INSTANTIATE_TEST_SUITE_P(Keys, KeyTest, testing::ValuesIn(key_cases()), [](const auto& test) {
     std::string name = test.param.command + "_" + std::to_string(test.index);
-    std::ranges::replace_if(name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+    std::ranges::replace_if(
+        name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
     return name;
 });
 
@@ -161,6 +189,22 @@ TEST(Commands, HaveUniqueIdsAndKeys) {
             EXPECT_TRUE(keys.insert(key).second) << key << " has two meanings";
         }
     }
+}
+
+// docs/guide lists the keys for those who read; this is the row that it must have.
+TEST(Commands, StandInTheGuideWithTheirKeys) {
+    std::ifstream file("docs/guide/README.md");
+    const std::string guide((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    for (const ui::Command& command : ui::commands()) {
+        if (command.keys.empty()) continue;
+        const std::string row =
+            fmt::format("| `{}` | {}: {} |", fmt::join(command.keys, "`, `"), command.name, command.help);
+        EXPECT_NE(guide.find(row), std::string::npos) << row;
+    }
+    for (const ui::MouseAction& action : ui::mouse_actions())
+        EXPECT_NE(guide.find(fmt::format("| {} on {} | {} |", action.how, action.where, action.what)),
+                  std::string::npos)
+            << action.how << " on " << action.where << " | " << action.what;
 }
 
 class TypingTest : public GuiTest {};

@@ -1,7 +1,7 @@
 // plot_test.cpp -- the plot under the mouse, and what it says.
 #include "tests/gui/gui_fixture.hpp"
-#include "ui/plot_panel.hpp"
 #include "ui/parameter_controls.hpp"
+#include "ui/plot_panel.hpp"
 
 namespace momentscope::test {
 namespace {
@@ -10,7 +10,8 @@ class PlotTest : public GuiTest {
 protected:
     /// The axes as they are drawn now.
     ui::PlotAxes axes() {
-        ui::PlotAxes a = ui::make_axes(measurement().capture.ray, measurement().curve, state().plot, {}, false);
+        ui::PlotAxes a =
+            ui::make_axes(measurement().capture.ray, measurement().curve, state().plot, {}, false);
         a.area = explorer().anchors().at("plot");
         return a;
     }
@@ -28,7 +29,8 @@ TEST_F(PlotTest, TheWheelZoomsAtTheMouse) {
     EXPECT_LT(state().plot.depth->high - state().plot.depth->low, 1.5f);
     EXPECT_NEAR(axes().depth_at(mouse.x), depth, 1e-4f) << "what is under the mouse stays there";
     EXPECT_NEAR(axes().value_at(mouse.y), value, 1e-3f);
-    play("wheel -100\nwheel 100\nwheel 100\nwheel 100\nwheel 100");  // neither overflows nor divides by nothing
+    play("wheel -100\nwheel 100\nwheel 100\nwheel 100\nwheel 100");  // neither overflows nor divides by
+                                                                     // nothing
     EXPECT_GT(axes().depth.high, axes().depth.low);
     play("doubleclick @plot 0.5 0.5");
     EXPECT_FALSE(state().plot.depth || state().plot.value);
@@ -54,14 +56,16 @@ TEST_F(PlotTest, RightDragPansAsTheMouseMoves) {
     const ui::PlotAxes before = axes();
     play("drag @plot 0.5 0.5 to @plot 0.6 0.5 right");
     ASSERT_TRUE(state().plot.depth);
-    EXPECT_NEAR(state().plot.depth->low, before.depth.low - 0.1f * (before.depth.high - before.depth.low), 5e-3f);
+    EXPECT_NEAR(state().plot.depth->low, before.depth.low - 0.1f * (before.depth.high - before.depth.low),
+                5e-3f);
 }
 
 TEST_F(PlotTest, LeftDragMovesTheQuery) {
     open("teapots", "trig3-32");
     play("drag @plot 0.2 0.2 to @plot 0.8 0.2");
     ASSERT_TRUE(state().plot.query);
-    EXPECT_NEAR(*state().plot.query, axes().depth_at(axes().area.low.x + 0.8f * (axes().area.high.x - axes().area.low.x)), 0.01f);
+    EXPECT_NEAR(*state().plot.query,
+                axes().depth_at(axes().area.low.x + 0.8f * (axes().area.high.x - axes().area.low.x)), 0.01f);
     EXPECT_EQ(measurement().canonical.query, *state().plot.query);
     play("drag @plot 0.5 0.2 to 5000 300");
     EXPECT_EQ(*state().plot.query, 1) << "it stays within the depth range";
@@ -108,8 +112,8 @@ TEST_F(PlotTest, ARayWithoutWarpHasNoViewDepth) {
     EXPECT_EQ(state().plot.axis, ui::DepthAxis::warped) << "disabled";
 }
 
-// The truth leaves what bounds the *biased* moments, and the note says why; for trigonometric moments it says that these
-// are no bounds at all.
+// The truth leaves what bounds the *biased* moments, and the note says why; for trigonometric moments it says
+// that these are no bounds at all.
 TEST_F(PlotTest, TheNoteTellsWhyTheTruthLeavesTheBand) {
     ui::ExplorerState biased;
     biased.ray = ViewRay{};
@@ -124,7 +128,8 @@ TEST_F(PlotTest, TheNoteTellsWhyTheTruthLeavesTheBand) {
     EXPECT_NE(ui::band_note(measurement()).find("no bounds"), std::string::npos);
     play("key 2\nclick @parameter.alpha.auto");
     EXPECT_TRUE(ui::band_note(measurement()).empty()) << "with Table 1's bias nothing leaves it visibly";
-    EXPECT_STREQ(ui::series_name(ui::Series::bounds, require_technique("trig2-32")), "β = 0, β = 1 (no bounds)");
+    EXPECT_STREQ(ui::series_name(ui::Series::bounds, require_technique("trig2-32")),
+                 "β = 0, β = 1 (no bounds)");
 }
 
 TEST_F(PlotTest, TheGhostIsComputedOnlyWhileItIsShown) {
@@ -163,7 +168,8 @@ TEST_F(TooltipTest, AppearsOverEveryControl) {
         play("move 5 790");
         const long before = ImGui::GetDrawData()->CmdListsCount;
         play("move @" + anchor);
-        EXPECT_GT(ImGui::GetDrawData()->CmdListsCount, before) << row.key << ": a tooltip is a window of its own";
+        EXPECT_GT(ImGui::GetDrawData()->CmdListsCount, before)
+            << row.key << ": a tooltip is a window of its own";
     }
 }
 

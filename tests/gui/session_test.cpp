@@ -29,7 +29,9 @@ protected:
         std::error_code status;
         fs::remove_all(folder_, status);
     }
-    static void write(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
+    static void write(const fs::path& path, const std::string& text) {
+        std::ofstream(path, std::ios::binary) << text;
+    }
     static std::string read(const fs::path& path) {
         std::ifstream file(path, std::ios::binary);
         return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
@@ -104,20 +106,25 @@ TEST_F(SessionTest, SavingAsksBeforeItReplaces) {
 TEST_F(SessionTest, EveryExportIsWritten) {
     open("planes", "power4-32");
     play("key Ctrl+2");
-    const char* kinds[] = {"curves_csv", "curves_json", "fragments_csv", "ray_json", "picture_png", "picture_exr", "window_png"};
+    const char* kinds[] = {"curves_csv",  "curves_json", "fragments_csv", "ray_json",
+                           "picture_png", "picture_exr", "window_png"};
     int number = 0;
     for (const char* kind : kinds) {
-        play(fmt::format("key Ctrl+E\nclick @file.kind\nclick @file.kind.{}\nclick @file.name\nkey Ctrl+A\ntype out{}\nkey Enter\n"
-                         "later",
-                         kind, number++));
-        EXPECT_NE(explorer().message().find("Written to"), std::string::npos) << kind << ": " << explorer().message();
+        play(
+            fmt::format("key Ctrl+E\nclick @file.kind\nclick @file.kind.{}\nclick @file.name\nkey "
+                        "Ctrl+A\ntype out{}\nkey Enter\n"
+                        "later",
+                        kind, number++));
+        EXPECT_NE(explorer().message().find("Written to"), std::string::npos)
+            << kind << ": " << explorer().message();
     }
     const auto curves = nlohmann::json::parse(read("out1.json"));
     EXPECT_EQ(curves["curves"][0]["reconstructed"].size(), measurement().curve.depth.size());
     EXPECT_EQ(ray_from_json(read("out3.json")).fragments.size(), measurement().capture.ray.fragments.size());
     const std::string fragments = read("out2.csv");
     EXPECT_EQ(std::ranges::count(fragments, '\n'), static_cast<long>(1 + measurement().history.size()));
-    for (const char* picture : {"out4.png", "out5.exr", "out6.png"}) EXPECT_GT(fs::file_size(picture), 1000u) << picture;
+    for (const char* picture : {"out4.png", "out5.exr", "out6.png"})
+        EXPECT_GT(fs::file_size(picture), 1000u) << picture;
 }
 
 TEST_F(SessionTest, ARayFileIsPlotted) {
@@ -181,8 +188,8 @@ TEST_F(SessionTest, BrokenSessionsAreExplainedAndChangeNothing) {
 }
 
 TEST_F(SessionTest, MissingKeysAreStandardAndUnknownOnesAreNamed) {
-    const ui::Session session =
-        ui::session_from_json(R"({"momentscope_session": 1, "technique": "trig4-32", "flavour": 3, "plot": {"smell": 1}})");
+    const ui::Session session = ui::session_from_json(
+        R"({"momentscope_session": 1, "technique": "trig4-32", "flavour": 3, "plot": {"smell": 1}})");
     ui::ExplorerState expected;
     expected.technique = &require_technique("trig4-32");
     EXPECT_EQ(session.state, expected);
@@ -194,7 +201,8 @@ TEST_F(SessionTest, AHugeMeshCanBeCancelled) {
     // 400,000 triangles as text: long enough to read that the first frames find it loading.
     std::string mesh;
     for (int i = 0; i < 200'000; ++i) mesh += fmt::format("v {} {} {}\n", i % 997, i % 991, i % 983);
-    for (int i = 1; i < 199'998; ++i) mesh += fmt::format("f {} {} {}\nf {} {} {}\n", i, i + 1, i + 2, i, i + 2, i + 1);
+    for (int i = 1; i < 199'998; ++i)
+        mesh += fmt::format("f {} {} {}\nf {} {} {}\n", i, i + 1, i + 2, i, i + 2, i + 1);
     write("huge.obj", mesh);
     open();
     const ui::ExplorerState before = state();
@@ -240,7 +248,9 @@ TEST_F(SessionTest, UndoAfterRandomEventsRestoresTheFirstState) {
             const auto& anchors = explorer().anchors();
             auto anchor = anchors.begin();
             std::advance(anchor, static_cast<long>(below(anchors.size())));
-            const auto share = [&] { return fmt::format("{:.2f}", 0.05 + 0.9 * static_cast<double>(below(100)) / 100); };
+            const auto share = [&] {
+                return fmt::format("{:.2f}", 0.05 + 0.9 * static_cast<double>(below(100)) / 100);
+            };
             const auto at = [&] { return fmt::format("@{} {} {}", anchor->first, share(), share()); };
             const auto anywhere = [&] { return fmt::format("{} {}", below(1280), below(800)); };
             const auto all = ui::commands();
@@ -273,7 +283,9 @@ TEST_F(SessionTest, UndoAfterRandomEventsRestoresTheFirstState) {
             played += event + "\n";
             ASSERT_NO_THROW(play(event)) << played;
         }
-        play("release left\nrelease right\nrelease middle\nmove -10 -10\nkey Escape\nkey Escape\nkey Escape\nkey Escape");
+        play(
+            "release left\nrelease right\nrelease middle\nmove -10 -10\nkey Escape\nkey Escape\nkey "
+            "Escape\nkey Escape");
         while (explorer().can_undo()) {
             explorer().undo();
             settle();

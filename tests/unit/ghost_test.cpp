@@ -48,13 +48,14 @@ TEST(Ghost, CountsBetaOfAMassAtItsOwnDepth) {
 
 TEST(Ghost, IsEmptyWithoutMomentsAndZeroWithoutFragments) {
     const float at[] = {0, 0.5f};
-    EXPECT_TRUE(unbiased_absorbance(ray_of({}), require_technique("sorted"), without_bias(0.25f), at).empty());
+    EXPECT_TRUE(
+        unbiased_absorbance(ray_of({}), require_technique("sorted"), without_bias(0.25f), at).empty());
     EXPECT_EQ(unbiased_absorbance(ray_of({}), require_technique("trig2-32"), without_bias(0.25f), at),
               (std::vector<float>{0, 0}));
 }
 
-// With enough bias that floats do not matter, and with the same bias in both, kernel and reference agree; the ghost is
-// that reference with a bias of 0, which a small bias approaches.
+// With enough bias that floats do not matter, and with the same bias in both, kernel and reference agree; the
+// ghost is that reference with a bias of 0, which a small bias approaches.
 TEST(Ghost, IsWhatSmallBiasApproaches) {
     std::mt19937 random(5);
     const float depths[] = {-0.9f, -0.3f, 0.1f, 0.7f};
@@ -69,14 +70,16 @@ TEST(Ghost, IsWhatSmallBiasApproaches) {
             const Curve curve = sample_curve(ray, technique, values, depths);
             const auto ghost = unbiased_absorbance(ray, technique, curve.parameters, depths);
             for (std::size_t d = 0; d < ghost.size(); ++d)
-                mean += std::abs(static_cast<double>(ghost[d] - curve.reconstructed[d])) / curve.total_absorbance;
+                mean +=
+                    std::abs(static_cast<double>(ghost[d] - curve.reconstructed[d])) / curve.total_absorbance;
         }
         // Table 1's bias of 5e-7 and less moves rays of six fragments and more by this little on average.
         EXPECT_LT(mean / (RAYS * 4), 5e-3) << id;
     }
 }
 
-// The masses that the plot draws have the biased moments of the ray: recomputed here from depths and weights alone.
+// The masses that the plot draws have the biased moments of the ray: recomputed here from depths and weights
+// alone.
 TEST(CanonicalRepresentation, HasTheBiasedPowerMoments) {
     std::mt19937 random(6);
     constexpr double B4[] = {0, 0.375, 0, 0.375};  // b* of Table 1
@@ -92,7 +95,8 @@ TEST(CanonicalRepresentation, HasTheBiasedPowerMoments) {
             for (const PointMass& node : canonical.nodes)
                 sum += static_cast<double>(node.absorbance) * std::pow(static_cast<double>(node.depth), k);
             const double alpha = 5e-7;
-            const double stored = k == 0 ? b0 : static_cast<double>(curve.moments.b[static_cast<std::size_t>(k - 1)]);
+            const double stored =
+                k == 0 ? b0 : static_cast<double>(curve.moments.b[static_cast<std::size_t>(k - 1)]);
             const double biased = k == 0 ? b0 : (1 - alpha) * stored + alpha * b0 * B4[k - 1];
             // Far nodes with tiny masses make the fourth moment: their rounding shows most there.
             EXPECT_NEAR(sum, biased, 2e-3 * b0) << "moment " << k;

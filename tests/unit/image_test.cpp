@@ -43,10 +43,11 @@ TEST(OutputFile, AFailureLeavesTheOldFileAndNoOther) {
     fs::create_directories(folder);
     const fs::path path = folder / "a.txt";
     write_text_file("old", path);
-    EXPECT_THROW(replace_file(path, [](const fs::path& partial) {
-                     std::ofstream(partial) << "half of it";
-                     return false;
-                 }),
+    EXPECT_THROW(replace_file(path,
+                              [](const fs::path& partial) {
+                                  std::ofstream(partial) << "half of it";
+                                  return false;
+                              }),
                  Error);
     std::ifstream file(path);
     std::string content;
