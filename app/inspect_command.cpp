@@ -46,6 +46,7 @@ void run_inspect(const Options& options) {
     const ViewRay ray = options.ray.empty() ? capture_scene_pixel(options, parameters, *techniques.front())
                                             : read_ray_file(options.ray);
     std::vector<Curve> curves;
+    curves.reserve(techniques.size());
     for (const Technique* technique : techniques)
         curves.push_back(sample_curve(ray, *technique, parameters, depths));
     const std::string text = format == "json"  ? curves_to_json(ray, curves)

@@ -16,7 +16,7 @@ struct Column {
 constexpr Column COLUMNS[] = {
     {"#", "Place from front to back, and after the stroke the place in which it was submitted."},
     {"z", "Depth, warped to [−1, 1]."},
-    {"opacity α_l", "Opacity of the fragment."},
+    {"opac. α_l", "Opacity α_l of the fragment."},
     {"absorb.", "Absorbance −ln(1 − α_l), as the shaders compute it."},
     {"T true", "Transmittance of everything strictly in front of it."},
     {"T GL", "Transmittance that the GL's second pass computed for it."},
@@ -41,10 +41,11 @@ void swatch(const glm::vec3& linear) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float height = ImGui::GetTextLineHeight();
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled({low.x, low.y + 2}, {low.x + 2 * em(), low.y + height - 1}, display_color(linear), 2);
-    list.AddRect({low.x, low.y + 2}, {low.x + 2 * em(), low.y + height - 1},
+    list.AddRectFilled({low.x, low.y + 2}, {low.x + 1.5f * em(), low.y + height - 1}, display_color(linear),
+                       2);
+    list.AddRect({low.x, low.y + 2}, {low.x + 1.5f * em(), low.y + height - 1},
                  ImGui::GetColorU32(ImGuiCol_Border), 2);
-    ImGui::Dummy({2 * em(), height});
+    ImGui::Dummy({1.5f * em(), height});
 }
 
 std::string vector_text(const glm::vec4& v) {
