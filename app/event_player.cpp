@@ -132,16 +132,17 @@ void EventPlayer::key(const std::string& name, bool down) {
     window_.settle();
 }
 
-// Time passes; only frames that are needed are drawn.
+// Only frames that are needed are drawn; the next one is that much later.
 void EventPlayer::wait(double seconds) {
     const long before = window_.log().frames();
     window_.idle();
+    window_.pass(static_cast<float>(seconds));
     window_.log().line(fmt::format("waited {:g} s: {} frames", seconds, window_.log().frames() - before));
 }
 
 void EventPlayer::expect(const std::string& pointer, const std::string& value) const {
     const nlohmann::json session =
-        nlohmann::json::parse(ui::session_to_json(window_.explorer().state()).dump());
+        nlohmann::json::parse(ui::session_to_json(window_.explorer().state()).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
     nlohmann::json wanted = nlohmann::json::parse(value, nullptr, false);
     if (wanted.is_discarded()) wanted = value;  // a bare word is a text
     nlohmann::json found;
@@ -192,8 +193,6 @@ void EventPlayer::play_line(const std::string& line) {
         window_.settle();
     } else if (what == "wait") {
         wait(static_cast<double>(need_number(words, 1, 0, 1e6f)));
-    } else if (what == "later") {  // so that two clicks are no double click
-        window_.draw(1.0f);
     } else if (what == "resize") {
         window_.resize({static_cast<int>(need_number(words, 1, 1, 16384)),
                         static_cast<int>(need_number(words, 2, 1, 16384))});

@@ -14,13 +14,15 @@ namespace momentscope {
 
 namespace {
 
-ui::ExplorerState state_of_session(const std::string& path) {
-    const ui::Session session = ui::read_session_file(path);
+// What else was typed goes over it.
+ui::ExplorerState state_of_session(const Options& options) {
+    ui::Session session = ui::read_session_file(options.session);
     if (!session.ignored.empty())
         std::fputs(fmt::format("momentscope: The session has what this version does not know: {}.\n",
                                fmt::join(session.ignored, ", "))
                        .c_str(),
                    stderr);
+    session.state.parameters = parse_parameters(options, session.state.parameters);
     return session.state;
 }
 
@@ -37,7 +39,7 @@ ui::ExplorerState state_of_options(const Options& options) {
 
 ui::ExplorerState initial_state(const Options& options) {
     ui::ExplorerState state =
-        options.session.empty() ? state_of_options(options) : state_of_session(options.session);
+        options.session.empty() ? state_of_options(options) : state_of_session(options);
     if (!options.theme.empty())
         state.theme = options.theme == "light" ? ui::ThemeKind::light : ui::ThemeKind::dark;
     return state;
@@ -119,6 +121,7 @@ private:
     void export_window(glm::ivec2 size, const std::string& path) {
         try {
             write_png(read_framebuffer(size), size.x, size.y, path);
+            explorer_.say(fmt::format("Written to {}.", path));
         } catch (const Error& error) {
             explorer_.say(error.what());
         }

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <thread>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/image/image.hpp"
@@ -17,8 +18,8 @@ HeadlessWindow::HeadlessWindow(glm::ivec2 size, const ui::ExplorerState& state, 
       explorer_(renderer_, state, options),
       log_(log) {}
 
-void HeadlessWindow::draw(float seconds) {
-    gui_.begin_frame(size_, seconds);
+void HeadlessWindow::draw() {
+    gui_.begin_frame(size_, std::exchange(passed_, 0.0f) + 1.0f / 60);
     explorer_.frame();
     gui_.end_frame(size_);
     log_.frame(explorer_);
@@ -26,6 +27,7 @@ void HeadlessWindow::draw(float seconds) {
     if (const auto path = explorer_.take_window_export()) {
         try {
             write_png(path->string());
+            explorer_.say("Written to " + path->string() + ".");
         } catch (const Error& error) {
             explorer_.say(error.what());
         }

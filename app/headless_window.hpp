@@ -15,8 +15,11 @@ public:
     HeadlessWindow(glm::ivec2 size, const ui::ExplorerState& state, ui::ExplorerOptions options,
                    FrameLog& log);
 
-    /// Draws one frame; `seconds` is how much later it is than the last one.
-    void draw(float seconds = 1.0f / 60);
+    /// Draws one frame, a sixtieth of a second after the last one and whatever passed.
+    void draw();
+
+    /// Lets time pass before the next frame.
+    void pass(float seconds) { passed_ += seconds; }
 
     /// Tells that there was input, and draws until no frame is needed any more.
     void settle();
@@ -44,6 +47,7 @@ private:
     GuiSession gui_;
     ui::Explorer explorer_;
     FrameNeed need_;
+    float passed_ = 0;
     FrameLog& log_;
 };
 

@@ -95,8 +95,7 @@ int parse_count(const std::string& text, const char* what, int least, int most) 
     return *count;
 }
 
-ParameterValues parse_parameters(const Options& options) {
-    ParameterValues values;
+ParameterValues parse_parameters(const Options& options, ParameterValues values) {
     for (const auto& [key, text] : options.parameters) {
         if (text.empty()) continue;
         const Parameter& row = *find_parameter(key);

@@ -49,7 +49,8 @@ std::vector<float> parse_depths(const std::string& text);
 /// A whole number from `least` to `most`; `what` names it in the error.
 int parse_count(const std::string& text, const char* what, int least, int most);
 
-ParameterValues parse_parameters(const Options& options);
+/// The parameters that were typed, over `standard`.
+ParameterValues parse_parameters(const Options& options, ParameterValues standard = {});
 std::vector<const Technique*> parse_techniques(const Options& options, const char* standard);
 
 /// The scene, with the opacity parameter applied to a mesh file.

@@ -21,6 +21,12 @@ std::span<const NamedView> named_views() {
     return VIEWS;
 }
 
+Camera looking_from(Camera camera, const NamedView& view) {
+    camera.azimuth = view.azimuth;
+    camera.elevation = view.elevation;
+    return camera;
+}
+
 Camera orbited(Camera camera, ImVec2 moved) {
     constexpr float RADIANS_PER_PIXEL = 0.008f;
     camera.azimuth = std::remainder(camera.azimuth - RADIANS_PER_PIXEL * moved.x, 4 * QUARTER);

@@ -15,6 +15,9 @@ struct NamedView {
 };
 std::span<const NamedView> named_views();
 
+/// The same camera, turned to a named direction.
+Camera looking_from(Camera camera, const NamedView& view);
+
 /// By a mouse movement in pixels.
 Camera orbited(Camera camera, ImVec2 moved);
 Camera panned(Camera camera, ImVec2 moved, glm::ivec2 picture_size);

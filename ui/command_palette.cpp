@@ -70,6 +70,7 @@ const Command* CommandPalette::draw(const Ui& ui, const Explorer& explorer) {
     if (begin_) ImGui::SetKeyboardFocusHere();
     begin_ = false;
     const std::string before = typed_;
+    const int chosen_before = chosen_;
     bool accept = ImGui::InputTextWithHint("##typed", "type what you want to do", &typed_,
                                            ImGuiInputTextFlags_EnterReturnsTrue);
     ui.mark("palette.typed");
@@ -89,7 +90,7 @@ const Command* CommandPalette::draw(const Ui& ui, const Explorer& explorer) {
         if (ImGui::Selectable(label.c_str(), selected)) chosen = &command;
         ui.mark("palette." + command.id);
         if (selected && accept) chosen = &command;
-        if (selected) ImGui::SetScrollHereY();
+        if (selected && chosen_ != chosen_before) ImGui::SetScrollHereY();
         tooltip(command.help);
         if (command.keys.empty()) continue;
         ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - 9 * em());

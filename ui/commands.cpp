@@ -1,6 +1,7 @@
 #include "ui/commands.hpp"
 
 #include <fmt/format.h>
+#include <imgui.h>
 
 #include <algorithm>
 
@@ -126,18 +127,12 @@ void add_view(std::vector<Command>& list) {
                         view.name,
                         {},
                         "Looks from this direction.",
-                        [&view](Explorer& e) {
-                            Camera camera = e.camera();
-                            camera.azimuth = view.azimuth;
-                            camera.elevation = view.elevation;
-                            e.state().camera = camera;
-                        },
+                        [&view](Explorer& e) { e.state().camera = looking_from(e.camera(), view); },
                         has_picture});
-    constexpr const char* PANELS[] = {"Controls", "Fragments", "Technique"};
     for (const Panel panel : {Panel::controls, Panel::fragments, Panel::technique}) {
         const auto index = static_cast<std::size_t>(panel);
         list.push_back({fmt::format("view.panel{}", index + 1),
-                        fmt::format("Tab: {}", PANELS[index]),
+                        fmt::format("Tab: {}", PANEL_NAMES[index]),
                         {fmt::format("Ctrl+{}", index + 1)},
                         "Opens this tab below the plot.",
                         [panel](Explorer& e) { e.state().panel = panel; },
@@ -203,30 +198,19 @@ void add_pixel(std::vector<Command>& list) {
 }
 
 void add_plot(std::vector<Command>& list) {
-    list.push_back({"plot.fit", "Fit", {"F"}, "Shows the whole ray.", [](Explorer& e) {
-                        e.state().plot.depth.reset();
-                        e.state().plot.value.reset();
-                    }});
-    list.push_back({"plot.quantity",
-                    "Transmittance",
-                    {"T"},
-                    "Plots T(z) instead of A(z).",
+    list.push_back(
+        {"plot.fit", "Fit", {"F"}, "Shows the whole ray.", [](Explorer& e) { fit(e.state().plot); }});
+    list.push_back({"plot.quantity", "Transmittance", {"T"}, "Plots T(z) instead of A(z).",
                     [](Explorer& e) {
-                        PlotState& plot = e.state().plot;
-                        plot.quantity = plot.quantity == Quantity::absorbance ? Quantity::transmittance
-                                                                              : Quantity::absorbance;
-                        plot.value.reset();
+                        const bool shown = e.state().plot.quantity == Quantity::transmittance;
+                        set_quantity(e.state().plot, shown ? Quantity::absorbance : Quantity::transmittance);
                     },
                     {},
                     [](const Explorer& e) { return e.state().plot.quantity == Quantity::transmittance; }});
-    list.push_back({"plot.axis",
-                    "View depth",
-                    {"D"},
-                    "Plots over view depth instead of warped depth.",
+    list.push_back({"plot.axis", "View depth", {"D"}, "Plots over view depth instead of warped depth.",
                     [](Explorer& e) {
-                        PlotState& plot = e.state().plot;
-                        plot.axis = plot.axis == DepthAxis::warped ? DepthAxis::view : DepthAxis::warped;
-                        plot.depth.reset();
+                        const bool shown = e.state().plot.axis == DepthAxis::view;
+                        set_depth_axis(e.state().plot, shown ? DepthAxis::warped : DepthAxis::view);
                     },
                     [](const Explorer& e) { return e.measurement().capture.ray.warp.logarithmic; },
                     [](const Explorer& e) { return e.state().plot.axis == DepthAxis::view; }});
@@ -324,12 +308,6 @@ std::span<const Command> commands() {
     return list;
 }
 
-const Command* find_command(std::string_view id) {
-    const auto all = commands();
-    const auto found = std::ranges::find(all, id, &Command::id);
-    return found == all.end() ? nullptr : &*found;
-}
-
 std::span<const Menu> menus() {
     return MENUS;
 }
@@ -344,10 +322,12 @@ bool is_enabled(const Command& command, const Explorer& explorer) {
 
 void run_pressed_commands(Explorer& explorer) {
     // A dialog keeps the keyboard to itself; of the commands, Escape alone reaches through.
-    const bool dialog = explorer.shows_file_dialog() || explorer.shows_palette();
+    const bool dialog = explorer.shows_file_dialog() || explorer.shows_palette() || explorer.busy();
+    const bool typing = ImGui::GetIO().WantTextInput;  // Ctrl+Z then belongs to the text
     for (const Command& command : commands()) {
         if (!command.run || !is_enabled(command, explorer)) continue;
         if (dialog && command.id != "help.close" && command.id != "help.palette") continue;
+        if (typing && command.id.starts_with("edit.")) continue;
         const bool repeats = command.id.starts_with("pixel.") || command.id.starts_with("edit.");
         for (const std::string& key : command.keys)
             if (const auto shortcut = parse_shortcut(key); shortcut && pressed(*shortcut, repeats)) {

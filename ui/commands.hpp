@@ -24,7 +24,6 @@ struct Command {
 
 /// All commands, menu by menu. ids are unique, and so are keys.
 std::span<const Command> commands();
-const Command* find_command(std::string_view id);
 
 /// The menus in their order: the part of ids before the dot, and its title.
 struct Menu {

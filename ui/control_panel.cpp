@@ -77,7 +77,8 @@ void draw_compared_combo(const Ui& ui, ExplorerState& state) {
 
 }  // namespace
 
-void draw_control_panel(const Ui& ui, ExplorerState& state, std::string& message) {
+void draw_control_panel(const Ui& ui, ExplorerState& state, std::optional<ParameterId>& to_type,
+                        std::string& message) {
     label("scene");
     draw_scene_combo(ui, state);
     label("technique");
@@ -90,9 +91,10 @@ void draw_control_panel(const Ui& ui, ExplorerState& state, std::string& message
         const bool of_mesh = row.id == ParameterId::opacity && !is_builtin_scene(state.scene) && !state.ray;
         if (!state.technique->uses(row.id) && !of_mesh) continue;
         draw_parameter_control(ui, row, state.technique->recommended_bias, LABEL_WIDTH * em(),
-                               state.parameters, message);
+                               to_type == row.id, state.parameters, message);
         any = true;
     }
+    to_type.reset();
     if (!any) ImGui::TextDisabled("This technique reads no parameters.");
 }
 

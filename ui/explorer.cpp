@@ -42,11 +42,14 @@ Explorer::Explorer(Renderer& renderer, ExplorerState state, ExplorerOptions opti
       shown_state_(state_),
       history_(state_) {}
 
+// What was changed last may not be a step yet.
 void Explorer::undo() {
+    history_.record(state_);
     if (history_.can_undo()) state_ = history_.undo();
 }
 
 void Explorer::redo() {
+    history_.record(state_);
     if (history_.can_redo()) state_ = history_.redo();
 }
 
@@ -77,30 +80,44 @@ void Explorer::mark_next(int step) {
     state_.plot.query.reset();
 }
 
-// Dialogs close themselves on Escape; here is what remains.
+void Explorer::type_parameter(ParameterId id) {
+    state_.panel = Panel::controls;
+    to_type_ = id;
+}
+
+// Dialogs and text fields close themselves on Escape; here is what remains.
 void Explorer::close_topmost() {
     if (palette_.is_open())
         palette_.close();
+    else if (escape_is_taken_)
+        return;
     else if (help_)
         help_ = false;
     else if (!message_.empty())
         message_.clear();
-    else if (!files_.is_open())
+    else
         state_.card.clear();
 }
 
+// What could not be shown is forgotten.
+void Explorer::go_back_to_shown() {
+    history_.reject_present(shown_state_);
+    state_ = shown_state_;
+}
+
 // A scene that cannot be loaded is reported, and the state goes back to what is shown.
-void Explorer::load_scene_if_changed() {
-    if (loader_.busy()) {
-        try {
-            if (std::optional<Scene> scene = loader_.take()) show_scene(*std::move(scene));
-        } catch (const Error& error) {
-            if (scene_.id.empty()) throw;
-            message_ = error.what();
-            state_ = shown_state_;
-        }
-        return;
+void Explorer::poll_loader() {
+    if (!loader_.busy()) return;
+    try {
+        if (std::optional<Scene> scene = loader_.take()) show_scene(*std::move(scene));
+    } catch (const Error& error) {
+        if (scene_.id.empty()) throw;
+        message_ = error.what();
+        go_back_to_shown();
     }
+}
+
+void Explorer::load_scene_if_changed() {
     if (state_.scene == scene_.id) return apply_opacity();
     const float opacity = *state_.parameters[ParameterId::opacity];
     if (!is_builtin_scene(state_.scene)) return loader_.start(state_.scene, opacity);
@@ -133,6 +150,8 @@ void Explorer::apply_opacity() {
 void Explorer::update(glm::ivec2 size) {
     report_ = {};
     try {
+        poll_loader();
+        if (busy()) return;  // what is shown stays until the scene is there
         if (state_.ray)
             update_ray();
         else
@@ -141,7 +160,7 @@ void Explorer::update(glm::ivec2 size) {
     } catch (const Error& error) {
         if (measurement_.curve.technique == nullptr) throw;  // nothing good to go on showing
         message_ = error.what();
-        state_ = shown_state_;
+        go_back_to_shown();
         shown_view_.technique = nullptr;
     }
 }
@@ -149,7 +168,8 @@ void Explorer::update(glm::ivec2 size) {
 void Explorer::update_ray() {
     const bool changed = !(shown_state_.ray == state_.ray) || measurement_.curve.technique == nullptr;
     if (changed) {
-        measurement_.capture = {*state_.ray, {}};
+        measurement_.capture.ray = *state_.ray;
+        measurement_.capture.transmittance.clear();
         measurement_.pins.clear();
         shown_view_.technique = nullptr;  // the picture is not shown any more
     }
@@ -158,7 +178,7 @@ void Explorer::update_ray() {
 
 void Explorer::update_picture(glm::ivec2 size) {
     load_scene_if_changed();
-    if (busy() || scene_.id != state_.scene) return;  // the last picture stays until the scene is there
+    if (busy()) return;
     const View view = {camera(), size, state_.technique, state_.parameters};
     const Stage stage = first_stale_stage(shown_view_, view);
     const PassCounts before = renderer_.pass_counts();

@@ -64,6 +64,7 @@ public:
     void toggle_help() { help_ = !help_; }
     void toggle_palette() { palette_.toggle(); }
     void type_pixel() { focus_go_to_ = true; }
+    void type_parameter(ParameterId id);
     void move_pick(glm::ivec2 by);
     void toggle_pin();
     void mark_next(int step);
@@ -89,7 +90,9 @@ public:
 private:
     enum class FilePurpose { open_session, save_session, open_mesh, open_ray, save_export };
 
+    void poll_loader();
     void load_scene_if_changed();
+    void go_back_to_shown();
     void show_scene(Scene scene);
     void apply_opacity();
     void update(glm::ivec2 size);
@@ -141,6 +144,8 @@ private:
     FilePurpose file_purpose_ = FilePurpose::open_session;
     CommandPalette palette_;
     bool help_ = false;
+    bool escape_is_taken_ = false;  // by a dialog or a text field that it closes
+    std::optional<ParameterId> to_type_;
     bool focus_go_to_ = false;
     std::optional<std::filesystem::path> window_export_;
     int frames_to_export_ = 0;

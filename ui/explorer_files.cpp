@@ -98,6 +98,7 @@ void Explorer::export_to(const FileDialog::Choice& choice) {
     if (kind == "window_png") {
         window_export_ = choice.path;
         frames_to_export_ = 2;  // this frame still shows the dialog
+        return;                 // who writes it says so
     } else if (kind.starts_with("picture")) {
         if (state_.ray) throw Error("A view ray from a file has no picture; choose a scene first.");
         write_image(renderer_.read_picture(), choice.path);

@@ -24,6 +24,7 @@ void splitter(const Ui& ui, const char* name, bool vertical, ImVec2 size, float 
     ImGui::InvisibleButton(name, {std::max(size.x, 1.0f), std::max(size.y, 1.0f)});
     ui.mark(name);
     const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
+    tooltip("Drag to divide the room; double-click to divide it as at first.");
     if (hot) ImGui::SetMouseCursor(vertical ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
     const float moved = vertical ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y;
     if (ImGui::IsItemActive() && room > 1) share = std::clamp(share + moved / room, LEAST_SHARE, MOST_SHARE);
@@ -55,19 +56,23 @@ void Explorer::frame() {
                      ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse |
                      ImGuiWindowFlags_NoSavedSettings);
     const bool dialog = files_.is_open() || palette_.is_open();
+    const bool reading = busy();  // may change within the frame
+    escape_is_taken_ = dialog || reading || ImGui::GetIO().WantTextInput;
+    ImGui::BeginDisabled(reading);  // what is shown and what is chosen must not part
     truth_shown_ = !state_.ray && !dialog && (held({.key = 'G'}) || truth_button_held_);
     draw_menu(ui);
     draw_lessons(ui);
     draw_work_area(ui);
     draw_status(ui);
+    ImGui::EndDisabled();
     ImGui::End();
     draw_help(ui, help_);
     draw_files(ui);
     if (const Command* chosen = palette_.draw(ui, *this)) chosen->run(*this);
     draw_loading(ui);
     run_pressed_commands(*this);
-    // A drag is one step: nothing is recorded while a button is down or a scene is read.
-    if (!busy() && !ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive()) history_.record(state_);
+    // A drag is one step, and only what could be shown is one.
+    if (state_ == shown_state_ && !ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive()) history_.record(state_);
 }
 
 void Explorer::draw_menu(const Ui& ui) {
@@ -100,8 +105,7 @@ void Explorer::draw_lessons(const Ui& ui) {
     for (const Lesson& lesson : lessons()) {
         const std::string label = fmt::format("{}  {}", number, lesson.title);
         const float width = ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
-        ImGui::SameLine();
-        if (ImGui::GetCursorScreenPos().x + width > right) ImGui::NewLine();
+        flow(width, right, ImGui::GetStyle().ItemSpacing.x);
         const bool open = state_.card == lesson.id;
         if (toggle_button(label.c_str(), open)) {
             if (open)
@@ -124,8 +128,10 @@ void Explorer::draw_card(const Ui& ui) {
     const float width = ImGui::GetContentRegionAvail().x;
     const float wrap = std::max(width - 12 * em(), 10 * em());
     const float line = ImGui::GetTextLineHeightWithSpacing();
-    float height = 2 * pad + ImGui::CalcTextSize(lesson->text, nullptr, false, wrap).y + 0.4f * line +
-                   ImGui::CalcTextSize(lesson->question, nullptr, false, wrap).y;
+    float height = 2 * pad + ImGui::CalcTextSize(lesson->text, nullptr, false, wrap).y + 0.4f * line;
+    ImGui::PushFont(bold_font());
+    height += ImGui::CalcTextSize(lesson->question, nullptr, false, wrap).y;
+    ImGui::PopFont();
     if (state_.answer) height += 0.4f * line + ImGui::CalcTextSize(lesson->answer, nullptr, false, wrap).y;
     height = std::max(height, 2 * pad + 2 * ImGui::GetFrameHeightWithSpacing());
     ImGui::BeginChild("card", {0, height}, false,
@@ -148,6 +154,7 @@ void Explorer::draw_card(const Ui& ui) {
     ImGui::SetCursorPos({width - button - pad, pad + ImGui::GetFrameHeightWithSpacing()});
     if (ImGui::Button("close card", {button, 0})) state_.card.clear();
     ui.mark("card.close");
+    tooltip("Hides the card and keeps everything as it is.", "Escape");
     ImGui::EndChild();
     anchors_["card"] = {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
     ImGui::PopStyleColor();
@@ -159,16 +166,17 @@ void Explorer::draw_work_area(const Ui& ui) {
     const float gap = ImGui::GetStyle().ItemSpacing.y;
     const ImVec2 size = {room.x, std::max(room.y - ImGui::GetTextLineHeightWithSpacing() - gap, 1.0f)};
     const float left = std::max(std::floor(state_.scene_share * (size.x - bar)), 1.0f);
-    if (!busy()) message_until_input();
-    ImGui::BeginGroup();
+    message_until_input();
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::BeginChild("scene side", {left, size.y}, false,
+                      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     if (focus_go_to_) scene_panel_.focus_go_to();
     focus_go_to_ = false;
-    const glm::ivec2 picture_size =
-        scene_panel_.draw_controls(ui, measurement_, picture_, state_, {left, size.y}, message_);
+    update(scene_panel_.draw_controls(ui, measurement_, picture_, state_, {left, size.y}, message_));
     truth_button_held_ = scene_panel_.truth_held();
-    ImGui::EndGroup();
-    update(picture_size);
     scene_panel_.draw_picture(ui, measurement_, picture_, state_);
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
     ImGui::SameLine(0, 0);
     splitter(ui, "split.scene", true, {bar, size.y}, size.x, ExplorerState().scene_share, state_.scene_share);
     ImGui::SameLine(0, 0);
@@ -195,13 +203,12 @@ void Explorer::draw_right_side(const Ui& ui, ImVec2 size) {
 }
 
 void Explorer::draw_tabs(const Ui& ui) {
-    constexpr const char* TITLES[] = {"Controls", "Fragments", "Technique"};
     constexpr const char* HELP[] = {"Scene, technique and parameters.",
                                     "The pixel's history: every fragment with its T.",
                                     "What the technique is and costs."};
-    for (std::size_t i = 0; i < std::size(TITLES); ++i) {
+    for (std::size_t i = 0; i < PANEL_NAMES.size(); ++i) {
         if (i > 0) ImGui::SameLine(0, 0.2f * em());
-        if (toggle_button(TITLES[i], state_.panel == static_cast<Panel>(i)))
+        if (toggle_button(PANEL_NAMES[i], state_.panel == static_cast<Panel>(i)))
             state_.panel = static_cast<Panel>(i);
         ui.mark(fmt::format("tab.{}", i + 1));
         tooltip(HELP[i], fmt::format("Ctrl+{}", i + 1));
@@ -209,7 +216,7 @@ void Explorer::draw_tabs(const Ui& ui) {
     ImGui::BeginChild("panel");
     switch (state_.panel) {
         case Panel::controls:
-            draw_control_panel(ui, state_, message_);
+            draw_control_panel(ui, state_, to_type_, message_);
             break;
         case Panel::fragments:
             draw_fragment_panel(ui, measurement_, state_);
@@ -279,6 +286,7 @@ void Explorer::draw_loading(const Ui& ui) {
     ImGui::ProgressBar(sweep, {-1, 0}, fmt::format("{:.1f} s", seconds).c_str());
     if (ImGui::Button("Cancel", {6 * em(), 0}) || pressed({.key = 256})) loader_.cancel();
     ui.mark("loading.cancel");
+    tooltip("Stops reading; the last scene stays.", "Escape");
     ImGui::End();
 }
 

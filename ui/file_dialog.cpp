@@ -82,11 +82,15 @@ void FileDialog::draw_entries(const Ui& ui, bool& accept) {
     for (const Entry& entry : entries_) {
         const std::string label = entry.folder ? entry.name + "/" : entry.name;
         if (ImGui::Selectable(label.c_str(), name_ == entry.name, ImGuiSelectableFlags_AllowDoubleClick)) {
+            // The second click of a double-click on a folder meets whatever stands in its row of the new listing.
+            const bool second = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+            if (second && just_entered_) continue;
+            just_entered_ = entry.folder;
             if (entry.folder)
                 entered = folder_ / entry.name;
             else
                 name_ = entry.name;
-            if (!entry.folder && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) accept = true;
+            accept |= !entry.folder && second;
         }
         ui.mark("file.entry." + entry.name);
         if (!entry.folder) {
@@ -159,6 +163,7 @@ std::optional<FileDialog::Choice> FileDialog::draw(const Ui& ui) {
             ImGui::EndCombo();
         }
         ui.mark("file.kind");
+        tooltip("What is written.");
     }
     ImGui::SetNextItemWidth(-1);
     if (begin_) ImGui::SetKeyboardFocusHere();
@@ -167,14 +172,20 @@ std::optional<FileDialog::Choice> FileDialog::draw(const Ui& ui) {
                                  ImGuiInputTextFlags_EnterReturnsTrue))
         wanted = true;
     ui.mark("file.name");
+    tooltip("A name in this folder, or a whole path.");
     if (ImGui::Button(mode_ == Mode::save ? "Save" : "Open", {6 * em(), 0})) wanted = true;
     ui.mark("file.accept");
+    tooltip(mode_ == Mode::save ? "Writes the file." : "Opens the file, or enters the folder.", "Enter");
     ImGui::SameLine();
     const bool cancelled = ImGui::Button("Cancel", {6 * em(), 0}) || pressed({.key = 256});
     ui.mark("file.cancel");
+    tooltip("Closes the dialog and changes nothing.", "Escape");
     if (wanted) choice = accept();
-    if (!problem_.empty())
-        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ui.colors.warning), "%s", problem_.c_str());
+    if (!problem_.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.warning);
+        ImGui::TextWrapped("%s", problem_.c_str());
+        ImGui::PopStyleColor();
+    }
     if (choice || cancelled) {
         open_ = false;
         ImGui::CloseCurrentPopup();

@@ -45,6 +45,7 @@ private:
 
     bool open_ = false;
     bool begin_ = false;
+    bool just_entered_ = false;  // a folder, by the last click
     Mode mode_ = Mode::open;
     std::string title_;
     std::vector<FileKind> kinds_;

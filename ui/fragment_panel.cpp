@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/side_panels.hpp"
 
@@ -76,7 +77,6 @@ void draw_row(const Ui& ui, const Measurement& m, const PixelHistoryRow& row, st
                         "linear RGB, with the weight last.",
                         f.view_depth, f.draw, f.primitive, vector_text(row.source), vector_text(row.sum)),
             "click to mark it in the plot");
-    if (marked && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
     cell(fmt::format("{:.3f}", f.depth));
     cell(fmt::format("{:.3f}", f.opacity));
     cell(fmt::format("{:.3f}", row.absorbance));
@@ -93,6 +93,19 @@ void draw_row(const Ui& ui, const Measurement& m, const PixelHistoryRow& row, st
     swatch(glm::vec3(row.source));
     ImGui::TableNextColumn();
     swatch(glm::vec3(row.sum));
+}
+
+// Scrolls to the marked row when the mark has moved; the clipper draws no row out of sight that could ask for it.
+void show_marked(const Measurement& m, const ExplorerState& state) {
+    const int marked = state.marked ? static_cast<int>(*state.marked) : -1;
+    int& last = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("marked"), -1);
+    if (std::exchange(last, marked) == marked) return;
+    const auto row = std::ranges::find(m.history, state.marked, [](const PixelHistoryRow& r) { return std::optional(r.fragment); });
+    if (row == m.history.end()) return;
+    const float height = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
+    const float y = height * static_cast<float>(row - m.history.begin());
+    const float view = ImGui::GetWindowHeight() - 4 * height;  // below the header, above the scroll bar
+    if (y < ImGui::GetScrollY() || y > ImGui::GetScrollY() + view) ImGui::SetScrollY(std::max(y - 0.5f * view, 0.0f));
 }
 
 std::string summary(const Measurement& m) {
@@ -130,6 +143,7 @@ void draw_fragment_panel(const Ui& ui, const Measurement& m, ExplorerState& stat
         ImGui::TableHeader(column.name);
         tooltip(column.help);
     }
+    show_marked(m, state);
     ImGuiListClipper clipper;  // a ray from a file may have 100,000 fragments
     clipper.Begin(static_cast<int>(m.history.size()));
     while (clipper.Step())

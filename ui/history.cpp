@@ -18,6 +18,14 @@ void History::record(const ExplorerState& state) {
     future_.clear();
 }
 
+void History::reject_present(const ExplorerState& shown) {
+    if (!future_.empty() && future_.back() == shown)
+        future_.pop_back();  // it was reached by undo
+    else if (!past_.empty() && past_.back() == shown)
+        past_.pop_back();
+    present_ = shown;
+}
+
 const ExplorerState& History::undo() {
     assert(can_undo());
     future_.push_back(std::exchange(present_, past_.back()));

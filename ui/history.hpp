@@ -14,8 +14,8 @@ public:
     /// undone.
     void record(const ExplorerState& state);
 
-    /// Replaces the present without a step: what the window itself corrected.
-    void amend(const ExplorerState& state) { present_ = state; }
+    /// The present cannot be shown: goes back to the state that is, and forgets the step to the present.
+    void reject_present(const ExplorerState& shown);
 
     bool can_undo() const { return !past_.empty(); }
     bool can_redo() const { return !future_.empty(); }

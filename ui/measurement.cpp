@@ -20,6 +20,8 @@ bool shows(const PlotState& plot, Series series) {
 std::vector<float> plot_depths(const ViewRay& ray, std::size_t samples, Range range) {
     std::vector<float> depths = even_depths(samples);
     for (float& depth : depths) depth = range.low + 0.5f * (depth + 1) * (range.high - range.low);
+    constexpr std::size_t MANY = 1000;  // more lie closer together than the samples
+    if (ray.fragments.size() > MANY) return depths;
     const float beside = 1e-3f * (range.high - range.low);  // below one pixel of any plot
     for (const Fragment& fragment : ray.fragments)
         for (const float offset : {-beside, 0.0f, beside})

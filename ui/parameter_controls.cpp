@@ -73,7 +73,11 @@ void draw_typed(const Parameter& row, ParameterValues& values, std::string& mess
             message = error.what();
         }
     }
-    state = entered || ImGui::IsItemDeactivated() ? not_typing : typing;
+    // A popup that is just closing may take the keyboard back; then it is asked for again.
+    if (ImGui::IsItemActive())
+        state = typing;
+    else if (entered || (state == typing && ImGui::IsItemDeactivated()))
+        state = not_typing;
 }
 
 void draw_tooltip(const Parameter& row) {
@@ -94,7 +98,7 @@ std::string parameter_help(const Parameter& row) {
 }
 
 void draw_parameter_control(const Ui& ui, const Parameter& row, float recommended, float label_width,
-                            ParameterValues& values, std::string& message) {
+                            bool type_now, ParameterValues& values, std::string& message) {
     ImGui::PushID(row.key);
     float value = values[row.id].value_or(recommended);
     ImGui::AlignTextToFramePadding();
@@ -103,6 +107,7 @@ void draw_parameter_control(const Ui& ui, const Parameter& row, float recommende
     bool reset = double_clicked();
     ImGui::SameLine(label_width);
     ImGui::SetNextItemWidth(row.standard ? -1.0f : -4.3f * em());
+    if (type_now) typing_state() = begin_typing;
     if (typing_state() != not_typing) {
         draw_typed(row, values, message);
     } else {

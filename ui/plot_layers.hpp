@@ -20,7 +20,7 @@ void draw_layers(ImDrawList& list, const PlotAxes& axes, const Palette& colors, 
 void draw_small_layers(ImDrawList& list, const PlotAxes& axes, const Palette& colors, const ViewRay& ray,
                        const Curve& curve);
 
-/// The dash lengths of the i-th compared technique, in pixels on and off; {0, 0} is a full line.
+/// The dash lengths of the i-th compared technique, in pixels on and off.
 ImVec2 dash_of(std::size_t i);
 
 /// A line through points that is dashed along its length.

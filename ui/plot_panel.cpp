@@ -34,37 +34,22 @@ bool has_series(Series series, const Technique& technique) {
 const char* series_help(Series series, const Technique& technique) {
     switch (series) {
         case Series::truth:
-            return "A(z): the sum of the absorbances of all fragments in front of z. It has a step at every "
-                   "fragment.";
+            return "A(z): the sum of the absorbances of all fragments in front of z. It has a step at every fragment.";
         case Series::reconstruction:
-            return "A(z, b, β): what the technique makes of the moments. Its value at a fragment's own depth "
-                   "weighs that "
-                   "fragment in the picture.";
+            return "A(z, b, β): what the technique makes of the moments. Its value at a fragment's own depth weighs that fragment in the picture.";
         case Series::bounds:
-            return technique.has_bounds ? "The least and the greatest absorbance that any distribution with "
-                                          "the biased moments has in "
-                                          "front of z (β = 0 and β = 1)."
-                                        : "The results for β = 0 and β = 1. For trigonometric moments these "
-                                          "are no bounds: the truth may "
-                                          "lie outside.";
+            return technique.has_bounds ? "The least and the greatest absorbance that any distribution with the biased moments has in front of z (β = 0 and β = 1)."
+                                        : "The results for β = 0 and β = 1. For trigonometric moments these are no bounds: the truth may lie outside.";
         case Series::ghost:
-            return "The reconstruction in exact arithmetic without moment bias, in long double. What lies "
-                   "between it and "
-                   "the orange curve is the price of bias.";
+            return "The reconstruction in exact arithmetic without moment bias, in long double. What lies between it and the orange curve is the price of bias and rounding.";
         case Series::stems:
-            return "The canonical representation: masses that have the biased moments, one of them at the "
-                   "query depth "
-                   "(diamond). Full heads count as in front of it. In a plot of T a stem's height is its "
-                   "share of b₀.";
+            return "The canonical representation: masses that have the biased moments, one of them at the query depth (diamond). Full heads count as in front of it. In a plot of T a stem's height is its share of b₀.";
         case Series::errors:
-            return "From truth to reconstruction at every fragment's own depth: only these values reach the "
-                   "picture.";
+            return "From truth to reconstruction at every fragment's own depth: only these values reach the picture.";
         case Series::wrapping_zone:
             break;
     }
-    return "The arc θ of the circle that holds no depths: beyond the far end of the depth range, where roots "
-           "wrap to the near "
-           "end (Eq. 6).";
+    return "The arc θ of the circle that holds no depths: beyond the far end of the depth range, where roots wrap to the near end (Eq. 6).";
 }
 
 ImU32 series_color(Series series, const Palette& colors) {
@@ -92,10 +77,7 @@ bool legend_entry(const Ui& ui, const char* name, ImU32 tint, ImVec2 dash, bool 
                   const std::string& anchor) {
     const float swatch = 1.5f * em();
     const ImVec2 size = {swatch + 0.4f * em() + ImGui::CalcTextSize(name).x, ImGui::GetTextLineHeight() + 2};
-    if (!first) {
-        ImGui::SameLine(0, 0.9f * em());
-        if (ImGui::GetCursorScreenPos().x + size.x > right) ImGui::NewLine();
-    }
+    if (!first) flow(size.x, right, 0.9f * em());
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const bool clicked = ImGui::InvisibleButton(name, size);
     ui.mark(anchor);
@@ -128,7 +110,7 @@ std::optional<Series> draw_legend(const Ui& ui, const Measurement& m, ExplorerSt
     }
     for (std::size_t i = 0; i < m.compared.size(); ++i) {
         const Technique* compared = m.compared[i].technique;
-        if (legend_entry(ui, compared->id, ui.colors.compared[i % ui.colors.compared.size()], dash_of(i + 1),
+        if (legend_entry(ui, compared->id, ui.colors.compared[i % ui.colors.compared.size()], dash_of(i),
                          true, right, first, fmt::format("legend.{}", compared->id)))
             std::erase(state.compared, compared);
         tooltip(compared->description, "click to remove it from the plot");
@@ -137,58 +119,46 @@ std::optional<Series> draw_legend(const Ui& ui, const Measurement& m, ExplorerSt
     return hovered;
 }
 
-void draw_tools(const Ui& ui, const Measurement& m, ExplorerState& state) {
+void draw_tools(const Ui& ui, const Measurement& m, ExplorerState& state, float right) {
     PlotState& plot = state.plot;
-    const auto choose = [&](const char* label, bool on, const char* anchor, const char* help,
-                            const char* key) {
+    const bool warped = m.capture.ray.warp.logarithmic;
+    // True when another choice was clicked.
+    const auto choose = [&](const char* label, bool on, const char* anchor, const char* help, const char* key) {
         const bool clicked = toggle_button(label, on);
         ui.mark(anchor);
         tooltip(help, key);
-        ImGui::SameLine(0, 0.2f * em());
         return clicked && !on;
     };
-    const auto set_quantity = [&](Quantity quantity) {
-        plot.quantity = quantity;
-        plot.value.reset();
-    };
-    const auto set_axis = [&](DepthAxis axis) {
-        plot.axis = axis;
-        plot.depth.reset();
-    };
+    const auto next = [&](const char* label, float gap) { flow(button_width(label), right, gap * em()); };
     if (choose("A", plot.quantity == Quantity::absorbance, "plot.absorbance", "Show absorbance A(z).", "T"))
-        set_quantity(Quantity::absorbance);
+        set_quantity(plot, Quantity::absorbance);
+    next("T", 0.2f);
     if (choose("T", plot.quantity == Quantity::transmittance, "plot.transmittance",
                "Show transmittance T(z) = exp(−A(z)).", "T"))
-        set_quantity(Quantity::transmittance);
-    ImGui::SameLine(0, em());
+        set_quantity(plot, Quantity::transmittance);
+    next("warped", 1);
     if (choose("warped", plot.axis == DepthAxis::warped, "plot.warped",
                "Warped depth, as the moments see it (Section 3.3).", "D"))
-        set_axis(DepthAxis::warped);
-    ImGui::BeginDisabled(!m.capture.ray.warp.logarithmic);
+        set_depth_axis(plot, DepthAxis::warped);
+    next("view", 0.2f);
+    ImGui::BeginDisabled(!warped);
     if (choose("view", plot.axis == DepthAxis::view, "plot.view",
-               m.capture.ray.warp.logarithmic
-                   ? "View depth: the distance from the camera's plane in scene units."
-                   : "This ray has no warp: view depth is its depth.",
+               warped ? "View depth: the distance from the camera's plane in scene units."
+                      : "This ray has no warp: view depth is its depth.",
                "D"))
-        set_axis(DepthAxis::view);
+        set_depth_axis(plot, DepthAxis::view);
     ImGui::EndDisabled();
-    ImGui::SameLine(0, em());
-    if (ImGui::Button("fit")) {
-        plot.depth.reset();
-        plot.value.reset();
-    }
+    next("fit", 1);
+    if (ImGui::Button("fit")) fit(plot);
     ui.mark("plot.fit");
     tooltip("Fit the plot to the ray.", "F, or double-click in the plot");
-    ImGui::SameLine(0, em());
-    ImGui::SetNextItemWidth(std::min(9 * em(), std::max(ImGui::GetContentRegionAvail().x, 20.0f)));
+    flow(9 * em(), right, em());
+    ImGui::SetNextItemWidth(std::min(9 * em(), std::max(right - ImGui::GetCursorScreenPos().x, 20.0f)));
     float query = query_depth(m.capture.ray, state);
     if (ImGui::SliderFloat("##query", &query, -1, 1, "query z = %.3f", ImGuiSliderFlags_AlwaysClamp))
         plot.query = query;
     ui.mark("plot.query");
-    tooltip(
-        "The query depth z at which bounds, β and the canonical representation are drawn. Drag in the plot, "
-        "or "
-        "Ctrl+click here to type a number.");
+    tooltip("The query depth z at which bounds, β and the canonical representation are drawn. Drag in the plot, or Ctrl+click here to type a number.");
 }
 
 // The fragment whose step is nearest to the mouse, if it is near.
@@ -218,7 +188,8 @@ void draw_crosshair(const Ui& ui, const PlotAxes& axes, const Measurement& m, co
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddLine({mouse.x, axes.area.low.y}, {mouse.x, axes.area.high.y}, ui.colors.axis);
     list.AddLine({axes.area.low.x, mouse.y}, {axes.area.high.x, mouse.y}, ui.colors.grid);
-    if (!(warped >= -1 && warped <= 1)) return;
+    const float at_mouse = axes.depth_at(mouse.x);  // unlike its warp not clamped to the depth range
+    if (!(at_mouse >= axes.axis_of(-1) && at_mouse <= axes.axis_of(1))) return;
     const ViewRay& ray = m.capture.ray;
     const float at[] = {warped};
     ImGui::BeginTooltip();
@@ -229,16 +200,19 @@ void draw_crosshair(const Ui& ui, const PlotAxes& axes, const Measurement& m, co
     }
     const Curve curve = sample_curve(ray, *state.technique, state.parameters, at);
     value_line("truth", ui.colors.truth, static_cast<float>(curve.truth[0]), axes);
-    if (!curve.beta0.empty()) {
+    if (!curve.beta0.empty())
         value_line("reconstruction", ui.colors.reconstruction, curve.reconstructed[0], axes);
+    if (!curve.beta0.empty() && state.plot.shown[static_cast<std::size_t>(Series::bounds)]) {
         value_line(curve.technique->has_bounds ? "lower bound of A" : "β = 0", ui.colors.bounds,
                    curve.beta0[0], axes);
         value_line(curve.technique->has_bounds ? "upper bound of A" : "β = 1", ui.colors.bounds,
                    curve.beta1[0], axes);
     }
-    if (!m.ghost.empty())
+    const auto ghost = m.ghost.empty() ? std::vector<float>()
+                                       : unbiased_absorbance(ray, *state.technique, curve.parameters, at);
+    if (!ghost.empty())
         value_line("exact, no bias", ui.colors.ghost,
-                   unbiased_absorbance(ray, *state.technique, curve.parameters, at)[0], axes);
+                   ghost[0], axes);
     for (std::size_t i = 0; i < m.compared.size(); ++i)
         value_line(m.compared[i].technique->id, ui.colors.compared[i % ui.colors.compared.size()],
                    sample_curve(ray, *m.compared[i].technique, state.parameters, at).reconstructed[0], axes);
@@ -320,6 +294,10 @@ void PlotPanel::handle_mouse(const PlotAxes& axes, const Measurement& m, Explore
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
         if (!on_value_axis) state.plot.depth.reset();
         if (!on_depth_axis) state.plot.value.reset();
+        if (inside) {  // its first click was no choice of a query depth
+            state.plot.query = query_before_click_;
+            state.marked = marked_before_click_;
+        }
         grip_ = Grip::none;
         return;
     }
@@ -327,6 +305,8 @@ void PlotPanel::handle_mouse(const PlotAxes& axes, const Measurement& m, Explore
         grip_ = inside && ImGui::IsMouseDown(ImGuiMouseButton_Left) ? Grip::query : Grip::pan;
         grips_depth_ = inside || on_depth_axis;
         grips_value_ = inside || on_value_axis;
+        query_before_click_ = state.plot.query;
+        marked_before_click_ = state.marked;
         if (grip_ == Grip::query) state.marked = fragment_at(axes, m.capture.ray, io.MousePos.x);
     }
     if (!ImGui::IsItemActive()) {
@@ -347,9 +327,10 @@ void PlotPanel::draw(const Ui& ui, const Measurement& m, ExplorerState& state, I
     const float right = corner.x + size.x;
     ImGui::BeginGroup();
     ImGui::PushID("plot panel");
-    draw_tools(ui, m, state);
+    draw_tools(ui, m, state, right);
     const std::optional<Series> hovered = draw_legend(ui, m, state, right);
-    const std::string note = band_note(m);
+    const bool band = state.plot.shown[static_cast<std::size_t>(Series::bounds)];
+    const std::string note = band ? band_note(m) : "";
     if (!note.empty()) {
         ImGui::PushTextWrapPos(right - ImGui::GetWindowPos().x);
         ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ui.colors.exit), "%s", note.c_str());

@@ -19,6 +19,8 @@ private:
     void pan(const PlotAxes& axes, PlotState& plot) const;
 
     Grip grip_ = Grip::none;
+    std::optional<float> query_before_click_;
+    std::optional<std::size_t> marked_before_click_;
     bool grips_depth_ = true;  // does panning move the depth axis, the other one, or both?
     bool grips_value_ = true;
 };

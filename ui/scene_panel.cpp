@@ -27,10 +27,14 @@ void draw_crosshair_mark(ImDrawList& list, ImVec2 at, const Palette& colors) {
 }
 
 void draw_pin_mark(ImDrawList& list, ImVec2 at, std::size_t number, const Palette& colors) {
+    // The number stands beside the place, where the cross on a picked pixel does not hide it.
     const float radius = 0.6f * em();
-    list.AddCircleFilled(at, radius + 1.5f, colors.mark_edge);
-    list.AddCircleFilled(at, radius, colors.pin);
-    draw_text(list, at, {0.5f, 0.5f}, std::to_string(number), colors.mark_edge);
+    const ImVec2 head = {at.x - 1.3f * em(), at.y - 1.3f * em()};
+    list.AddLine(at, head, colors.mark_edge, 0.2f * em());
+    list.AddCircleFilled(at, 0.2f * em(), colors.mark_edge);
+    list.AddCircleFilled(head, radius + 1.5f, colors.mark_edge);
+    list.AddCircleFilled(head, radius, colors.pin);
+    draw_text(list, head, {0.5f, 0.5f}, std::to_string(number), colors.mark_edge);
 }
 
 void draw_label(ImDrawList& list, ImVec2 at, const std::string& text, const Palette& colors, ImU32 tint) {
@@ -106,53 +110,55 @@ void pick(ExplorerState& state, glm::vec2 fraction) {
 
 void ScenePanel::draw_tools(const Ui& ui, const Measurement& m, const ScenePicture& picture,
                             ExplorerState& state, std::string& message) {
-    const auto next = [&](const char* anchor, const std::string& help, const char* key) {
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+    const auto next = [&](const char* label) { flow(button_width(label), right, 0.2f * em()); };
+    const auto explain = [&](const char* anchor, const char* help, const char* key) {
         ui.mark(anchor);
         tooltip(help, key);
-        ImGui::SameLine(0, 0.2f * em());
     };
     if (ImGui::Button("reset view")) state.camera.reset();
-    next("scene.reset", "Back to the scene's own camera.", "Home");
+    explain("scene.reset", "Back to the scene's own camera.", "Home");
+    next("views ▾");
     if (ImGui::Button("views ▾")) ImGui::OpenPopup("views");
-    next("scene.views", "Look from a named direction.", "");
+    explain("scene.views", "Look from a named direction.", "");
     if (ImGui::BeginPopup("views")) {
         for (const NamedView& view : named_views())
-            if (ImGui::Selectable(view.name)) {
-                Camera camera = state.camera.value_or(picture.scene_camera);
-                camera.azimuth = view.azimuth;
-                camera.elevation = view.elevation;
-                state.camera = camera;
-            }
+            if (ImGui::Selectable(view.name))
+                state.camera = looking_from(state.camera.value_or(picture.scene_camera), view);
         ImGui::EndPopup();
     }
+    next("lens");
     if (toggle_button("lens", state.lens)) state.lens = !state.lens;
-    next("scene.lens", "Magnify the pixels around the picked one, with their values.", "L");
+    explain("scene.lens", "Magnify the pixels around the picked one, with their values.", "L");
+    next("failures");
     if (toggle_button("failures", state.failures)) state.failures = !state.failures;
-    next("scene.failures",
-         "Mark pixels with a fragment whose matrix was singular in floats (hatched) or whose sum left [0, 1] "
-         "and was clamped "
-         "(plain).",
-         "O");
+    explain("scene.failures",
+            "Mark pixels with a fragment whose matrix was singular in floats (hatched) or whose sum left [0, 1] and "
+            "was clamped (plain).",
+            "O");
+    next("truth");
     ImGui::Button("truth");
     truth_held_ = ImGui::IsItemActive();
-    next("scene.truth", "Shows the ground truth as long as it is held.", "G, held");
+    explain("scene.truth", "Shows the ground truth as long as it is held.", "G, held");
+    const float width = 6.5f * em();
+    flow(width, right, 0.2f * em());
+    ImGui::SetNextItemWidth(std::max(std::min(width, ImGui::GetContentRegionAvail().x), 20.0f));
+    draw_go_to(m.picture_size, state, message);
+    explain("scene.goto", "Type the column and row of a pixel and press Enter.", "Ctrl+G");
+}
+
+void ScenePanel::draw_go_to(glm::ivec2 size, ExplorerState& state, std::string& message) {
     if (focus_go_to_) ImGui::SetKeyboardFocusHere();
     focus_go_to_ = false;
-    ImGui::SetNextItemWidth(std::max(std::min(6.5f * em(), ImGui::GetContentRegionAvail().x), 20.0f));
-    if (ImGui::InputTextWithHint("##goto", "go to x, y", &go_to_, ImGuiInputTextFlags_EnterReturnsTrue)) {
-        const auto place = parse_place(go_to_);
-        const glm::ivec2 size = m.picture_size;
-        if (place && glm::all(glm::greaterThanEqual(*place, glm::ivec2(0))) &&
-            glm::all(glm::lessThan(*place, size))) {
-            pick(state, fraction_of(*place, size));
-            go_to_.clear();
-        } else {
-            message = fmt::format("'{}' is no pixel of the picture; type two numbers from 0, 0 to {}, {}.",
-                                  go_to_, size.x - 1, size.y - 1);
-        }
+    if (!ImGui::InputTextWithHint("##goto", "go to x, y", &go_to_, ImGuiInputTextFlags_EnterReturnsTrue)) return;
+    const auto place = parse_place(go_to_);
+    if (place && glm::all(glm::greaterThanEqual(*place, glm::ivec2(0))) && glm::all(glm::lessThan(*place, size))) {
+        pick(state, fraction_of(*place, size));
+        go_to_.clear();
+    } else {
+        message = fmt::format("'{}' is no pixel of the picture; type two numbers from 0, 0 to {}, {}.", go_to_,
+                              size.x - 1, size.y - 1);
     }
-    ui.mark("scene.goto");
-    tooltip("Type the column and row of a pixel and press Enter.", "Ctrl+G");
 }
 
 glm::ivec2 ScenePanel::draw_controls(const Ui& ui, const Measurement& m, const ScenePicture& picture,
@@ -204,8 +210,9 @@ void ScenePanel::draw_picture(const Ui& ui, const Measurement& m, const ScenePic
     }
     if (picture.texture == 0) return list.AddRectFilled(area.low, area.high, ui.colors.plot_background);
     const auto texture = [](unsigned name) {
+        // NOLINTNEXTLINE(performance-no-int-to-ptr): ImGui hands textures on as pointers
         return reinterpret_cast<ImTextureID>(
-            static_cast<std::intptr_t>(name));  // NOLINT(performance-no-int-to-ptr): ImGui
+            static_cast<std::intptr_t>(name));
     };
     list.PushClipRect(area.low, area.high, true);
     // GL's first row is the lowest. While another scene is read the last picture may have another size.

@@ -17,7 +17,6 @@ struct ScenePicture {
     glm::ivec2 lens_corner{0};  // upper left pixel of the lens's region
     Image lens;                 // empty: no lens
     Camera scene_camera;        // the scene's own
-    glm::vec2 scene_picked{0.5f};
 };
 
 class ScenePanel {
@@ -39,6 +38,7 @@ public:
 private:
     void draw_tools(const Ui& ui, const Measurement& measurement, const ScenePicture& picture,
                     ExplorerState& state, std::string& message);
+    void draw_go_to(glm::ivec2 size, ExplorerState& state, std::string& message);
     void handle_mouse(const Measurement& measurement, const ScenePicture& picture,
                       ExplorerState& state) const;
 

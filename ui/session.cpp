@@ -305,7 +305,13 @@ Session read_session_file(const std::filesystem::path& path) {
 }
 
 void write_session_file(const ExplorerState& state, const std::filesystem::path& path) {
-    write_text_file(session_to_json(state).dump(1) + "\n", path);
+    std::string text;
+    try {
+        text = session_to_json(state).dump(1) + "\n";
+    } catch (const json::exception&) {
+        throw Error("The name of the mesh file is no UTF-8, which a session needs; rename the file and open it again.");
+    }
+    write_text_file(text, path);
 }
 
 }  // namespace momentscope::ui

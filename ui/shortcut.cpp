@@ -67,7 +67,7 @@ bool pressed(const Shortcut& shortcut, bool repeats) {
     if (io.WantTextInput && !shortcut.ctrl && shortcut.key != ESCAPE) return false;
     if (shortcut.character != 0) {
         for (const ImWchar typed : io.InputQueueCharacters)
-            if (typed == static_cast<ImWchar>(shortcut.character)) return true;
+            if (typed == static_cast<unsigned char>(shortcut.character)) return true;
         return false;
     }
     return modifiers_match(shortcut) && ImGui::IsKeyPressed(shortcut.key, repeats);

@@ -1,5 +1,6 @@
 // side_panels.hpp -- the tabs below the plot: controls, the pixel's fragments, the technique's properties.
 #pragma once
+#include <optional>
 #include <string>
 
 #include "ui/measurement.hpp"
@@ -7,8 +8,9 @@
 
 namespace momentscope::ui {
 
-/// Scene, technique, compared techniques and one control per parameter of the registry.
-void draw_control_panel(const Ui& ui, ExplorerState& state, std::string& message);
+/// Scene, technique, compared techniques and one control per parameter of the registry. `to_type`: the parameter whose
+/// control becomes a text field now; taken.
+void draw_control_panel(const Ui& ui, ExplorerState& state, std::optional<ParameterId>& to_type, std::string& message);
 
 /// The pixel's history: one row per fragment from front to back. Clicking a row marks it in the plot.
 void draw_fragment_panel(const Ui& ui, const Measurement& measurement, ExplorerState& state);

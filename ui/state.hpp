@@ -2,8 +2,10 @@
 // follows from it.
 #pragma once
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/ray/view_ray.hpp"
@@ -44,13 +46,33 @@ struct PlotState {
 /// The tabs below the plot.
 enum class Panel { controls, fragments, technique };
 
+constexpr std::array<const char*, 3> PANEL_NAMES = {"Controls", "Fragments", "Technique"};
+
+/// A view ray from a file. States share it, since a history holds many of them and a ray may be large; equal if it has
+/// the same content.
+class SharedRay {
+public:
+    SharedRay() = default;
+    SharedRay(ViewRay ray) : ray_(std::make_shared<const ViewRay>(std::move(ray))) {}  // NOLINT: reads as a value
+    explicit operator bool() const { return ray_ != nullptr; }
+    const ViewRay& operator*() const { return *ray_; }
+    const ViewRay* operator->() const { return ray_.get(); }
+    void reset() { ray_.reset(); }
+    friend bool operator==(const SharedRay& a, const SharedRay& b) {
+        return a.ray_ == b.ray_ || (a && b && *a == *b);
+    }
+
+private:
+    std::shared_ptr<const ViewRay> ray_;
+};
+
 enum class ThemeKind { dark, light };
 
 constexpr std::size_t MAX_PINS = 4;
 
 struct ExplorerState {
     std::string scene = "teapots";  // registry id or path of a mesh file
-    std::optional<ViewRay> ray;     // a ray from a file; then its plot is shown without a scene
+    SharedRay ray;     // a ray from a file; then its plot is shown without a scene
     const Technique* technique = &require_technique("power6-32");
     std::vector<const Technique*> compared;  // drawn beside it in the plot
     ParameterValues parameters;
@@ -73,5 +95,12 @@ struct ExplorerState {
 
 /// Chooses another scene; what belonged to the last one is forgotten.
 void choose_scene(ExplorerState& state, const std::string& id_or_path);
+
+/// Shows the whole ray again.
+void fit(PlotState& plot);
+
+/// Changes an axis, and fits it, since the old range has another unit.
+void set_quantity(PlotState& plot, Quantity quantity);
+void set_depth_axis(PlotState& plot, DepthAxis axis);
 
 }  // namespace momentscope::ui

@@ -17,7 +17,6 @@ constexpr unsigned ORANGE = 0xE69F00, SKY_BLUE = 0x56B4E9, GREEN = 0x009E73, YEL
                    BLUE = 0x0072B2, VERMILION = 0xD55E00, PURPLE = 0xCC79A7;
 
 constexpr Palette DARK = {.text = rgb(0xD5D9DE),
-                          .dim_text = rgb(0x8F98A3),
                           .warning = rgb(0xF2A33A),
                           .plot_background = rgb(0x15171B),
                           .grid = rgb(0xFFFFFF, 24),
@@ -38,7 +37,6 @@ constexpr Palette DARK = {.text = rgb(0xD5D9DE),
                           .pin = rgb(YELLOW)};
 
 constexpr Palette LIGHT = {.text = rgb(0x22272E),
-                           .dim_text = rgb(0x66707C),
                            .warning = rgb(0xA84B00),
                            .plot_background = rgb(0xFFFFFF),
                            .grid = rgb(0x000000, 24),
@@ -88,8 +86,9 @@ void apply_colors(const WindowColors& c) {
     set({ImGuiCol_TabActive, ImGuiCol_TabUnfocusedActive, ImGuiCol_Header}, color(c.header));
     set({ImGuiCol_HeaderHovered}, color(c.accent, 0.35f));
     set({ImGuiCol_HeaderActive}, color(c.accent, 0.5f));
-    set({ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive, ImGuiCol_CheckMark, ImGuiCol_PlotHistogram},
-        color(c.accent));
+    set({ImGuiCol_SliderGrab}, color(c.accent, 0.55f));  // digits behind it stay legible
+    set({ImGuiCol_SliderGrabActive}, color(c.accent, 0.75f));
+    set({ImGuiCol_CheckMark, ImGuiCol_PlotHistogram}, color(c.accent));
     set({ImGuiCol_Border, ImGuiCol_Separator, ImGuiCol_TableBorderLight, ImGuiCol_TableBorderStrong},
         color(c.border));
     set({ImGuiCol_TableHeaderBg}, color(c.frame));

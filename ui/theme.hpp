@@ -11,7 +11,7 @@ namespace momentscope::ui {
 /// Colours of what the plot and the scene view draw. Those of curves are Okabe and Ito's, which colour-blind
 /// people tell apart; the light theme takes the darker ones.
 struct Palette {
-    ImU32 text, dim_text, warning;
+    ImU32 text, warning;
     ImU32 plot_background, grid, axis;
     ImU32 truth, reconstruction, bounds, band, ghost, stems, errors, wrapping_zone, wrapping_zone_fill, exit;
     std::array<ImU32, 4> compared;  // in turn, with a dash pattern each

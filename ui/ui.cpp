@@ -12,6 +12,15 @@ void tooltip(const std::string& text, const std::string& weaker) {
     ImGui::EndTooltip();
 }
 
+void flow(float width, float right, float gap) {
+    ImGui::SameLine(0, gap);
+    if (ImGui::GetCursorScreenPos().x + width > right) ImGui::NewLine();
+}
+
+float button_width(const char* label) {
+    return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
 bool toggle_button(const char* label, bool on) {
     if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
     const bool clicked = ImGui::Button(label);

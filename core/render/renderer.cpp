@@ -126,7 +126,12 @@ void Renderer::draw_opaque() {
 template <typename Draw>
 void Renderer::timed(double& milliseconds, const Draw& draw) {
     glBeginQuery(GL_TIME_ELAPSED, timer_);
-    draw();
+    try {
+        draw();
+    } catch (...) {
+        glEndQuery(GL_TIME_ELAPSED);  // or the next picture could not begin one
+        throw;
+    }
     glEndQuery(GL_TIME_ELAPSED);
     GLuint64 nanoseconds = 0;
     glGetQueryObjectui64v(timer_, GL_QUERY_RESULT, &nanoseconds);

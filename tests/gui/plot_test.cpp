@@ -105,8 +105,7 @@ TEST_F(PlotTest, TransmittanceAndViewDepthAreTheSameRay) {
 
 TEST_F(PlotTest, ARayWithoutWarpHasNoViewDepth) {
     ui::ExplorerState state_with_ray;
-    state_with_ray.ray = ViewRay{};
-    state_with_ray.ray->fragments = {{-0.2f, -0.2f, 0.5f}, {0.4f, 0.4f, 0.7f}};
+    state_with_ray.ray = ViewRay{.fragments = {{-0.2f, -0.2f, 0.5f}, {0.4f, 0.4f, 0.7f}}, .warp = {}};
     open(state_with_ray);
     play("click @plot.view");
     EXPECT_EQ(state().plot.axis, ui::DepthAxis::warped) << "disabled";
@@ -116,8 +115,8 @@ TEST_F(PlotTest, ARayWithoutWarpHasNoViewDepth) {
 // that these are no bounds at all.
 TEST_F(PlotTest, TheNoteTellsWhyTheTruthLeavesTheBand) {
     ui::ExplorerState biased;
-    biased.ray = ViewRay{};
-    biased.ray->fragments = {{-0.9f, -0.9f, 0.3f}, {-0.85f, -0.85f, 0.3f}, {-0.8f, -0.8f, 0.3f}};
+    biased.ray =
+        ViewRay{.fragments = {{-0.9f, -0.9f, 0.3f}, {-0.85f, -0.85f, 0.3f}, {-0.8f, -0.8f, 0.3f}}, .warp = {}};
     biased.technique = &require_technique("power6-32");
     biased.parameters.set(ParameterId::alpha, 0.1f);
     open(biased);

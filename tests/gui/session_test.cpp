@@ -113,7 +113,7 @@ TEST_F(SessionTest, EveryExportIsWritten) {
         play(
             fmt::format("key Ctrl+E\nclick @file.kind\nclick @file.kind.{}\nclick @file.name\nkey "
                         "Ctrl+A\ntype out{}\nkey Enter\n"
-                        "later",
+                        "wait 1",
                         kind, number++));
         EXPECT_NE(explorer().message().find("Written to"), std::string::npos)
             << kind << ": " << explorer().message();
@@ -183,7 +183,7 @@ TEST_F(SessionTest, BrokenSessionsAreExplainedAndChangeNothing) {
         EXPECT_NE(explorer().message().find(said), std::string::npos)
             << text.substr(0, 80) << "\nsays: " << explorer().message();
         EXPECT_EQ(state(), before) << text.substr(0, 80);
-        play("key Escape\nkey Escape\nlater");
+        play("key Escape\nkey Escape\nwait 1");
     }
 }
 
@@ -219,6 +219,122 @@ TEST_F(SessionTest, AHugeMeshCanBeCancelled) {
     settle();
     EXPECT_EQ(state(), before);
     EXPECT_NE(explorer().message().find("cancelled"), std::string::npos) << explorer().message();
+}
+
+TEST_F(SessionTest, AFailedLoadIsNoStep) {
+    write("broken.obj", "no mesh at all");
+    open();
+    play("key L\nkey Ctrl+M\nclick @file.entry.broken.obj\nclick @file.accept");
+    EXPECT_EQ(state().scene, "planes");
+    EXPECT_TRUE(state().lens);
+    play("key Ctrl+Z");
+    EXPECT_FALSE(state().lens) << "undo takes back what came before the failure";
+    EXPECT_FALSE(explorer().can_undo());
+    play("key Ctrl+Y");
+    EXPECT_TRUE(state().lens);
+}
+
+// A mesh that vanished: undo cannot show its state, and must not trap the user there.
+TEST_F(SessionTest, UndoToAVanishedMeshStaysUsable) {
+    write("triangle.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    open();
+    play("key Ctrl+M\nclick @file.entry.triangle.obj\nclick @file.accept");
+    ASSERT_NE(state().scene, "planes") << explorer().message();
+    play("click @controls.scene\nclick @controls.scene.spheres");
+    fs::remove("triangle.obj");
+    play("key Ctrl+Z");
+    EXPECT_EQ(state().scene, "spheres");
+    EXPECT_NE(explorer().message().find("triangle.obj"), std::string::npos);
+    play("key Ctrl+Z");
+    EXPECT_EQ(state().scene, "planes") << "the state that cannot be shown is skipped";
+}
+
+TEST_F(SessionTest, WhileAMeshIsReadNothingElseChanges) {
+    std::string mesh;
+    for (int i = 0; i < 100'000; ++i) mesh += fmt::format("v {} {} {}\n", i % 997, i % 991, i % 983);
+    for (int i = 1; i < 99'998; ++i) mesh += fmt::format("f {} {} {}\n", i, i + 1, i + 2);
+    write("large.obj", mesh);
+    write("ray.json", R"({"fragments": [{"depth": 0, "opacity": 0.5}]})");
+    open();
+    play("key P");
+    ui::choose_scene(explorer().state(), (folder_ / "large.obj").string());
+    draw();
+    ASSERT_TRUE(explorer().busy());
+    ImGuiIO& io = ImGui::GetIO();
+    for (const int key : {int('P'), int('7'), int('L'), int('T')}) {
+        io.KeysDown[key] = true;
+        draw();
+        io.KeysDown[key] = false;
+        draw();
+    }
+    settle();
+    EXPECT_FALSE(explorer().busy());
+    EXPECT_NE(state().scene, "planes") << explorer().message();
+    EXPECT_FALSE(state().lens);
+    EXPECT_TRUE(state().pins.empty());
+    EXPECT_EQ(measurement().pins.size(), 0u);
+}
+
+TEST_F(SessionTest, UndoTakesBackOneStepEvenWhileAFieldIsOpen) {
+    open();
+    play("key X\nclick @scene.goto\nkey Ctrl+T\nclick 5 790");
+    ASSERT_EQ(state().theme, ui::ThemeKind::light);
+    play("key Ctrl+Z");
+    EXPECT_EQ(state().theme, ui::ThemeKind::dark);
+    EXPECT_TRUE(state().plot.shown[static_cast<std::size_t>(ui::Series::ghost)]);
+    play("key L\nclick @scene.goto\ntype 12\nkey Ctrl+Z");
+    EXPECT_TRUE(state().lens) << "Ctrl+Z belongs to the text that is typed";
+}
+
+TEST_F(SessionTest, ADoubleClickOnAFolderOnlyEntersIt) {
+    fs::create_directories("aaa");
+    write("aaa/inner.json", ui::session_to_json(ui::ExplorerState()).dump());
+    open("spheres", "trig2-32");
+    play("key Ctrl+O\ndoubleclick @file.entry.aaa");
+    EXPECT_TRUE(explorer().shows_file_dialog());
+    EXPECT_EQ(state().scene, "spheres");
+    play("wait 1\nclick @file.entry.inner.json\nclick @file.accept");
+    EXPECT_EQ(state().scene, "teapots");
+}
+
+TEST_F(SessionTest, EscapeClosesTheDialogAndKeepsTheCard) {
+    open();
+    play("click @card.beta\nkey Ctrl+S\nkey Escape");
+    EXPECT_FALSE(explorer().shows_file_dialog());
+    EXPECT_EQ(state().card, "beta");
+    play("key Escape");
+    EXPECT_TRUE(state().card.empty());
+}
+
+TEST_F(SessionTest, ANameThatIsNoUtf8IsExplained) {
+    ui::ExplorerState state;
+    state.scene = "m\xe9.obj";
+    EXPECT_THROW(ui::write_session_file(state, folder_ / "s.json"), Error);
+    EXPECT_FALSE(fs::exists(folder_ / "s.json"));
+}
+
+TEST_F(SessionTest, ParametersAreTypedFromTheKeyboardAlone) {
+    open();
+    play("key Ctrl+Shift+P\ntype type overestimation\nkey Enter\ntype 0.875\nkey Enter");
+    EXPECT_EQ(state().parameters[ParameterId::beta], std::optional(0.875f)) << explorer().message();
+}
+
+TEST_F(SessionTest, ARayOfManyFragmentsIsDrawnWhole) {
+    std::string fragments;
+    for (int i = 0; i < 40'000; ++i)
+        fragments += fmt::format(R"({}{{"depth": {}, "opacity": 0.0001}})", i == 0 ? "" : ",", -1 + 2.0 * i / 40'000);
+    write("many.json", fmt::format(R"({{"fragments": [{}]}})", fragments));
+    open();
+    play("key Ctrl+J\nclick @file.entry.many.json\nclick @file.accept\nmove -10 -10");
+    ASSERT_TRUE(state().ray) << explorer().message();
+    // Right of the middle the truth's ramp is above half its height: its light colour must be found there.
+    const ui::Rect plot = explorer().anchors().at("plot");
+    const auto pixels = screen();
+    const int x = static_cast<int>(plot.low.x + 0.75f * (plot.high.x - plot.low.x));
+    int bright = 0;
+    for (int y = static_cast<int>(plot.low.y); y < static_cast<int>(0.5f * (plot.low.y + plot.high.y)); ++y)
+        bright += pixels[4u * static_cast<unsigned>(y * size_.x + x)] > 150 ? 1 : 0;
+    EXPECT_GT(bright, 0);
 }
 
 TEST(Lessons, EachIsReachedWithOneClickAndShowsItsSubject) {
