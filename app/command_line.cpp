@@ -117,7 +117,9 @@ int run_command_line(int argc, const char* const* argv) {
     } catch (const std::bad_alloc&) {
         return fail("Memory ran out; try a smaller --size or a smaller scene.");
     } catch (const std::exception& error) {  // what nobody thought of must not end in a stack trace
-        return fail(Error(fmt::format("Something failed that should not: {}; please report it.", error.what())).what());
+        return fail(
+            Error(fmt::format("Something failed that should not: {}; please report it.", error.what()))
+                .what());
     }
 }
 

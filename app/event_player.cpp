@@ -142,7 +142,8 @@ void EventPlayer::wait(double seconds) {
 
 void EventPlayer::expect(const std::string& pointer, const std::string& value) const {
     const nlohmann::json session =
-        nlohmann::json::parse(ui::session_to_json(window_.explorer().state()).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+        nlohmann::json::parse(ui::session_to_json(window_.explorer().state())
+                                  .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
     nlohmann::json wanted = nlohmann::json::parse(value, nullptr, false);
     if (wanted.is_discarded()) wanted = value;  // a bare word is a text
     nlohmann::json found;

@@ -38,8 +38,7 @@ ui::ExplorerState state_of_options(const Options& options) {
 }
 
 ui::ExplorerState initial_state(const Options& options) {
-    ui::ExplorerState state =
-        options.session.empty() ? state_of_options(options) : state_of_session(options);
+    ui::ExplorerState state = options.session.empty() ? state_of_options(options) : state_of_session(options);
     if (!options.theme.empty())
         state.theme = options.theme == "light" ? ui::ThemeKind::light : ui::ThemeKind::dark;
     return state;

@@ -17,15 +17,20 @@ constexpr float PI = 3.14159265f;
 const std::array<Parameter, PARAMETER_COUNT> ROWS = {{
     {ParameterId::beta, "beta", "β", "overestimation weight", "", 0.0f, 1.0f, 0.25f, Scale::linear,
      Stage::color,
-     "How much of the mass at the query depth counts as in front of it. With power moments 0 gives the lower bound, where no surface occludes itself but all appear too visible, and 1 the upper bound; with trigonometric moments these are no bounds.",
+     "How much of the mass at the query depth counts as in front of it. With power moments 0 gives the "
+     "lower bound, where no surface occludes itself but all appear too visible, and 1 the upper bound; with "
+     "trigonometric moments these are no bounds.",
      "Münstermann et al. 2018, Section 3.2"},
     {ParameterId::theta, "theta", "θ", "wrapping zone angle", "rad", 0.0f, PI, PI / 10.0f, Scale::linear,
      Stage::moments,
-     "Trigonometric moments only: the arc of the circle that holds no depths, where the end of the depth range wraps to its start. Wider is smoother and less precise in depth; 0 makes jumps.",
+     "Trigonometric moments only: the arc of the circle that holds no depths, where the end of the depth "
+     "range wraps to its start. Wider is smoother and less precise in depth; 0 makes jumps.",
      "Münstermann et al. 2018, Section 5.2"},
     {ParameterId::alpha, "alpha", "α", "moment bias", "", 0.0f, 0.1f, std::nullopt, Scale::logarithmic,
      Stage::color,
-     "How far the moments are pulled towards harmless ones before reconstruction, to make up for rounding. `auto` is the value of the supplementary's Table 1 for the technique. Less is sharper until matrices become singular.",
+     "How far the moments are pulled towards harmless ones before reconstruction, to make up for rounding. "
+     "`auto` is the value of the supplementary's Table 1 for the technique. Less is sharper until matrices "
+     "become singular.",
      "Münstermann et al. 2018, supplementary, Section 1 and Table 1"},
     {ParameterId::renormalize, "renormalize", "Eq. 2", "renormalisation", "", 0.0f, 1.0f, 1.0f, Scale::toggle,
      Stage::composite,

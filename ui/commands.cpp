@@ -79,6 +79,15 @@ void add_file_and_edit(std::vector<Command>& list) {
                     {"R"},
                     "All parameters as at the start.",
                     [](Explorer& e) { e.state().parameters = {}; }});
+    for (const Parameter& row : parameters()) {
+        if (row.scale == Scale::toggle) continue;
+        list.push_back({fmt::format("edit.type_{}", row.key),
+                        fmt::format("Type {} {}…", row.name, row.symbol),
+                        {},
+                        "Opens the control for a number from the keyboard.",
+                        [id = row.id](Explorer& e) { e.type_parameter(id); },
+                        [id = row.id](const Explorer& e) { return e.state().technique->uses(id); }});
+    }
     list.push_back(
         {"edit.reset_all", "Reset everything", {}, "The window as it first opens.", [](Explorer& e) {
              const ThemeKind theme = e.state().theme;
@@ -200,14 +209,20 @@ void add_pixel(std::vector<Command>& list) {
 void add_plot(std::vector<Command>& list) {
     list.push_back(
         {"plot.fit", "Fit", {"F"}, "Shows the whole ray.", [](Explorer& e) { fit(e.state().plot); }});
-    list.push_back({"plot.quantity", "Transmittance", {"T"}, "Plots T(z) instead of A(z).",
+    list.push_back({"plot.quantity",
+                    "Transmittance",
+                    {"T"},
+                    "Plots T(z) instead of A(z).",
                     [](Explorer& e) {
                         const bool shown = e.state().plot.quantity == Quantity::transmittance;
                         set_quantity(e.state().plot, shown ? Quantity::absorbance : Quantity::transmittance);
                     },
                     {},
                     [](const Explorer& e) { return e.state().plot.quantity == Quantity::transmittance; }});
-    list.push_back({"plot.axis", "View depth", {"D"}, "Plots over view depth instead of warped depth.",
+    list.push_back({"plot.axis",
+                    "View depth",
+                    {"D"},
+                    "Plots over view depth instead of warped depth.",
                     [](Explorer& e) {
                         const bool shown = e.state().plot.axis == DepthAxis::view;
                         set_depth_axis(e.state().plot, shown ? DepthAxis::warped : DepthAxis::view);

@@ -72,7 +72,8 @@ void Explorer::frame() {
     draw_loading(ui);
     run_pressed_commands(*this);
     // A drag is one step, and only what could be shown is one.
-    if (state_ == shown_state_ && !ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive()) history_.record(state_);
+    if (state_ == shown_state_ && !ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive())
+        history_.record(state_);
 }
 
 void Explorer::draw_menu(const Ui& ui) {

@@ -82,7 +82,8 @@ void FileDialog::draw_entries(const Ui& ui, bool& accept) {
     for (const Entry& entry : entries_) {
         const std::string label = entry.folder ? entry.name + "/" : entry.name;
         if (ImGui::Selectable(label.c_str(), name_ == entry.name, ImGuiSelectableFlags_AllowDoubleClick)) {
-            // The second click of a double-click on a folder meets whatever stands in its row of the new listing.
+            // The second click of a double-click on a folder meets whatever stands in its row of the new
+            // listing.
             const bool second = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
             if (second && just_entered_) continue;
             just_entered_ = entry.folder;

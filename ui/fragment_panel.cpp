@@ -95,17 +95,20 @@ void draw_row(const Ui& ui, const Measurement& m, const PixelHistoryRow& row, st
     swatch(glm::vec3(row.sum));
 }
 
-// Scrolls to the marked row when the mark has moved; the clipper draws no row out of sight that could ask for it.
+// Scrolls to the marked row when the mark has moved; the clipper draws no row out of sight that could ask for
+// it.
 void show_marked(const Measurement& m, const ExplorerState& state) {
     const int marked = state.marked ? static_cast<int>(*state.marked) : -1;
     int& last = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("marked"), -1);
     if (std::exchange(last, marked) == marked) return;
-    const auto row = std::ranges::find(m.history, state.marked, [](const PixelHistoryRow& r) { return std::optional(r.fragment); });
+    const auto row = std::ranges::find(m.history, state.marked,
+                                       [](const PixelHistoryRow& r) { return std::optional(r.fragment); });
     if (row == m.history.end()) return;
     const float height = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
     const float y = height * static_cast<float>(row - m.history.begin());
     const float view = ImGui::GetWindowHeight() - 4 * height;  // below the header, above the scroll bar
-    if (y < ImGui::GetScrollY() || y > ImGui::GetScrollY() + view) ImGui::SetScrollY(std::max(y - 0.5f * view, 0.0f));
+    if (y < ImGui::GetScrollY() || y > ImGui::GetScrollY() + view)
+        ImGui::SetScrollY(std::max(y - 0.5f * view, 0.0f));
 }
 
 std::string summary(const Measurement& m) {

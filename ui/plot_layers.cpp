@@ -39,8 +39,8 @@ void draw_line(ImDrawList& list, const std::vector<ImVec2>& points, ImU32 tint, 
     // In pieces that share a point: ImGui numbers the vertices of one call with 16 bits.
     constexpr std::size_t PIECE = 4000;
     for (std::size_t first = 0; first + 1 < points.size(); first += PIECE - 1)
-        list.AddPolyline(&points[first], static_cast<int>(std::min(PIECE, points.size() - first)), tint, ImDrawFlags_None,
-                         thickness);
+        list.AddPolyline(&points[first], static_cast<int>(std::min(PIECE, points.size() - first)), tint,
+                         ImDrawFlags_None, thickness);
 }
 
 void draw_band(ImDrawList& list, const PlotAxes& axes, const Curve& curve, ImU32 fill, ImU32 edge,
@@ -167,7 +167,8 @@ void draw_query(ImDrawList& list, const PlotAxes& axes, const Palette& colors, c
     const ImVec2 extent = ImGui::CalcTextSize(label.c_str());
     const float text_x = right ? x + 1.6f * bar : x - 1.6f * bar - extent.x;
     // Curves must not strike it out.
-    list.AddRectFilled({text_x - 3, text_y - height}, {text_x + extent.x + 3, text_y + height}, colors.plot_background, 3);
+    list.AddRectFilled({text_x - 3, text_y - height}, {text_x + extent.x + 3, text_y + height},
+                       colors.plot_background, 3);
     draw_text(list, {text_x, text_y}, {0, 0.5f}, label, fill);
 }
 
@@ -239,7 +240,8 @@ void draw_layers(ImDrawList& list, const PlotAxes& axes, const Palette& colors, 
         draw_line(list, points_of(axes, curve.depth, curve.reconstructed),
                   tint_of(input, Series::reconstruction, colors.reconstruction),
                   width_of(input, Series::reconstruction, 2.2f));
-    if (shows(input, Series::errors) && curve.technique->kernel != nullptr) draw_errors(list, axes, colors, input);
+    if (shows(input, Series::errors) && curve.technique->kernel != nullptr)
+        draw_errors(list, axes, colors, input);
     if (shows(input, Series::stems)) draw_stems(list, axes, colors, input);
     draw_query(list, axes, colors, input);
 }

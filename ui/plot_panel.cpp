@@ -34,22 +34,32 @@ bool has_series(Series series, const Technique& technique) {
 const char* series_help(Series series, const Technique& technique) {
     switch (series) {
         case Series::truth:
-            return "A(z): the sum of the absorbances of all fragments in front of z. It has a step at every fragment.";
+            return "A(z): the sum of the absorbances of all fragments in front of z. It has a step at every "
+                   "fragment.";
         case Series::reconstruction:
-            return "A(z, b, β): what the technique makes of the moments. Its value at a fragment's own depth weighs that fragment in the picture.";
+            return "A(z, b, β): what the technique makes of the moments. Its value at a fragment's own "
+                   "depth weighs that fragment in the picture.";
         case Series::bounds:
-            return technique.has_bounds ? "The least and the greatest absorbance that any distribution with the biased moments has in front of z (β = 0 and β = 1)."
-                                        : "The results for β = 0 and β = 1. For trigonometric moments these are no bounds: the truth may lie outside.";
+            return technique.has_bounds
+                       ? "The least and the greatest absorbance that any distribution with the biased "
+                         "moments has in front of z (β = 0 and β = 1)."
+                       : "The results for β = 0 and β = 1. For trigonometric moments these are no bounds: "
+                         "the truth may lie outside.";
         case Series::ghost:
-            return "The reconstruction in exact arithmetic without moment bias, in long double. What lies between it and the orange curve is the price of bias and rounding.";
+            return "The reconstruction in exact arithmetic without moment bias, in long double. What lies "
+                   "between it and the orange curve is the price of bias and rounding.";
         case Series::stems:
-            return "The canonical representation: masses that have the biased moments, one of them at the query depth (diamond). Full heads count as in front of it. In a plot of T a stem's height is its share of b₀.";
+            return "The canonical representation: masses that have the biased moments, one of them at the "
+                   "query depth (diamond). Full heads count as in front of it. In a plot of T a stem's "
+                   "height is its share of b₀.";
         case Series::errors:
-            return "From truth to reconstruction at every fragment's own depth: only these values reach the picture.";
+            return "From truth to reconstruction at every fragment's own depth: only these values reach the "
+                   "picture.";
         case Series::wrapping_zone:
             break;
     }
-    return "The arc θ of the circle that holds no depths: beyond the far end of the depth range, where roots wrap to the near end (Eq. 6).";
+    return "The arc θ of the circle that holds no depths: beyond the far end of the depth range, where "
+           "roots wrap to the near end (Eq. 6).";
 }
 
 ImU32 series_color(Series series, const Palette& colors) {
@@ -123,7 +133,8 @@ void draw_tools(const Ui& ui, const Measurement& m, ExplorerState& state, float 
     PlotState& plot = state.plot;
     const bool warped = m.capture.ray.warp.logarithmic;
     // True when another choice was clicked.
-    const auto choose = [&](const char* label, bool on, const char* anchor, const char* help, const char* key) {
+    const auto choose = [&](const char* label, bool on, const char* anchor, const char* help,
+                            const char* key) {
         const bool clicked = toggle_button(label, on);
         ui.mark(anchor);
         tooltip(help, key);
@@ -158,7 +169,9 @@ void draw_tools(const Ui& ui, const Measurement& m, ExplorerState& state, float 
     if (ImGui::SliderFloat("##query", &query, -1, 1, "query z = %.3f", ImGuiSliderFlags_AlwaysClamp))
         plot.query = query;
     ui.mark("plot.query");
-    tooltip("The query depth z at which bounds, β and the canonical representation are drawn. Drag in the plot, or Ctrl+click here to type a number.");
+    tooltip(
+        "The query depth z at which bounds, β and the canonical representation are drawn. Drag in the plot, "
+        "or Ctrl+click here to type a number.");
 }
 
 // The fragment whose step is nearest to the mouse, if it is near.
@@ -210,9 +223,7 @@ void draw_crosshair(const Ui& ui, const PlotAxes& axes, const Measurement& m, co
     }
     const auto ghost = m.ghost.empty() ? std::vector<float>()
                                        : unbiased_absorbance(ray, *state.technique, curve.parameters, at);
-    if (!ghost.empty())
-        value_line("exact, no bias", ui.colors.ghost,
-                   ghost[0], axes);
+    if (!ghost.empty()) value_line("exact, no bias", ui.colors.ghost, ghost[0], axes);
     for (std::size_t i = 0; i < m.compared.size(); ++i)
         value_line(m.compared[i].technique->id, ui.colors.compared[i % ui.colors.compared.size()],
                    sample_curve(ray, *m.compared[i].technique, state.parameters, at).reconstructed[0], axes);

@@ -132,10 +132,12 @@ void ScenePanel::draw_tools(const Ui& ui, const Measurement& m, const ScenePictu
     explain("scene.lens", "Magnify the pixels around the picked one, with their values.", "L");
     next("failures");
     if (toggle_button("failures", state.failures)) state.failures = !state.failures;
-    explain("scene.failures",
-            "Mark pixels with a fragment whose matrix was singular in floats (hatched) or whose sum left [0, 1] and "
-            "was clamped (plain).",
-            "O");
+    explain(
+        "scene.failures",
+        "Mark pixels with a fragment whose matrix was singular in floats (hatched) or whose sum left [0, 1] "
+        "and "
+        "was clamped (plain).",
+        "O");
     next("truth");
     ImGui::Button("truth");
     truth_held_ = ImGui::IsItemActive();
@@ -150,14 +152,16 @@ void ScenePanel::draw_tools(const Ui& ui, const Measurement& m, const ScenePictu
 void ScenePanel::draw_go_to(glm::ivec2 size, ExplorerState& state, std::string& message) {
     if (focus_go_to_) ImGui::SetKeyboardFocusHere();
     focus_go_to_ = false;
-    if (!ImGui::InputTextWithHint("##goto", "go to x, y", &go_to_, ImGuiInputTextFlags_EnterReturnsTrue)) return;
+    if (!ImGui::InputTextWithHint("##goto", "go to x, y", &go_to_, ImGuiInputTextFlags_EnterReturnsTrue))
+        return;
     const auto place = parse_place(go_to_);
-    if (place && glm::all(glm::greaterThanEqual(*place, glm::ivec2(0))) && glm::all(glm::lessThan(*place, size))) {
+    if (place && glm::all(glm::greaterThanEqual(*place, glm::ivec2(0))) &&
+        glm::all(glm::lessThan(*place, size))) {
         pick(state, fraction_of(*place, size));
         go_to_.clear();
     } else {
-        message = fmt::format("'{}' is no pixel of the picture; type two numbers from 0, 0 to {}, {}.", go_to_,
-                              size.x - 1, size.y - 1);
+        message = fmt::format("'{}' is no pixel of the picture; type two numbers from 0, 0 to {}, {}.",
+                              go_to_, size.x - 1, size.y - 1);
     }
 }
 
@@ -211,8 +215,7 @@ void ScenePanel::draw_picture(const Ui& ui, const Measurement& m, const ScenePic
     if (picture.texture == 0) return list.AddRectFilled(area.low, area.high, ui.colors.plot_background);
     const auto texture = [](unsigned name) {
         // NOLINTNEXTLINE(performance-no-int-to-ptr): ImGui hands textures on as pointers
-        return reinterpret_cast<ImTextureID>(
-            static_cast<std::intptr_t>(name));
+        return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(name));
     };
     list.PushClipRect(area.low, area.high, true);
     // GL's first row is the lowest. While another scene is read the last picture may have another size.

@@ -309,7 +309,8 @@ void write_session_file(const ExplorerState& state, const std::filesystem::path&
     try {
         text = session_to_json(state).dump(1) + "\n";
     } catch (const json::exception&) {
-        throw Error("The name of the mesh file is no UTF-8, which a session needs; rename the file and open it again.");
+        throw Error(
+            "The name of the mesh file is no UTF-8, which a session needs; rename the file and open it again.");
     }
     write_text_file(text, path);
 }

@@ -48,12 +48,13 @@ enum class Panel { controls, fragments, technique };
 
 constexpr std::array<const char*, 3> PANEL_NAMES = {"Controls", "Fragments", "Technique"};
 
-/// A view ray from a file. States share it, since a history holds many of them and a ray may be large; equal if it has
-/// the same content.
+/// A view ray from a file. States share it, since a history holds many of them and a ray may be large; equal
+/// if it has the same content.
 class SharedRay {
 public:
     SharedRay() = default;
-    SharedRay(ViewRay ray) : ray_(std::make_shared<const ViewRay>(std::move(ray))) {}  // NOLINT: reads as a value
+    SharedRay(ViewRay ray)
+        : ray_(std::make_shared<const ViewRay>(std::move(ray))) {}  // NOLINT: reads as a value
     explicit operator bool() const { return ray_ != nullptr; }
     const ViewRay& operator*() const { return *ray_; }
     const ViewRay* operator->() const { return ray_.get(); }
@@ -72,7 +73,7 @@ constexpr std::size_t MAX_PINS = 4;
 
 struct ExplorerState {
     std::string scene = "teapots";  // registry id or path of a mesh file
-    SharedRay ray;     // a ray from a file; then its plot is shown without a scene
+    SharedRay ray;                  // a ray from a file; then its plot is shown without a scene
     const Technique* technique = &require_technique("power6-32");
     std::vector<const Technique*> compared;  // drawn beside it in the plot
     ParameterValues parameters;

@@ -37,8 +37,8 @@ inline float em() {
 /// source.
 void tooltip(const std::string& text, const std::string& weaker = "");
 
-/// Puts the next control of that width beside the last one, or into a new line where it would pass `right` (a screen
-/// coordinate).
+/// Puts the next control of that width beside the last one, or into a new line where it would pass `right` (a
+/// screen coordinate).
 void flow(float width, float right, float gap);
 
 /// How wide a button with that label is.

@@ -115,8 +115,8 @@ TEST_F(PlotTest, ARayWithoutWarpHasNoViewDepth) {
 // that these are no bounds at all.
 TEST_F(PlotTest, TheNoteTellsWhyTheTruthLeavesTheBand) {
     ui::ExplorerState biased;
-    biased.ray =
-        ViewRay{.fragments = {{-0.9f, -0.9f, 0.3f}, {-0.85f, -0.85f, 0.3f}, {-0.8f, -0.8f, 0.3f}}, .warp = {}};
+    biased.ray = ViewRay{.fragments = {{-0.9f, -0.9f, 0.3f}, {-0.85f, -0.85f, 0.3f}, {-0.8f, -0.8f, 0.3f}},
+                         .warp = {}};
     biased.technique = &require_technique("power6-32");
     biased.parameters.set(ParameterId::alpha, 0.1f);
     open(biased);

@@ -322,7 +322,8 @@ TEST_F(SessionTest, ParametersAreTypedFromTheKeyboardAlone) {
 TEST_F(SessionTest, ARayOfManyFragmentsIsDrawnWhole) {
     std::string fragments;
     for (int i = 0; i < 40'000; ++i)
-        fragments += fmt::format(R"({}{{"depth": {}, "opacity": 0.0001}})", i == 0 ? "" : ",", -1 + 2.0 * i / 40'000);
+        fragments +=
+            fmt::format(R"({}{{"depth": {}, "opacity": 0.0001}})", i == 0 ? "" : ",", -1 + 2.0 * i / 40'000);
     write("many.json", fmt::format(R"({{"fragments": [{}]}})", fragments));
     open();
     play("key Ctrl+J\nclick @file.entry.many.json\nclick @file.accept\nmove -10 -10");
