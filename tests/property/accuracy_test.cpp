@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <string_view>
 #include <thread>
 
 #include "core/ray/ray_json.hpp"
@@ -111,6 +113,12 @@ double mean(const auto& samples, auto value) {
     return sum / static_cast<double>(samples.size());
 }
 
+/// What Table 1 gives power moments of the same count; 0 for bases that it knows.
+float table1_power_bias(const Technique& technique) {
+    if (std::string_view(technique.basis) != "chebyshev") return 0;
+    return require_technique(fmt::format("power{}-32", technique.moment_count)).recommended_bias;
+}
+
 class Accuracy : public testing::TestWithParam<const Technique*> {
 protected:
     static void check(const Technique& technique, float beta, Errors& errors) {
@@ -128,10 +136,13 @@ protected:
             "float moments: mean {:.2e}\n  worst ray {}\n",
             technique.id, beta, mean_exact, quantile(0.99), quantile(0.9999), worst.error, mean_float,
             ray_to_json(ray_of_seed(worst.ray)).dump());
-        EXPECT_LE(mean_exact, 8e-6);
-        EXPECT_LE(quantile(0.99), 1e-4f);
+        // The less bias, the more rounding of the moments shows: measured, with the root of the ratio of biases. So a
+        // technique that is biased a hundredth as much as power moments, as cheb8-32 is, pays for its sharpness here.
+        const double less_bias = std::max(table1_power_bias(technique) / technique.recommended_bias, 1.0f);
+        EXPECT_LE(mean_exact, 8e-6 * std::sqrt(less_bias));
+        EXPECT_LE(quantile(0.99), 1e-4 * std::sqrt(less_bias));
         EXPECT_LE(quantile(0.9999), 5e-2f);
-        EXPECT_LE(mean_float, 2e-6);
+        EXPECT_LE(mean_float, 2e-6 * std::sqrt(less_bias));
     }
 };
 

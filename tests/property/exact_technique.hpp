@@ -67,6 +67,46 @@ ExactPair exact_power_pair(const ViewRay& ray, const MomentVector& stored, Real 
             exact_power<M>(floats, bias)};
 }
 
+/// Chebyshev moments to power moments, exactly: z^k as a sum of T_j, by z T_j = (T_{j+1} + T_{|j-1|}) / 2.
+template <std::size_t M>
+reference::PowerMoments<M, Real> power_of_chebyshev(const std::array<Real, M + 1>& chebyshev) {
+    reference::PowerMoments<M, Real> power{};
+    std::array<Real, M + 2> coefficient{};  // of z^k
+    coefficient[0] = 1;
+    for (std::size_t k = 0; k <= M; ++k) {
+        for (std::size_t j = 0; j <= k; ++j) power[k] += coefficient[j] * chebyshev[j];
+        std::array<Real, M + 2> next{};
+        for (std::size_t j = 0; j <= k && j <= M; ++j) {
+            next[j + 1] += coefficient[j] / (j == 0 ? 1 : 2);
+            if (j > 0) next[j - 1] += coefficient[j] / 2;
+        }
+        coefficient = next;
+    }
+    return power;
+}
+
+/// The same distribution in powers, with the arcsine distribution as b*: its power moments are (2k)! / (4^k k!^2).
+template <std::size_t M>
+ExactPair exact_chebyshev_pair(const ViewRay& ray, const MomentVector& stored, Real bias) {
+    reference::PowerMoments<M, Real> arcsine{};
+    arcsine[0] = 1;
+    for (std::size_t k = 2; k <= M; k += 2) arcsine[k] = arcsine[k - 2] * static_cast<Real>(k - 1) / static_cast<Real>(k);
+    const auto exact = [&](const reference::PowerMoments<M, Real>& moments) -> std::optional<ExactFunction> {
+        const auto factor = reference::factor_power<M, Real>(reference::normalise_and_bias(moments, arcsine, bias));
+        if (!factor) return std::nullopt;
+        return [factor = *factor](Real depth) {
+            const auto bounds = reference::power_bounds(factor, depth);
+            return ExactFraction{bounds.lower, bounds.w0};
+        };
+    };
+    const PointMasses masses = point_masses(ray);
+    std::array<Real, M + 1> floats{};
+    floats[0] = static_cast<Real>(stored.b0);
+    for (std::size_t i = 0; i < M; ++i) floats[i + 1] = static_cast<Real>(stored.b[i]);
+    return {exact(reference::power_moments<M>(std::span<const reference::PointMass<Real>>(masses))),
+            exact(power_of_chebyshev<M>(floats))};
+}
+
 template <std::size_t M>
 std::optional<ExactFunction> exact_trigonometric(const reference::TrigonometricMoments<M, Real>& moments,
                                                  Real bias, Real theta) {
@@ -99,6 +139,9 @@ inline ExactPair exact_pair(const Technique& technique, const ViewRay& ray, cons
     if (id == "power4-32") return exact_power_pair<4>(ray, stored, bias);
     if (id == "power6-32") return exact_power_pair<6>(ray, stored, bias);
     if (id == "power8-32") return exact_power_pair<8>(ray, stored, bias);
+    if (id == "cheb4-32") return exact_chebyshev_pair<4>(ray, stored, bias);
+    if (id == "cheb6-32") return exact_chebyshev_pair<6>(ray, stored, bias);
+    if (id == "cheb8-32") return exact_chebyshev_pair<8>(ray, stored, bias);
     if (id == "trig2-32") return exact_trigonometric_pair<2>(ray, stored, bias, theta);
     if (id == "trig3-32") return exact_trigonometric_pair<3>(ray, stored, bias, theta);
     if (id == "trig4-32") return exact_trigonometric_pair<4>(ray, stored, bias, theta);

@@ -57,6 +57,8 @@ const std::map<std::string, ExpectedTechnique> MOMENT_TECHNIQUES = {
     {"power4-32", {5e-7f, 160, 4, 4, false}}, {"power6-32", {5e-6f, 224, 6, 6, false}},
     {"power8-32", {5e-5f, 288, 8, 8, false}}, {"trig2-32", {4e-7f, 160, 2, 4, true}},
     {"trig3-32", {8e-7f, 224, 3, 6, true}},   {"trig4-32", {1.5e-6f, 288, 4, 8, true}},
+    {"cheb4-32", {5e-7f, 160, 4, 4, false}},  {"cheb6-32", {5e-7f, 224, 6, 6, false}},
+    {"cheb8-32", {5e-7f, 288, 8, 8, false}},
 };
 
 /// Lower-case words and digits, joined by single hyphens.

@@ -1,4 +1,5 @@
-// hankel_factor.glsl -- the factor of the Hankel matrix of power moments.
+// line_factor.glsl -- the factor of the matrix of moments of a measure on the line: E[u_i u_j] for the polynomials u_k of
+// the basis, which is the Hankel matrix for u_k = z^k. A basis defines matrix_entry and leading_coefficient before.
 
 struct Factor
 {
@@ -8,7 +9,7 @@ struct Factor
     int floored;               // how many pivots were raised to the floor
 };
 
-/// LDL^T of the Hankel matrix of biased moments, normalised to b_0 = 1.
+/// LDL^T of the matrix of biased moments, normalised to b_0 = 1, as the recurrence of the monic orthogonal polynomials.
 FN Factor factor_moments(IN(BiasedMoments) biased)
 {
     FloatPair entry[ORDER * ORDER];    // entry[i ORDER + j] for i >= j: the rest of H, times scale
@@ -21,8 +22,7 @@ FN Factor factor_moments(IN(BiasedMoments) biased)
     {
         UNROLL
         for (int j = 0; j <= i; ++j)
-            entry[i * ORDER + j] =
-                i == 0 ? make_pair(biased.b0 * unit, 0.0f) : biased_moment(biased, max(i + j - 1, 0), unit);
+            entry[i * ORDER + j] = matrix_entry(biased, i, j, unit);
     }
     float scale = biased.b0 * unit;
     float previous_h = 1.0f;
@@ -31,9 +31,12 @@ FN Factor factor_moments(IN(BiasedMoments) biased)
     {
         Pivot pivot = make_pivot(entry[k * ORDER + k], scale);
         factor.floored += pivot.floored;
-        factor.inverse_h[k] = pivot.inverse_h;
-        if (k < ROOT_COUNT) factor.ratio[min(k, ROOT_COUNT - 1)] = k == 0 ? 0.0f : pivot.h / previous_h;
-        previous_h = pivot.h;
+        // The pivot is the norm of the k-th orthogonal polynomial with the basis's leading coefficient, a power of two.
+        float leading = leading_coefficient(k);
+        factor.inverse_h[k] = pivot.inverse_h * (leading * leading);
+        float h = pivot.h / (leading * leading);
+        if (k < ROOT_COUNT) factor.ratio[min(k, ROOT_COUNT - 1)] = k == 0 ? 0.0f : h / previous_h;
+        previous_h = h;
         PRECISE float inverse_pivot = pivot.inverse_h / scale;
         UNROLL
         for (int i = k + 1; i < ORDER; ++i)
@@ -48,6 +51,11 @@ FN Factor factor_moments(IN(BiasedMoments) biased)
     }
     UNROLL
     for (int k = 0; k < ROOT_COUNT; ++k)
-        factor.a[k] = lower[(k + 1) * ORDER + k] - (k == 0 ? 0.0f : lower[k * ORDER + max(k - 1, 0)]);
+    {
+        float up = leading_coefficient(k) / leading_coefficient(k + 1);
+        float down = k == 0 ? 0.0f : leading_coefficient(k - 1) / leading_coefficient(k);
+        PRECISE float a = lower[(k + 1) * ORDER + k] * up - lower[k * ORDER + max(k - 1, 0)] * down;
+        factor.a[k] = a;
+    }
     return factor;
 }

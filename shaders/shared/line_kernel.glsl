@@ -1,0 +1,85 @@
+// line_kernel.glsl -- the kernel polynomial of a measure on the line about a query depth, from the recurrence of its monic
+// orthogonal polynomials: what power and Chebyshev moments share.
+//
+// Instead of solving H q = (1, z_f, z_f^2, ...) and looking for the roots of q (Algorithm 1), everything is told by
+// the monic orthogonal polynomials p_k of the measure, p_{k+1} = (z - a_k) p_k - (h_k / h_{k-1}) p_{k-1}, where
+// h_k = E[p_k^2]: the same polynomial is the kernel K(z_f, z) = sum p_k(z_f) p_k(z) / h_k.
+
+/// The query depth as the reconstruction needs it: z_f - a_k.
+struct Query { float offset[ROOT_COUNT]; };
+
+FN Query query_at(float depth, IN(Factor) factor, IN(Basis) basis)
+{
+    Query query;
+    UNROLL
+    for (int k = 0; k < ROOT_COUNT; ++k) query.offset[k] = depth - factor.a[k];
+    return query;
+}
+
+/// K(z_f, z_f + s) = at_query (1 + e[0] s + ... + e[n-1] s^n); at_query = 1 / w_0 >= 1.
+struct Kernel { float at_query; MonicPolynomial in_t; };
+
+FN Kernel kernel_polynomial(IN(Query) query, IN(Factor) factor)
+{
+    float p[ORDER];            // p_k(z_f + s), coefficients of s^j
+    float previous[ORDER];     // p_{k-1}
+    float sum[ORDER];
+    UNROLL
+    for (int j = 0; j <= ROOT_COUNT; ++j)
+    {
+        p[j] = j == 0 ? 1.0f : 0.0f;
+        previous[j] = 0.0f;
+        sum[j] = p[j];                  // k = 0, h_0 = 1
+    }
+    UNROLL
+    for (int k = 0; k < ROOT_COUNT; ++k)
+    {
+        PRECISE float carried = 0.0f;   // coefficient j - 1 of p_k: the product with s
+        UNROLL
+        for (int j = 0; j <= ROOT_COUNT; ++j)
+        {
+            PRECISE float next = query.offset[k] * p[j] - factor.ratio[k] * previous[j] + carried;
+            carried = p[j];
+            previous[j] = p[j];
+            p[j] = next;
+        }
+        PRECISE float scale = p[0] * factor.inverse_h[k + 1];
+        UNROLL
+        for (int j = 0; j <= ROOT_COUNT; ++j) sum[j] = sum[j] + scale * p[j];
+    }
+    Kernel kernel;
+    kernel.at_query = sum[0];
+    PRECISE float inverse = 1.0f / sum[0];
+    UNROLL
+    for (int j = 0; j < ROOT_COUNT; ++j) kernel.in_t.e[j] = sum[j + 1] * inverse;
+    return kernel;
+}
+
+/// Weight 1 / K(z, z) of the node z = z_f + 1/t; 0 for t = 0, a node at infinity. Computed in t or in s, whichever
+/// is below 1, so that nothing overflows.
+FN float node_weight(float t, IN(Query) query, IN(Factor) factor)
+{
+    PRECISE float s = 1.0f / max(abs(t), 1.0f);
+    PRECISE float u = t * s;            // (s, u) is (1, t) scaled to a greatest component of at most 1
+    PRECISE float u2 = u * u;
+    PRECISE float previous = 0.0f;
+    PRECISE float q = 1.0f;             // u^k p_k
+    PRECISE float kernel = 1.0f;
+    PRECISE float u_power = 1.0f;
+    UNROLL
+    for (int k = 0; k < ROOT_COUNT; ++k)
+    {
+        PRECISE float next = (query.offset[k] * u + s) * q - factor.ratio[k] * u2 * previous;
+        previous = q;
+        q = next;
+        kernel = kernel * u2 + q * q * factor.inverse_h[k + 1];
+        u_power = u_power * u2;
+    }
+    return u_power / kernel;
+}
+
+/// v_l of Algorithm 1: 1 for a node in front of the query depth, 0 behind.
+FN float node_value(float t, IN(Query) query, IN(Basis) basis)
+{
+    return t < 0.0f ? 1.0f : 0.0f;
+}
