@@ -21,8 +21,8 @@ struct CanonicalRepresentation {
     int floored_pivots = 0;        // how often the matrix was singular in floats
 };
 
-/// Empty nodes for an empty ray, a technique without moments, or a basis other than power, Chebyshev and trigonometric.
-/// query in [-1, 1].
+/// Empty nodes for an empty ray, a technique without moments, or a basis other than power, Chebyshev and
+/// trigonometric. query in [-1, 1].
 CanonicalRepresentation canonical_representation(const Curve& curve, float query);
 
 /// The depth at which the circle of trigonometric moments ends: beyond 1 lies the wrapping zone (Eq. 5).

@@ -136,8 +136,9 @@ protected:
             "float moments: mean {:.2e}\n  worst ray {}\n",
             technique.id, beta, mean_exact, quantile(0.99), quantile(0.9999), worst.error, mean_float,
             ray_to_json(ray_of_seed(worst.ray)).dump());
-        // The less bias, the more rounding of the moments shows: measured, with the root of the ratio of biases. So a
-        // technique that is biased a hundredth as much as power moments, as cheb8-32 is, pays for its sharpness here.
+        // The less bias, the more rounding of the moments shows: measured, with the root of the ratio of
+        // biases. So a technique that is biased a hundredth as much as power moments, as cheb8-32 is, pays
+        // for its sharpness here.
         const double less_bias = std::max(table1_power_bias(technique) / technique.recommended_bias, 1.0f);
         EXPECT_LE(mean_exact, 8e-6 * std::sqrt(less_bias));
         EXPECT_LE(quantile(0.99), 1e-4 * std::sqrt(less_bias));

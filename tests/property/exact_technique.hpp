@@ -85,14 +85,17 @@ reference::PowerMoments<M, Real> power_of_chebyshev(const std::array<Real, M + 1
     return power;
 }
 
-/// The same distribution in powers, with the arcsine distribution as b*: its power moments are (2k)! / (4^k k!^2).
+/// The same distribution in powers, with the arcsine distribution as b*: its power moments are (2k)! / (4^k
+/// k!^2).
 template <std::size_t M>
 ExactPair exact_chebyshev_pair(const ViewRay& ray, const MomentVector& stored, Real bias) {
     reference::PowerMoments<M, Real> arcsine{};
     arcsine[0] = 1;
-    for (std::size_t k = 2; k <= M; k += 2) arcsine[k] = arcsine[k - 2] * static_cast<Real>(k - 1) / static_cast<Real>(k);
+    for (std::size_t k = 2; k <= M; k += 2)
+        arcsine[k] = arcsine[k - 2] * static_cast<Real>(k - 1) / static_cast<Real>(k);
     const auto exact = [&](const reference::PowerMoments<M, Real>& moments) -> std::optional<ExactFunction> {
-        const auto factor = reference::factor_power<M, Real>(reference::normalise_and_bias(moments, arcsine, bias));
+        const auto factor =
+            reference::factor_power<M, Real>(reference::normalise_and_bias(moments, arcsine, bias));
         if (!factor) return std::nullopt;
         return [factor = *factor](Real depth) {
             const auto bounds = reference::power_bounds(factor, depth);
