@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
 
 #include "core/error.hpp"
+#include "core/input_file.hpp"
 #include "ui/session.hpp"
 #include "ui/shortcut.hpp"
 
@@ -158,22 +158,18 @@ void EventPlayer::expect(const std::string& pointer, const std::string& value) c
     if (!close && found != wanted) throw Error(fmt::format("{} is {}, not {}", pointer, found.dump(), value));
 }
 
-void EventPlayer::play_line(const std::string& line) {
-    const std::vector<std::string> words = words_of(line);
-    if (words.empty()) return;
+bool EventPlayer::play_mouse(const std::vector<std::string>& words) {
     const std::string& what = words[0];
     std::size_t next = 1;
     if (what == "move") {
         move(place(words, next));
     } else if (what == "press" || what == "release") {
         button(button_of(words, 1), what == "press");
-    } else if (what == "click") {
+    } else if (what == "click" || what == "doubleclick") {
         const ImVec2 at = place(words, next);
-        click(at, button_of(words, next));
-    } else if (what == "doubleclick") {
-        const ImVec2 at = place(words, next);
-        click(at, ImGuiMouseButton_Left);
-        click(at, ImGuiMouseButton_Left);
+        const int which = button_of(words, next);
+        click(at, which);
+        if (what == "doubleclick") click(at, which);
     } else if (what == "drag") {
         const ImVec2 from = place(words, next);
         if (need_word(words, next, "'to' and a second place") != "to")
@@ -184,28 +180,48 @@ void EventPlayer::play_line(const std::string& line) {
     } else if (what == "wheel") {
         ImGui::GetIO().MouseWheel = need_number(words, 1, -100, 100);
         window_.settle();
-    } else if (what == "key") {
+    } else {
+        return false;
+    }
+    return true;
+}
+
+bool EventPlayer::play_keyboard(const std::vector<std::string>& words, const std::string& rest) {
+    const std::string& what = words[0];
+    if (what == "key") {
         key(need_word(words, 1, "the name of a key"), true);
         key(words[1], false);
     } else if (what == "hold" || what == "let") {
         key(need_word(words, 1, "the name of a key"), what == "hold");
     } else if (what == "type") {
-        ImGui::GetIO().AddInputCharactersUTF8(after_first_word(line).c_str());
+        ImGui::GetIO().AddInputCharactersUTF8(rest.c_str());
         window_.settle();
-    } else if (what == "wait") {
+    } else {
+        return false;
+    }
+    return true;
+}
+
+void EventPlayer::play_line(const std::string& line) {
+    const std::vector<std::string> words = words_of(line);
+    if (words.empty()) return;
+    const std::string& what = words[0];
+    const std::string rest = after_first_word(line);
+    if (play_mouse(words) || play_keyboard(words, rest)) return;
+    if (what == "wait") {
         wait(static_cast<double>(need_number(words, 1, 0, 1e6f)));
     } else if (what == "resize") {
-        window_.resize({static_cast<int>(need_number(words, 1, 1, 16384)),
-                        static_cast<int>(need_number(words, 2, 1, 16384))});
+        constexpr float MOST = MAX_PICTURE_SIDE;
+        window_.resize({static_cast<int>(need_number(words, 1, 1, MOST)),
+                        static_cast<int>(need_number(words, 2, 1, MOST))});
         window_.settle();
     } else if (what == "screenshot") {
         window_.write_png(need_word(words, 1, "the name of a .png"));
     } else if (what == "expect") {
         expect(need_word(words, 1, "a JSON pointer"), need_word(words, 2, "a value"));
     } else if (what == "expect-message") {
-        const std::string wanted = after_first_word(line);
-        if (window_.explorer().message().find(wanted) == std::string::npos)
-            throw Error(fmt::format("the message is '{}'", window_.explorer().message()));
+        const std::string& message = window_.explorer().message();
+        if (message.find(rest) == std::string::npos) throw Error(fmt::format("the message is '{}'", message));
     } else {
         throw Error(fmt::format("there is no event '{}'; docs/events.md lists them", what));
     }
@@ -226,12 +242,7 @@ void EventPlayer::play(const std::string& text) {
 }
 
 void EventPlayer::play_file(const std::filesystem::path& path) {
-    std::error_code status;
-    if (!std::filesystem::is_regular_file(path, status) ||
-        std::filesystem::file_size(path, status) > MAX_EVENT_BYTES)
-        throw Error(fmt::format("There is no event file '{}' of at most 16 MiB.", path.string()));
-    std::ifstream file(path, std::ios::binary);
-    play(std::string((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>()));
+    play(read_input_file(path, MAX_EVENT_BYTES, "event"));
 }
 
 }  // namespace momentscope

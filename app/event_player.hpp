@@ -18,6 +18,8 @@ public:
 
 private:
     void play_line(const std::string& line);
+    bool play_mouse(const std::vector<std::string>& words);  // false when it is no such event
+    bool play_keyboard(const std::vector<std::string>& words, const std::string& rest);
     void move(ImVec2 to);
     void button(int which, bool down);
     void click(ImVec2 at, int which);

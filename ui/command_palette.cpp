@@ -29,6 +29,19 @@ void place_window(float width, float height, float top) {
     ImGui::SetNextWindowPos({0.5f * room.x, top * room.y}, ImGuiCond_Always, {0.5f, top});
 }
 
+// True when it was clicked.
+bool draw_entry(const Ui& ui, const Command& command, bool selected) {
+    const std::string label = fmt::format("{}: {}##{}", menu_title(command), command.name, command.id);
+    const bool clicked = ImGui::Selectable(label.c_str(), selected);
+    ui.mark("palette." + command.id);
+    tooltip(command.help);
+    if (!command.keys.empty()) {
+        ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - 9 * em());
+        ImGui::TextDisabled("%s", command.keys.front().c_str());
+    }
+    return clicked;
+}
+
 void key_row(const std::string& keys, const std::string& name, const std::string& help) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
@@ -57,51 +70,45 @@ void CommandPalette::toggle() {
     chosen_ = 0;
 }
 
-const Command* CommandPalette::draw(const Ui& ui, const Explorer& explorer) {
-    if (!open_) return nullptr;
-    if (begin_) ImGui::OpenPopup("###palette");
-    place_window(40, 26, 0.15f);
-    const Command* chosen = nullptr;
-    if (!ImGui::BeginPopup("###palette", ImGuiWindowFlags_NoSavedSettings)) {
-        open_ = false;
-        return nullptr;
-    }
+// Types and moves the choice. True when Enter was pressed.
+bool CommandPalette::draw_typed(const Ui& ui) {
     ImGui::SetNextItemWidth(-1);
     if (begin_) ImGui::SetKeyboardFocusHere();
     begin_ = false;
     const std::string before = typed_;
-    const int chosen_before = chosen_;
-    bool accept = ImGui::InputTextWithHint("##typed", "type what you want to do", &typed_,
-                                           ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool accepted = ImGui::InputTextWithHint("##typed", "type what you want to do", &typed_,
+                                                   ImGuiInputTextFlags_EnterReturnsTrue);
     ui.mark("palette.typed");
+    if (typed_ != before) chosen_ = 0;
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow))) ++chosen_;
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_UpArrow))) --chosen_;
+    return accepted;
+}
+
+const Command* CommandPalette::draw(const Ui& ui, const Explorer& explorer) {
+    if (!open_) return nullptr;
+    if (begin_) ImGui::OpenPopup("###palette");
+    place_window(40, 26, 0.15f);
+    open_ = ImGui::BeginPopup("###palette", ImGuiWindowFlags_NoSavedSettings);
+    if (!open_) return nullptr;
+    const Command* chosen = nullptr;
+    const int before = chosen_;
+    const bool accepted = draw_typed(ui);
     std::vector<const Command*> found;
     for (const Command& command : commands())
         if (command.run && is_enabled(command, explorer) && matches(command, typed_))
             found.push_back(&command);
-    if (typed_ != before) chosen_ = 0;
-    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow))) ++chosen_;
-    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_UpArrow))) --chosen_;
     chosen_ = std::clamp(chosen_, 0, std::max(static_cast<int>(found.size()) - 1, 0));
     ImGui::BeginChild("found");
     for (std::size_t i = 0; i < found.size(); ++i) {
-        const Command& command = *found[i];
         const bool selected = static_cast<int>(i) == chosen_;
-        const std::string label = fmt::format("{}: {}##{}", menu_title(command), command.name, command.id);
-        if (ImGui::Selectable(label.c_str(), selected)) chosen = &command;
-        ui.mark("palette." + command.id);
-        if (selected && accept) chosen = &command;
-        if (selected && chosen_ != chosen_before) ImGui::SetScrollHereY();
-        tooltip(command.help);
-        if (command.keys.empty()) continue;
-        ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - 9 * em());
-        ImGui::TextDisabled("%s", command.keys.front().c_str());
+        if (draw_entry(ui, *found[i], selected) || (selected && accepted)) chosen = found[i];
+        if (selected && chosen_ != before) ImGui::SetScrollHereY();
     }
     if (found.empty()) ImGui::TextDisabled("No command has these words.");
     ImGui::EndChild();
-    if (chosen != nullptr) {
-        open_ = false;
-        ImGui::CloseCurrentPopup();
-    }
+    open_ = chosen == nullptr;
+    if (!open_) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
     return chosen;
 }

@@ -17,6 +17,8 @@ public:
     const Command* draw(const Ui& ui, const Explorer& explorer);
 
 private:
+    bool draw_typed(const Ui& ui);
+
     bool open_ = false;
     bool begin_ = false;
     std::string typed_;

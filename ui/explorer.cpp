@@ -2,22 +2,13 @@
 #include "ui/explorer.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/scene/camera.hpp"
 #include "core/scene/scenes.hpp"
 
 namespace momentscope::ui {
-
-namespace {
-
-// Does the plot of one state serve the other?
-bool same_measurement(const ExplorerState& a, const ExplorerState& b) {
-    return a.technique == b.technique && a.compared == b.compared && a.parameters == b.parameters &&
-           a.plot == b.plot && a.marked == b.marked;
-}
-
-}  // namespace
 
 std::string FrameReport::text() const {
     std::string text;
@@ -32,6 +23,7 @@ std::string FrameReport::text() const {
     add(truth, "ground truth");
     add(capture, "capture");
     add(plot, "plot");
+    add(query && !plot, "query depth");
     return text;
 }
 
@@ -243,10 +235,17 @@ void Explorer::update_scene_picture(const View& view, Stage stage) {
         report_.failures = true;
     }
     picture_.overlay = picture_.failures && !truth_shown_ ? renderer_.failure_texture() : 0;
-    picture_.lens = {};
-    if (!state_.lens) return;
+    update_lens(view.size, stage != Stage::nothing || report_.truth);
+}
+
+// Reads pixels back only when others are to be seen.
+void Explorer::update_lens(glm::ivec2 size, bool picture_changed) {
+    if (!state_.lens) picture_.lens = {};
+    const bool flipped = std::exchange(lens_shows_truth_, truth_shown_) != truth_shown_;
+    const bool stale = picture_changed || flipped || picture_.lens.width == 0 || report_.capture;
+    if (!state_.lens || !stale) return;
     const glm::ivec2 corner = glm::max(measurement_.pixel - LENS_RADIUS, glm::ivec2(0));
-    const glm::ivec2 end = glm::min(measurement_.pixel + LENS_RADIUS + 1, view.size);
+    const glm::ivec2 end = glm::min(measurement_.pixel + LENS_RADIUS + 1, size);
     picture_.lens_corner = corner;
     picture_.lens = (truth_shown_ ? *truth_ : renderer_).read_region(corner, end - corner);
 }
@@ -264,11 +263,12 @@ void Explorer::show_truth(const View& view) {
 }
 
 void Explorer::measure_if_changed(bool captured) {
-    const bool stale = measurement_.curve.technique == nullptr ||
-                       measurement_.history.size() != measurement_.capture.ray.fragments.size();
-    if (!captured && !stale && same_measurement(shown_state_, state_)) return;
-    measure(measurement_, state_);
-    report_.plot = true;
+    const bool first = measurement_.curve.technique == nullptr;
+    report_.plot = captured || first || !same_curves(shown_state_, state_);
+    if (report_.plot) measure_curves(measurement_, state_);
+    const ViewRay& ray = measurement_.capture.ray;
+    report_.query = report_.plot || query_depth(ray, state_) != measurement_.canonical.query;
+    if (report_.query) measure_query(measurement_, state_);
 }
 
 std::optional<std::filesystem::path> Explorer::take_window_export() {

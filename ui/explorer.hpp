@@ -13,6 +13,7 @@
 #include "ui/file_dialog.hpp"
 #include "ui/history.hpp"
 #include "ui/measurement.hpp"
+#include "ui/pinned_plots.hpp"
 #include "ui/plot_panel.hpp"
 #include "ui/scene_loader.hpp"
 #include "ui/scene_panel.hpp"
@@ -27,7 +28,7 @@ struct ExplorerOptions {
 /// What a frame had to compute; all false when nothing had changed.
 struct FrameReport {
     bool opaque = false, first_pass = false, second_pass = false, composite = false;
-    bool failures = false, truth = false, capture = false, plot = false;
+    bool failures = false, truth = false, capture = false, plot = false, query = false;
 
     /// "second pass, composite, plot", or "" when nothing was computed.
     std::string text() const;
@@ -102,6 +103,7 @@ private:
     void update_pins(Stage stage);
     void update_scene_picture(const View& view, Stage stage);
     void show_truth(const View& view);
+    void update_lens(glm::ivec2 size, bool picture_changed);
     void measure_if_changed(bool captured);
     void report_passes(const PassCounts& before);
 
@@ -135,6 +137,7 @@ private:
     std::unique_ptr<Renderer> truth_;  // of the same scene, made when it is first asked for
     bool truth_shown_ = false;
     bool truth_button_held_ = false;
+    bool lens_shows_truth_ = false;
     bool transmittance_stale_ = true;
 
     ScenePanel scene_panel_;

@@ -138,6 +138,38 @@ std::optional<FileDialog::Choice> FileDialog::accept() {
     return Choice{target, &kinds_[kind_]};
 }
 
+void FileDialog::draw_kinds(const Ui& ui) {
+    if (kinds_.size() < 2) return;
+    ImGui::SetNextItemWidth(-1);
+    if (ImGui::BeginCombo("##kind", kinds_[kind_].name)) {
+        for (std::size_t i = 0; i < kinds_.size(); ++i) {
+            if (ImGui::Selectable(kinds_[i].name, i == kind_)) choose_kind(i);
+            ui.mark(fmt::format("file.kind.{}", kinds_[i].id));
+        }
+        ImGui::EndCombo();
+    }
+    ui.mark("file.kind");
+    tooltip("What is written.");
+}
+
+// The name and the two buttons.
+void FileDialog::draw_answer(const Ui& ui, bool& accept, bool& cancel) {
+    ImGui::SetNextItemWidth(-1);
+    if (begin_) ImGui::SetKeyboardFocusHere();
+    begin_ = false;
+    accept |= ImGui::InputTextWithHint("##name", "name of the file, or a path", &name_,
+                                       ImGuiInputTextFlags_EnterReturnsTrue);
+    ui.mark("file.name");
+    tooltip("A name in this folder, or a whole path.");
+    accept |= ImGui::Button(mode_ == Mode::save ? "Save" : "Open", {6 * em(), 0});
+    ui.mark("file.accept");
+    tooltip(mode_ == Mode::save ? "Writes the file." : "Opens the file, or enters the folder.", "Enter");
+    ImGui::SameLine();
+    cancel |= ImGui::Button("Cancel", {6 * em(), 0}) || pressed({.key = 256});
+    ui.mark("file.cancel");
+    tooltip("Closes the dialog and changes nothing.", "Escape");
+}
+
 std::optional<FileDialog::Choice> FileDialog::draw(const Ui& ui) {
     if (!open_) return std::nullopt;
     const std::string label = title_ + "###file";
@@ -145,52 +177,24 @@ std::optional<FileDialog::Choice> FileDialog::draw(const Ui& ui) {
     const ImVec2 room = ImGui::GetMainViewport()->Size;
     ImGui::SetNextWindowSize({std::min(38 * em(), 0.95f * room.x), std::min(30 * em(), 0.95f * room.y)});
     ImGui::SetNextWindowPos({0.5f * room.x, 0.5f * room.y}, ImGuiCond_Always, {0.5f, 0.5f});
+    open_ = ImGui::BeginPopupModal(label.c_str(), nullptr,
+                                   ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings);
+    if (!open_) return std::nullopt;
     std::optional<Choice> choice;
-    if (!ImGui::BeginPopupModal(label.c_str(), nullptr,
-                                ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings)) {
-        open_ = false;
-        return choice;
-    }
-    ImGui::TextWrapped("%s", folder_.c_str());
     bool wanted = false;
+    bool cancelled = false;
+    ImGui::TextWrapped("%s", folder_.c_str());
     draw_entries(ui, wanted);
-    if (kinds_.size() > 1) {
-        ImGui::SetNextItemWidth(-1);
-        if (ImGui::BeginCombo("##kind", kinds_[kind_].name)) {
-            for (std::size_t i = 0; i < kinds_.size(); ++i) {
-                if (ImGui::Selectable(kinds_[i].name, i == kind_)) choose_kind(i);
-                ui.mark(fmt::format("file.kind.{}", kinds_[i].id));
-            }
-            ImGui::EndCombo();
-        }
-        ui.mark("file.kind");
-        tooltip("What is written.");
-    }
-    ImGui::SetNextItemWidth(-1);
-    if (begin_) ImGui::SetKeyboardFocusHere();
-    begin_ = false;
-    if (ImGui::InputTextWithHint("##name", "name of the file, or a path", &name_,
-                                 ImGuiInputTextFlags_EnterReturnsTrue))
-        wanted = true;
-    ui.mark("file.name");
-    tooltip("A name in this folder, or a whole path.");
-    if (ImGui::Button(mode_ == Mode::save ? "Save" : "Open", {6 * em(), 0})) wanted = true;
-    ui.mark("file.accept");
-    tooltip(mode_ == Mode::save ? "Writes the file." : "Opens the file, or enters the folder.", "Enter");
-    ImGui::SameLine();
-    const bool cancelled = ImGui::Button("Cancel", {6 * em(), 0}) || pressed({.key = 256});
-    ui.mark("file.cancel");
-    tooltip("Closes the dialog and changes nothing.", "Escape");
+    draw_kinds(ui);
+    draw_answer(ui, wanted, cancelled);
     if (wanted) choice = accept();
     if (!problem_.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.warning);
         ImGui::TextWrapped("%s", problem_.c_str());
         ImGui::PopStyleColor();
     }
-    if (choice || cancelled) {
-        open_ = false;
-        ImGui::CloseCurrentPopup();
-    }
+    open_ = !choice && !cancelled;
+    if (!open_) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
     return choice;
 }

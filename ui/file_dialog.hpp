@@ -41,6 +41,8 @@ private:
     void enter(const std::filesystem::path& folder);
     void choose_kind(std::size_t kind);
     void draw_entries(const Ui& ui, bool& accept);
+    void draw_kinds(const Ui& ui);
+    void draw_answer(const Ui& ui, bool& accept, bool& cancel);
     std::optional<Choice> accept();
 
     bool open_ = false;

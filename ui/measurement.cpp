@@ -11,10 +11,6 @@ namespace {
 
 constexpr std::size_t SAMPLES = 512;
 
-bool shows(const PlotState& plot, Series series) {
-    return plot.shown[static_cast<std::size_t>(series)];
-}
-
 }  // namespace
 
 std::vector<float> plot_depths(const ViewRay& ray, std::size_t samples, Range range) {
@@ -70,7 +66,14 @@ BandExit band_exit(const Curve& curve) {
     return exit;
 }
 
-void measure(Measurement& m, const ExplorerState& state) {
+bool same_curves(const ExplorerState& a, const ExplorerState& b) {
+    for (const Parameter& row : parameters())
+        if (row.invalidates < Stage::composite && a.parameters[row.id] != b.parameters[row.id]) return false;
+    return a.technique == b.technique && a.compared == b.compared && a.plot.depth == b.plot.depth &&
+           a.plot.axis == b.plot.axis && a.plot.shows(Series::ghost) == b.plot.shows(Series::ghost);
+}
+
+void measure_curves(Measurement& m, const ExplorerState& state) {
     const ViewRay& ray = m.capture.ray;
     const std::vector<float> depths = plot_depths(ray, SAMPLES, visible_depths(ray, state.plot));
     m.curve = sample_curve(ray, *state.technique, state.parameters, depths);
@@ -79,14 +82,17 @@ void measure(Measurement& m, const ExplorerState& state) {
     for (const Technique* technique : state.compared)
         if (technique != state.technique)
             m.compared.push_back(sample_curve(ray, *technique, state.parameters, depths));
-    m.ghost = shows(state.plot, Series::ghost)
+    m.ghost = state.plot.shows(Series::ghost)
                   ? unbiased_absorbance(ray, *state.technique, m.curve.parameters, depths)
                   : std::vector<float>();
-    m.canonical = canonical_representation(m.curve, query_depth(ray, state));
     m.history = pixel_history(ray, m.capture.transmittance, *state.technique, state.parameters);
     for (Pinned& pin : m.pins)
         pin.curve =
             sample_curve(pin.ray, *state.technique, state.parameters, plot_depths(pin.ray, SAMPLES / 2));
+}
+
+void measure_query(Measurement& m, const ExplorerState& state) {
+    m.canonical = canonical_representation(m.curve, query_depth(m.capture.ray, state));
 }
 
 }  // namespace momentscope::ui

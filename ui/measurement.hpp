@@ -51,8 +51,13 @@ float query_depth(const ViewRay& ray, const ExplorerState& state);
 /// Where a curve's truth leaves the band by more than rounding does.
 BandExit band_exit(const Curve& curve);
 
-/// Recomputes everything that follows from the capture: curves, canonical representation, history, pins'
-/// curves.
-void measure(Measurement& measurement, const ExplorerState& state);
+/// Do two states have the same curves over one capture?
+bool same_curves(const ExplorerState& a, const ExplorerState& b);
+
+/// Recomputes what follows from the captures: curves, band, history, pins' curves.
+void measure_curves(Measurement& measurement, const ExplorerState& state);
+
+/// Recomputes the canonical representation at the query depth, from the curve's moments.
+void measure_query(Measurement& measurement, const ExplorerState& state);
 
 }  // namespace momentscope::ui

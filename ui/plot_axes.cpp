@@ -10,8 +10,7 @@ namespace momentscope::ui {
 namespace {
 
 bool has_wrapping_zone(const Curve& curve, const PlotState& plot) {
-    return curve.technique->uses(ParameterId::theta) &&
-           plot.shown[static_cast<std::size_t>(Series::wrapping_zone)];
+    return curve.technique->uses(ParameterId::theta) && plot.shows(Series::wrapping_zone);
 }
 
 Range fitting_depths(const PlotAxes& axes, const Curve& curve, const PlotState& plot) {

@@ -9,10 +9,8 @@ namespace momentscope::ui {
 
 namespace {
 
-const ImVec2 GHOST_DASH = {7, 4};
-
 bool shows(const PlotInput& input, Series series) {
-    return input.state.plot.shown[static_cast<std::size_t>(series)];
+    return input.state.plot.shows(series);
 }
 
 // Fades what is not under the mouse in the legend.

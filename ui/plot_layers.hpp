@@ -20,6 +20,9 @@ void draw_layers(ImDrawList& list, const PlotAxes& axes, const Palette& colors, 
 void draw_small_layers(ImDrawList& list, const PlotAxes& axes, const Palette& colors, const ViewRay& ray,
                        const Curve& curve);
 
+/// Of the exact curve without bias.
+inline const ImVec2 GHOST_DASH = {7, 4};
+
 /// The dash lengths of the i-th compared technique, in pixels on and off.
 ImVec2 dash_of(std::size_t i);
 

@@ -7,131 +7,14 @@
 
 #include "core/inspect/ghost.hpp"
 #include "ui/plot_layers.hpp"
+#include "ui/plot_legend.hpp"
 
 namespace momentscope::ui {
 
 namespace {
 
-constexpr Series ALL_SERIES[] = {Series::truth, Series::reconstruction, Series::bounds,       Series::ghost,
-                                 Series::stems, Series::errors,         Series::wrapping_zone};
-
-bool has_series(Series series, const Technique& technique) {
-    switch (series) {
-        case Series::truth:
-            return true;
-        case Series::wrapping_zone:
-            return technique.uses(ParameterId::theta);
-        case Series::errors:
-        case Series::reconstruction:
-        case Series::bounds:
-        case Series::ghost:
-        case Series::stems:
-            break;
-    }
-    return technique.kernel != nullptr;
-}
-
-const char* series_help(Series series, const Technique& technique) {
-    switch (series) {
-        case Series::truth:
-            return "A(z): the sum of the absorbances of all fragments in front of z. It has a step at every "
-                   "fragment.";
-        case Series::reconstruction:
-            return "A(z, b, β): what the technique makes of the moments. Its value at a fragment's own "
-                   "depth weighs that fragment in the picture.";
-        case Series::bounds:
-            return technique.has_bounds
-                       ? "The least and the greatest absorbance that any distribution with the biased "
-                         "moments has in front of z (β = 0 and β = 1)."
-                       : "The results for β = 0 and β = 1. For trigonometric moments these are no bounds: "
-                         "the truth may lie outside.";
-        case Series::ghost:
-            return "The reconstruction in exact arithmetic without moment bias, in long double. What lies "
-                   "between it and the orange curve is the price of bias and rounding.";
-        case Series::stems:
-            return "The canonical representation: masses that have the biased moments, one of them at the "
-                   "query depth (diamond). Full heads count as in front of it. In a plot of T a stem's "
-                   "height is its share of b₀.";
-        case Series::errors:
-            return "From truth to reconstruction at every fragment's own depth: only these values reach the "
-                   "picture.";
-        case Series::wrapping_zone:
-            break;
-    }
-    return "The arc θ of the circle that holds no depths: beyond the far end of the depth range, where "
-           "roots wrap to the near end (Eq. 6).";
-}
-
-ImU32 series_color(Series series, const Palette& colors) {
-    switch (series) {
-        case Series::truth:
-            return colors.truth;
-        case Series::reconstruction:
-            return colors.reconstruction;
-        case Series::bounds:
-            return colors.bounds;
-        case Series::ghost:
-            return colors.ghost;
-        case Series::stems:
-            return colors.stems;
-        case Series::errors:
-            return colors.errors;
-        case Series::wrapping_zone:
-            break;
-    }
-    return colors.wrapping_zone;
-}
-
-// A legend entry as a control: a swatch and a name. Goes to the next line when this one is full.
-bool legend_entry(const Ui& ui, const char* name, ImU32 tint, ImVec2 dash, bool on, float right, bool first,
-                  const std::string& anchor) {
-    const float swatch = 1.5f * em();
-    const ImVec2 size = {swatch + 0.4f * em() + ImGui::CalcTextSize(name).x, ImGui::GetTextLineHeight() + 2};
-    if (!first) flow(size.x, right, 0.9f * em());
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const bool clicked = ImGui::InvisibleButton(name, size);
-    ui.mark(anchor);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImU32 text = on ? ImGui::GetColorU32(ImGuiCol_Text) : ImGui::GetColorU32(ImGuiCol_TextDisabled);
-    const float y = at.y + 0.5f * size.y;
-    draw_dashed(list, {{at.x, y}, {at.x + swatch, y}}, on ? tint : text, on ? em() / 5 : 1, dash);
-    list.AddText({at.x + swatch + 0.4f * em(), at.y + 1}, text, name);
-    if (!on)  // struck out, so that grey alone does not carry the meaning
-        list.AddLine({at.x + swatch + 0.4f * em(), y + 1}, {at.x + size.x, y + 1}, text);
-    return clicked;
-}
-
-// Toggles series and removes compared techniques. Returns what the mouse points at.
-std::optional<Series> draw_legend(const Ui& ui, const Measurement& m, ExplorerState& state, float right) {
-    std::optional<Series> hovered;
-    const Technique& technique = *m.curve.technique;
-    bool first = true;
-    for (const Series series : ALL_SERIES) {
-        if (!has_series(series, technique)) continue;
-        bool& shown = state.plot.shown[static_cast<std::size_t>(series)];
-        const ImVec2 dash = series == Series::ghost ? ImVec2(7, 4) : ImVec2(0, 0);
-        const std::string anchor = fmt::format("legend.{}", SERIES_KEYS[static_cast<std::size_t>(series)]);
-        if (legend_entry(ui, series_name(series, technique), series_color(series, ui.colors), dash, shown,
-                         right, first, anchor))
-            shown = !shown;
-        if (ImGui::IsItemHovered() && shown) hovered = series;
-        tooltip(series_help(series, technique), "click to show or hide");
-        first = false;
-    }
-    for (std::size_t i = 0; i < m.compared.size(); ++i) {
-        const Technique* compared = m.compared[i].technique;
-        if (legend_entry(ui, compared->id, ui.colors.compared[i % ui.colors.compared.size()], dash_of(i),
-                         true, right, first, fmt::format("legend.{}", compared->id)))
-            std::erase(state.compared, compared);
-        tooltip(compared->description, "click to remove it from the plot");
-        first = false;
-    }
-    return hovered;
-}
-
-void draw_tools(const Ui& ui, const Measurement& m, ExplorerState& state, float right) {
-    PlotState& plot = state.plot;
-    const bool warped = m.capture.ray.warp.logarithmic;
+// Absorbance or transmittance, warped or view depth. Buttons flow into the next line at `right`.
+void draw_axis_choices(const Ui& ui, bool warped, PlotState& plot, float right) {
     // True when another choice was clicked.
     const auto choose = [&](const char* label, bool on, const char* anchor, const char* help,
                             const char* key) {
@@ -159,7 +42,12 @@ void draw_tools(const Ui& ui, const Measurement& m, ExplorerState& state, float 
                "D"))
         set_depth_axis(plot, DepthAxis::view);
     ImGui::EndDisabled();
-    next("fit", 1);
+}
+
+void draw_tools(const Ui& ui, const Measurement& m, ExplorerState& state, float right) {
+    PlotState& plot = state.plot;
+    draw_axis_choices(ui, m.capture.ray.warp.logarithmic, plot, right);
+    flow(button_width("fit"), right, em());
     if (ImGui::Button("fit")) fit(plot);
     ui.mark("plot.fit");
     tooltip("Fit the plot to the ray.", "F, or double-click in the plot");
@@ -215,7 +103,7 @@ void draw_crosshair(const Ui& ui, const PlotAxes& axes, const Measurement& m, co
     value_line("truth", ui.colors.truth, static_cast<float>(curve.truth[0]), axes);
     if (!curve.beta0.empty())
         value_line("reconstruction", ui.colors.reconstruction, curve.reconstructed[0], axes);
-    if (!curve.beta0.empty() && state.plot.shown[static_cast<std::size_t>(Series::bounds)]) {
+    if (!curve.beta0.empty() && state.plot.shows(Series::bounds)) {
         value_line(curve.technique->has_bounds ? "lower bound of A" : "β = 0", ui.colors.bounds,
                    curve.beta0[0], axes);
         value_line(curve.technique->has_bounds ? "upper bound of A" : "β = 1", ui.colors.bounds,
@@ -230,31 +118,18 @@ void draw_crosshair(const Ui& ui, const PlotAxes& axes, const Measurement& m, co
     ImGui::EndTooltip();
 }
 
+void draw_note(const Ui& ui, const std::string& note, float right) {
+    if (note.empty()) return;
+    ImGui::PushTextWrapPos(right - ImGui::GetWindowPos().x);
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ui.colors.exit), "%s", note.c_str());
+    ImGui::PopTextWrapPos();
+}
+
 bool contains(const Rect& rect, ImVec2 at) {
     return at.x >= rect.low.x && at.x < rect.high.x && at.y >= rect.low.y && at.y < rect.high.y;
 }
 
 }  // namespace
-
-const char* series_name(Series series, const Technique& technique) {
-    switch (series) {
-        case Series::truth:
-            return "truth";
-        case Series::reconstruction:
-            return "reconstruction";
-        case Series::bounds:
-            return technique.has_bounds ? "lower, upper bound" : "β = 0, β = 1 (no bounds)";
-        case Series::ghost:
-            return "exact, no bias";
-        case Series::stems:
-            return "canonical masses";
-        case Series::errors:
-            return "error at own depth";
-        case Series::wrapping_zone:
-            break;
-    }
-    return "wrapping zone θ";
-}
 
 std::string band_note(const Measurement& m) {
     if (m.curve.beta0.empty() || m.exit.where.empty()) return "";
@@ -340,13 +215,7 @@ void PlotPanel::draw(const Ui& ui, const Measurement& m, ExplorerState& state, I
     ImGui::PushID("plot panel");
     draw_tools(ui, m, state, right);
     const std::optional<Series> hovered = draw_legend(ui, m, state, right);
-    const bool band = state.plot.shown[static_cast<std::size_t>(Series::bounds)];
-    const std::string note = band ? band_note(m) : "";
-    if (!note.empty()) {
-        ImGui::PushTextWrapPos(right - ImGui::GetWindowPos().x);
-        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ui.colors.exit), "%s", note.c_str());
-        ImGui::PopTextWrapPos();
-    }
+    if (state.plot.shows(Series::bounds)) draw_note(ui, band_note(m), right);
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 extent = {std::max(size.x, 1.0f), std::max(corner.y + size.y - low.y, 1.0f)};
     const Rect outside = {low, {low.x + extent.x, low.y + extent.y}};
@@ -375,50 +244,6 @@ void PlotPanel::draw(const Ui& ui, const Measurement& m, ExplorerState& state, I
         draw_crosshair(ui, axes, m, state);
     ImGui::PopID();
     ImGui::EndGroup();
-}
-
-void draw_pinned_plots(const Ui& ui, const Measurement& m, ExplorerState& state, ImVec2 size) {
-    if (m.pins.empty()) return;
-    const float gap = 0.4f * em();
-    const auto count = static_cast<float>(m.pins.size());
-    const ImVec2 each = {std::max((size.x - gap * (count - 1)) / count, 1.0f), std::max(size.y, 1.0f)};
-    std::optional<std::size_t> removed;
-    for (std::size_t i = 0; i < m.pins.size(); ++i) {
-        const Pinned& pin = m.pins[i];
-        if (pin.curve.technique == nullptr) continue;
-        ImGui::PushID(static_cast<int>(i));
-        if (i > 0) ImGui::SameLine(0, gap);
-        const ImVec2 low = ImGui::GetCursorScreenPos();
-        const Rect area = {low, {low.x + each.x, low.y + each.y}};
-        const float line = ImGui::GetTextLineHeight();
-        const bool clicked = ImGui::InvisibleButton("pin", each);
-        ui.mark(fmt::format("pin.{}", i + 1));
-        const bool on_cross = ImGui::GetIO().MousePos.x > area.high.x - 1.3f * line &&
-                              ImGui::GetIO().MousePos.y < low.y + 1.3f * line;
-        ui.anchors[fmt::format("pin.{}.remove", i + 1)] = {{area.high.x - 1.3f * line, low.y},
-                                                           {area.high.x, low.y + 1.3f * line}};
-        tooltip(on_cross ? "Remove this pin." : "Click to go to this pixel.");
-        ImDrawList& list = *ImGui::GetWindowDrawList();
-        list.PushClipRect(area.low, area.high, true);
-        list.AddRectFilled(area.low, area.high, ui.colors.plot_background, 3);
-        const Rect inner = {{low.x, low.y + 1.2f * line}, {area.high.x, area.high.y - 2}};
-        PlotState plot = state.plot;
-        plot.depth.reset();
-        plot.value.reset();
-        const PlotAxes axes = make_axes(pin.ray, pin.curve, plot, inner, false);
-        draw_small_layers(list, axes, ui.colors, pin.ray, pin.curve);
-        draw_text(list, {low.x + 5, low.y + 1}, {0, 0},
-                  fmt::format("{}: pixel {}, {}", i + 1, pin.pixel.x, pin.pixel.y), ui.colors.text);
-        draw_text(list, {area.high.x - 0.65f * line, low.y + 0.6f * line}, {0.5f, 0.5f}, "×", ui.colors.text);
-        list.PopClipRect();
-        if (clicked && on_cross) removed = i;
-        if (clicked && !on_cross) {
-            state.picked = state.pins[i];
-            state.marked.reset();
-        }
-        ImGui::PopID();
-    }
-    if (removed) state.pins.erase(state.pins.begin() + static_cast<std::ptrdiff_t>(*removed));
 }
 
 }  // namespace momentscope::ui

@@ -25,13 +25,7 @@ private:
     bool grips_value_ = true;
 };
 
-/// The name of a series in the legend; it depends on what the technique promises.
-const char* series_name(Series series, const Technique& technique);
-
 /// What the band says about the truth, in one sentence; empty when there is nothing to say.
 std::string band_note(const Measurement& measurement);
-
-/// Small plots of the pinned pixels in a row. Clicking one goes to its pixel, its cross removes it.
-void draw_pinned_plots(const Ui& ui, const Measurement& measurement, ExplorerState& state, ImVec2 size);
 
 }  // namespace momentscope::ui

@@ -81,6 +81,18 @@ void draw_lens(ImDrawList& list, const Rect& area, const ScenePicture& picture, 
                colors, colors.text);
 }
 
+void draw_failure_counts(ImDrawList& list, const Rect& area, const ScenePicture& picture, bool lens,
+                         const Palette& colors) {
+    const float pad = 0.8f * em();
+    const std::string counts = picture.failures
+                                   ? fmt::format("failed: {} pixels (hatched)   clamped: {} pixels (plain)",
+                                                 picture.failures->failed, picture.failures->clamped)
+                                   : std::string("this technique reconstructs nothing that could fail");
+    const float above_lens = lens ? 18 * em() : 0;
+    draw_label(list, {area.low.x + pad, area.high.y - pad - ImGui::GetTextLineHeight() - above_lens}, counts,
+               colors, colors.text);
+}
+
 std::optional<glm::ivec2> parse_place(const std::string& text) {
     std::string spaced = text;
     std::ranges::replace(spaced, ',', ' ');
@@ -231,16 +243,7 @@ void ScenePanel::draw_picture(const Ui& ui, const Measurement& m, const ScenePic
     draw_lens(list, area, picture, m.pixel, ui.colors);
     if (*picture.title != '\0')
         draw_label(list, {area.low.x + pad, area.low.y + pad}, picture.title, ui.colors, ui.colors.text);
-    if (state.failures) {
-        const std::string counts =
-            picture.failures ? fmt::format("failed: {} pixels (hatched)   clamped: {} pixels (plain)",
-                                           picture.failures->failed, picture.failures->clamped)
-                             : std::string("this technique reconstructs nothing that could fail");
-        draw_label(
-            list,
-            {area.low.x + pad, area.high.y - pad - ImGui::GetTextLineHeight() - (state.lens ? 18 * em() : 0)},
-            counts, ui.colors, ui.colors.text);
-    }
+    if (state.failures) draw_failure_counts(list, area, picture, state.lens, ui.colors);
     list.PopClipRect();
 }
 

@@ -2,17 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "core/bounded_json.hpp"
 #include "core/error.hpp"
+#include "core/input_file.hpp"
 #include "core/output_file.hpp"
 #include "core/ray/ray_json.hpp"
+#include "ui/json_reader.hpp"
 #include "ui/lessons.hpp"
+#include "ui/series.hpp"
 
 namespace momentscope::ui {
 
@@ -44,7 +43,7 @@ ordered_json camera_json(const std::optional<Camera>& camera) {
 
 ordered_json plot_json(const PlotState& plot) {
     ordered_json shown = ordered_json::object();
-    for (std::size_t i = 0; i < SERIES_COUNT; ++i) shown[SERIES_KEYS[i]] = plot.shown[i];
+    for (std::size_t i = 0; i < SERIES_COUNT; ++i) shown[series_rows()[i].key] = plot.shown[i];
     return {{"quantity", QUANTITIES[static_cast<std::size_t>(plot.quantity)]},
             {"depth_axis", AXES[static_cast<std::size_t>(plot.axis)]},
             {"shown", shown},
@@ -60,81 +59,9 @@ ordered_json parameters_json(const ParameterValues& values) {
     return result;
 }
 
-/// Reads one object's keys; every key that was asked for is known, the others are reported.
-class Reader {
-public:
-    Reader(const json& object, std::string path, std::vector<std::string>& ignored)
-        : object_(object), path_(std::move(path)), ignored_(ignored) {
-        if (!object.is_object()) fail("", "an object");
-    }
-    ~Reader() {
-        for (const auto& item : object_.items())
-            if (!known_.contains(item.key())) ignored_.push_back(path_ + item.key());
-    }
-    Reader(const Reader&) = delete;
-    Reader& operator=(const Reader&) = delete;
-
-    /// nullptr when the key is missing.
-    const json* find(const std::string& key) {
-        known_.insert(key);
-        const auto found = object_.find(key);
-        return found == object_.end() ? nullptr : &*found;
-    }
-    void flag(const std::string& key, bool& value) {
-        if (const json* found = find(key)) {
-            if (!found->is_boolean()) fail(key, "true or false");
-            value = found->get<bool>();
-        }
-    }
-    void number(const std::string& key, float& value, float low, float high) {
-        if (const json* found = find(key)) value = checked(*found, key, low, high);
-    }
-    void text(const std::string& key, std::string& value) {
-        if (const json* found = find(key)) {
-            if (!found->is_string()) fail(key, "a text");
-            value = found->get<std::string>();
-        }
-    }
-    template <typename Enum, std::size_t Count>
-    void choice(const std::string& key, Enum& value, const char* const (&names)[Count]) {
-        const json* found = find(key);
-        if (found == nullptr) return;
-        const std::string name = found->is_string() ? found->get<std::string>() : "";
-        const auto* at = std::ranges::find(names, name);
-        if (at == std::end(names)) fail(key, fmt::format("one of {}", fmt::join(names, ", ")));
-        value = static_cast<Enum>(at - std::begin(names));
-    }
-    /// `count` numbers, each within [low, high].
-    std::vector<float> numbers(const json& list, const std::string& key, std::size_t count, float low,
-                               float high) const {
-        if (!list.is_array() || list.size() != count) fail(key, fmt::format("a list of {} numbers", count));
-        std::vector<float> values;
-        for (const json& entry : list) values.push_back(checked(entry, key, low, high));
-        return values;
-    }
-    [[noreturn]] void fail(const std::string& key, const std::string& what) const {
-        const std::string name = path_ + key;
-        throw Error(fmt::format("The session's {} must be {}; correct it, or save the session anew.",
-                                name.empty() ? "content" : "\"" + name + "\"", what));
-    }
-
-private:
-    float checked(const json& value, const std::string& key, float low, float high) const {
-        const float number = value.is_number() ? value.get<float>() : std::nanf("");
-        if (!(number >= low && number <= high))
-            fail(key, fmt::format("a number from {:g} to {:g}", low, high));
-        return number;
-    }
-
-    const json& object_;
-    std::string path_;
-    std::vector<std::string>& ignored_;
-    std::set<std::string> known_;
-};
-
 constexpr float FAR = 1e6f;  // beyond any scene and any absorbance
 
-std::optional<Range> range_from(Reader& reader, const char* key) {
+std::optional<Range> range_from(JsonReader& reader, const char* key) {
     const json* found = reader.find(key);
     if (found == nullptr || found->is_null()) return std::nullopt;
     const auto ends = reader.numbers(*found, key, 2, -FAR, FAR);
@@ -142,13 +69,13 @@ std::optional<Range> range_from(Reader& reader, const char* key) {
     return Range{ends[0], ends[1]};
 }
 
-const Technique& technique_from(const Reader& reader, const json& id, const char* key) {
+const Technique& technique_from(const JsonReader& reader, const json& id, const char* key) {
     if (!id.is_string()) reader.fail(key, "the id of a technique");
     return require_technique(id.get<std::string>());
 }
 
 void read_parameters(const json& object, ParameterValues& values, std::vector<std::string>& ignored) {
-    Reader reader(object, "parameters.", ignored);
+    JsonReader reader(object, "parameters.", ignored);
     for (const Parameter& row : parameters()) {
         const json* found = reader.find(row.key);
         if (found == nullptr) continue;
@@ -162,12 +89,12 @@ void read_parameters(const json& object, ParameterValues& values, std::vector<st
 }
 
 void read_plot(const json& object, PlotState& plot, std::vector<std::string>& ignored) {
-    Reader reader(object, "plot.", ignored);
+    JsonReader reader(object, "plot.", ignored);
     reader.choice("quantity", plot.quantity, QUANTITIES);
     reader.choice("depth_axis", plot.axis, AXES);
     if (const json* found = reader.find("shown")) {
-        Reader shown(*found, "plot.shown.", ignored);
-        for (std::size_t i = 0; i < SERIES_COUNT; ++i) shown.flag(SERIES_KEYS[i], plot.shown[i]);
+        JsonReader shown(*found, "plot.shown.", ignored);
+        for (std::size_t i = 0; i < SERIES_COUNT; ++i) shown.flag(series_rows()[i].key, plot.shown[i]);
     }
     plot.depth = range_from(reader, "depth_range");
     plot.value = range_from(reader, "value_range");
@@ -178,7 +105,7 @@ void read_plot(const json& object, PlotState& plot, std::vector<std::string>& ig
 std::optional<Camera> camera_from(const json& object, std::vector<std::string>& ignored) {
     if (object.is_null()) return std::nullopt;
     Camera camera;
-    Reader reader(object, "camera.", ignored);
+    JsonReader reader(object, "camera.", ignored);
     if (const json* found = reader.find("target")) {
         const auto target = reader.numbers(*found, "target", 3, -FAR, FAR);
         camera.target = {target[0], target[1], target[2]};
@@ -190,7 +117,7 @@ std::optional<Camera> camera_from(const json& object, std::vector<std::string>& 
     return camera;
 }
 
-void read_places(Reader& reader, ExplorerState& state) {
+void read_places(JsonReader& reader, ExplorerState& state) {
     if (const json* found = reader.find("picked"); found != nullptr && !found->is_null()) {
         const auto place = reader.numbers(*found, "picked", 2, 0, 1);
         state.picked = glm::vec2(place[0], place[1]);
@@ -209,7 +136,7 @@ void read_places(Reader& reader, ExplorerState& state) {
     }
 }
 
-void read_techniques(Reader& reader, ExplorerState& state) {
+void read_techniques(JsonReader& reader, ExplorerState& state) {
     if (const json* found = reader.find("technique"))
         state.technique = &technique_from(reader, *found, "technique");
     if (const json* found = reader.find("compared")) {
@@ -259,7 +186,7 @@ Session session_from_json(const std::string& text) {
     const json root = parse(text);
     Session session;
     ExplorerState& state = session.state;
-    Reader reader(root, "", session.ignored);
+    JsonReader reader(root, "", session.ignored);
     const json* version = reader.find("momentscope_session");
     if (version == nullptr || !version->is_number_integer())
         throw Error("This file is no session of Momentscope; choose one that Momentscope saved.");
@@ -291,17 +218,7 @@ Session session_from_json(const std::string& text) {
 }
 
 Session read_session_file(const std::filesystem::path& path) {
-    std::error_code status;
-    if (!std::filesystem::is_regular_file(path, status))
-        throw Error(
-            fmt::format("There is no session file '{}'; choose one that Momentscope saved.", path.string()));
-    if (std::filesystem::file_size(path, status) > MAX_SESSION_BYTES)
-        throw Error(fmt::format("'{}' is too large for a session; choose one that Momentscope saved.",
-                                path.string()));
-    std::ifstream file(path, std::ios::binary);
-    const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-    if (!file) throw Error(fmt::format("The session file '{}' cannot be read.", path.string()));
-    return session_from_json(text);
+    return session_from_json(read_input_file(path, MAX_SESSION_BYTES, "session"));
 }
 
 void write_session_file(const ExplorerState& state, const std::filesystem::path& path) {

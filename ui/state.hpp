@@ -21,10 +21,6 @@ enum class DepthAxis { warped, view };
 enum class Series : std::size_t { truth, reconstruction, bounds, ghost, stems, errors, wrapping_zone };
 constexpr std::size_t SERIES_COUNT = 7;
 
-/// Names by which sessions and events know a series.
-constexpr std::array<const char*, SERIES_COUNT> SERIES_KEYS = {
-    "truth", "reconstruction", "bounds", "ghost", "stems", "errors", "wrapping_zone"};
-
 /// An interval of an axis; low < high.
 struct Range {
     float low = 0;
@@ -40,6 +36,7 @@ struct PlotState {
     std::optional<Range> value;  // the same of the vertical axis
     std::optional<float>
         query;  // warped depth of the canonical representation; nullopt: the marked fragment's, or 0
+    bool shows(Series series) const { return shown[static_cast<std::size_t>(series)]; }
     friend bool operator==(const PlotState&, const PlotState&) = default;
 };
 

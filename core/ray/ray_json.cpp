@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "core/bounded_json.hpp"
 #include "core/error.hpp"
+#include "core/input_file.hpp"
 
 namespace momentscope {
 
@@ -122,17 +122,7 @@ ViewRay ray_from_json(const std::string& text) {
 }
 
 ViewRay read_ray_file(const std::filesystem::path& path) {
-    std::error_code status;
-    if (!std::filesystem::is_regular_file(path, status))
-        throw Error(
-            fmt::format("There is no view ray file '{}'; give the path of a JSON file.", path.string()));
-    if (std::filesystem::file_size(path, status) > MAX_RAY_FILE_BYTES)
-        throw Error(fmt::format("The view ray file '{}' is larger than {} MiB; give fewer fragments.",
-                                path.string(), MAX_RAY_FILE_BYTES >> 20));
-    std::ifstream file(path, std::ios::binary);
-    const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-    if (!file) throw Error(fmt::format("The view ray file '{}' cannot be read.", path.string()));
-    return ray_from_json(text);
+    return ray_from_json(read_input_file(path, MAX_RAY_FILE_BYTES, "view ray"));
 }
 
 }  // namespace momentscope

@@ -1,8 +1,19 @@
 #include "core/render/peeling_passes.hpp"
 
+#include <fmt/format.h>
+
+#include "core/error.hpp"
 #include "core/gl/texture.hpp"
 
 namespace momentscope {
+
+namespace {
+
+// Ends the loop on a GL that stores depth with fewer digits than it compares: there a layer would come again
+// for ever.
+constexpr int MOST_LAYERS = 4096;
+
+}  // namespace
 
 PeelingPasses::PeelingPasses(glm::ivec2 size, GLuint /*depth: copied for every layer*/)
     : layer_(make_texture(GL_RGBA32F, size)),
@@ -55,7 +66,12 @@ void PeelingPasses::add_layer() {
 void PeelingPasses::draw_color(const PassInput& input) {
     const float nothing[4] = {0, 0, 0, 1};
     glClearNamedFramebufferfv(sum_target_, GL_COLOR, 0, nothing);
-    for (int layer = 0; draw_layer(input, layer); ++layer) add_layer();
+    for (int layer = 0; draw_layer(input, layer); ++layer) {
+        if (layer == MOST_LAYERS)
+            throw Error(fmt::format(
+                "The picture has more than {} layers of transparent surfaces; use sorted.", MOST_LAYERS));
+        add_layer();
+    }
 }
 
 void PeelingPasses::draw_composite(const PassInput& input) {

@@ -55,16 +55,7 @@ std::vector<Technique> make_rows() {
                         "The ground truth: every fragment of every pixel is captured, sorted by depth and "
                         "composited front to back. Fragments at the same depth keep their submission order.",
                     .source = "Carpenter 1984; Yang et al. 2010",
-                    .path = RenderPath::sorted,
-                    .kernel = nullptr,
-                    .basis = nullptr,
-                    .moment_count = 0,
-                    .parameters = {},
-                    .recommended_bias = 0,
-                    .has_bounds = false,
-                    .bits_per_pixel = 0,
-                    .geometry_passes = 1,
-                    .order_dependent = false});
+                    .path = RenderPath::sorted});
     rows.push_back(
         {.id = "peeling",
          .name = "depth peeling",
@@ -74,15 +65,8 @@ std::vector<Technique> make_rows() {
              "fragments at the same depth only one survives.",
          .source = "Everitt 2001",
          .path = RenderPath::peeling,
-         .kernel = nullptr,
-         .basis = nullptr,
-         .moment_count = 0,
-         .parameters = {},
-         .recommended_bias = 0,
-         .has_bounds = false,
          .bits_per_pixel = 64,  // two depth buffers
-         .geometry_passes = 0,
-         .order_dependent = false});
+         .geometry_passes = 0});
     return rows;
 }
 

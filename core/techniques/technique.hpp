@@ -19,15 +19,15 @@ struct Technique {
     const char* description;  // a short paragraph
     const char* source;       // paper, section, algorithm
     RenderPath path;
-    const MomentKernel* kernel;               // how C++ evaluates it on a view ray; null for the truth itself
-    const char* basis;                        // shaders/shared/<basis>_moments.glsl, or null
-    int moment_count;                         // m, 0 without moments
-    std::span<const ParameterId> parameters;  // those that it reads
-    float recommended_bias;                   // what alpha = auto means
-    bool has_bounds;                          // beta = 0 and beta = 1 bound the truth (of the biased moments)
-    int bits_per_pixel;    // beside the colour buffers; 0 where it grows with the fragments
-    int geometry_passes;   // how often transparent geometry is rasterised; 0 where it grows with the layers
-    bool order_dependent;  // does the submission order of geometry change the picture?
+    const MomentKernel* kernel = nullptr;  // how C++ evaluates it on a view ray; null for the truth itself
+    const char* basis = nullptr;           // shaders/shared/<basis>_moments.glsl, or null
+    int moment_count = 0;                  // m
+    std::span<const ParameterId> parameters = {};  // those that it reads
+    float recommended_bias = 0;                    // what alpha = auto means
+    bool has_bounds = false;       // beta = 0 and beta = 1 bound the truth (of the biased moments)
+    int bits_per_pixel = 0;        // beside the colour buffers; 0 where it grows with the fragments
+    int geometry_passes = 1;       // of the transparent geometry; 0 where it grows with the layers
+    bool order_dependent = false;  // does the submission order of geometry change the picture?
 
     bool uses(ParameterId parameter_id) const;
 };

@@ -2,28 +2,12 @@
 // their matrix. The same memory and additive blending as power moments, but no basis change to magnify rounding: T_8 has
 // coefficients up to 256. MOMENT_COUNT m is 4, 6 or 8. Not in the papers; docs/equations.md derives it.
 
-#define ROOT_COUNT (MOMENT_COUNT / 2)
-#define MOMENT_FLOATS MOMENT_COUNT
-#define ORDER (ROOT_COUNT + 1)   // of the matrix
-#include "moments.glsl"
-#include "float_pair.glsl"
-#include "elimination.glsl"
-#include "real_roots.glsl"
+#include "line_basis.glsl"
 
 /// b*_{i+1} = 0, towards which bias pulls: the arcsine distribution, whose Chebyshev moments vanish.
 FN float bias_moment(int i)
 {
     return 0.0f;
-}
-
-/// What depends on parameters but not on depth: nothing.
-struct Basis { float wrapping_zone_angle; };
-
-FN Basis make_basis(float wrapping_zone_angle)
-{
-    Basis basis;
-    basis.wrapping_zone_angle = wrapping_zone_angle;
-    return basis;
 }
 
 /// Moments of one fragment, absorbance * (1, T_1(z), ..., T_m(z)). depth z in [-1, 1].

@@ -53,8 +53,12 @@ FN Factor factor_moments(IN(BiasedMoments) biased)
     for (int k = 0; k < ROOT_COUNT; ++k)
     {
         float up = leading_coefficient(k) / leading_coefficient(k + 1);
-        float down = k == 0 ? 0.0f : leading_coefficient(k - 1) / leading_coefficient(k);
-        PRECISE float a = lower[(k + 1) * ORDER + k] * up - lower[k * ORDER + max(k - 1, 0)] * down;
+        PRECISE float a = lower[(k + 1) * ORDER + k] * up;
+        if (k > 0)   // nothing stands left of the first diagonal entry, and nothing times 0 may be NaN
+        {
+            float down = leading_coefficient(k - 1) / leading_coefficient(k);
+            a = a - lower[k * ORDER + max(k - 1, 0)] * down;
+        }
         factor.a[k] = a;
     }
     return factor;

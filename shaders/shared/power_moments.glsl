@@ -1,13 +1,7 @@
 // power_moments.glsl -- power moments of the absorbance (Section 4): generation, bias and their matrix. MOMENT_COUNT m is
 // 4, 6 or 8.
 
-#define ROOT_COUNT (MOMENT_COUNT / 2)
-#define MOMENT_FLOATS MOMENT_COUNT
-#define ORDER (ROOT_COUNT + 1)   // of the Hankel matrix
-#include "moments.glsl"
-#include "float_pair.glsl"
-#include "elimination.glsl"
-#include "real_roots.glsl"
+#include "line_basis.glsl"
 
 #if MOMENT_COUNT == 4      // b* for moments stored in floats (supplementary, Table 1)
 const float BIAS_MOMENTS[4] = {0.0f, 0.375f, 0.0f, 0.375f};
@@ -21,16 +15,6 @@ const float BIAS_MOMENTS[8] = {0.0f, 0.75f, 0.0f, 0.676666667f, 0.0f, 0.63f, 0.0
 FN float bias_moment(int i)
 {
     return BIAS_MOMENTS[i];
-}
-
-/// What depends on parameters but not on depth: nothing for power moments.
-struct Basis { float wrapping_zone_angle; };
-
-FN Basis make_basis(float wrapping_zone_angle)
-{
-    Basis basis;
-    basis.wrapping_zone_angle = wrapping_zone_angle;
-    return basis;
 }
 
 /// Moments of one fragment, absorbance * (1, z, ..., z^m). depth z in [-1, 1].

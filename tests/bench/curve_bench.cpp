@@ -58,7 +58,7 @@ int main(int argc, char** argv) {
     for (const Work& work : all)
         benchmark::RegisterBenchmark(work.technique->id,
                                      [work](benchmark::State& state) { run(state, {work}); });
-    benchmark::RegisterBenchmark("all six", [all](benchmark::State& state) {
+    benchmark::RegisterBenchmark("all techniques", [all](benchmark::State& state) {
         run(state, all);
     })->Unit(benchmark::kMicrosecond);
     benchmark::Initialize(&argc, argv);

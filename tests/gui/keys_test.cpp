@@ -247,5 +247,11 @@ TEST_F(TypingTest, NumbersAreTypedIntoParameters) {
     EXPECT_EQ(state().parameters[ParameterId::beta], ParameterValues()[ParameterId::beta]) << "reset";
 }
 
+TEST_F(TypingTest, ParametersAreTypedFromTheKeyboardAlone) {
+    open();
+    play("key Ctrl+Shift+P\ntype type overestimation\nkey Enter\ntype 0.875\nkey Enter");
+    EXPECT_EQ(state().parameters[ParameterId::beta], std::optional(0.875f)) << explorer().message();
+}
+
 }  // namespace
 }  // namespace momentscope::test

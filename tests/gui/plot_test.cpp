@@ -2,6 +2,7 @@
 #include "tests/gui/gui_fixture.hpp"
 #include "ui/parameter_controls.hpp"
 #include "ui/plot_panel.hpp"
+#include "ui/series.hpp"
 
 namespace momentscope::test {
 namespace {
@@ -74,7 +75,7 @@ TEST_F(PlotTest, LeftDragMovesTheQuery) {
 TEST_F(PlotTest, LegendEntriesHideAndHighlight) {
     open("planes", "trig2-32");
     for (std::size_t i = 0; i < ui::SERIES_COUNT; ++i) {
-        const std::string entry = fmt::format("@legend.{}", ui::SERIES_KEYS[i]);
+        const std::string entry = fmt::format("@legend.{}", ui::series_rows()[i].key);
         const bool shown = state().plot.shown[i];
         if (!shown) play("click " + entry);
         play("move -10 -10");
@@ -127,8 +128,27 @@ TEST_F(PlotTest, TheNoteTellsWhyTheTruthLeavesTheBand) {
     EXPECT_NE(ui::band_note(measurement()).find("no bounds"), std::string::npos);
     play("key 2\nclick @parameter.alpha.auto");
     EXPECT_TRUE(ui::band_note(measurement()).empty()) << "with Table 1's bias nothing leaves it visibly";
-    EXPECT_STREQ(ui::series_name(ui::Series::bounds, require_technique("trig2-32")),
-                 "β = 0, β = 1 (no bounds)");
+    const ui::SeriesRow& bounds = ui::series_rows()[static_cast<std::size_t>(ui::Series::bounds)];
+    EXPECT_STREQ(ui::series_name(bounds, require_technique("trig2-32")), "β = 0, β = 1 (no bounds)");
+}
+
+// What belongs to the query depth alone leaves the curves as they are, and what is only drawn computes
+// nothing.
+TEST_F(PlotTest, AChangeRecomputesNoMoreThanItNeeds) {
+    open("teapots", "power8-32");
+    const auto computed = [&](const std::string& event) {
+        const auto before = measurement().curve.depth.data();
+        play(event);
+        return measurement().curve.depth.data() != before;  // a curve that is computed again has new memory
+    };
+    EXPECT_FALSE(computed("drag @plot 0.2 0.2 to @plot 0.8 0.2")) << "the query depth";
+    EXPECT_FALSE(computed("key N\nkey B\nkey C\nkey T\nkey Ctrl+3")) << "marks, legend, quantity, tabs";
+    EXPECT_FALSE(computed("click @plot.value_axis\nwheel 2")) << "the vertical axis";
+    play("key Ctrl+1");
+    EXPECT_FALSE(computed("click @parameter.renormalize")) << "the composite alone";
+    EXPECT_TRUE(computed("drag @parameter.beta 0.25 0.5 to @parameter.beta 0.6 0.5"));
+    EXPECT_TRUE(computed("key X")) << "the exact curve";
+    EXPECT_TRUE(computed("click " + on_scene({300, 300}))) << "another ray";
 }
 
 TEST_F(PlotTest, TheGhostIsComputedOnlyWhileItIsShown) {

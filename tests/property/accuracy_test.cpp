@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string_view>
 #include <thread>
 
@@ -62,10 +61,11 @@ void add_errors(const Curve& curve, std::size_t at, const ExactFraction& ideal, 
     }
 }
 
-void measure_ray(const Technique& technique, std::uint32_t seed, Measurement& result) {
+void measure_ray(const Technique& technique, const ParameterValues& values, std::uint32_t seed,
+                 Measurement& result) {
     const ViewRay ray = ray_of_seed(seed);
     const std::vector<float> depths = own_depths(ray);
-    const Curve curve = sample_curve(ray, technique, {}, depths);
+    const Curve curve = sample_curve(ray, technique, values, depths);
     const ExactPair exact = exact_pair(technique, ray, curve.moments, curve.parameters);
     ASSERT_TRUE(exact.from_exact_moments) << "exact moments with Table 1's bias must be positive definite";
     Real b0 = 0;
@@ -82,7 +82,7 @@ void measure_ray(const Technique& technique, std::uint32_t seed, Measurement& re
     }
 }
 
-Measurement measure(const Technique& technique, int rays) {
+Measurement measure(const Technique& technique, const ParameterValues& values, int rays) {
     constexpr std::uint32_t THREADS = 2;
     std::vector<Measurement> parts(THREADS);
     {
@@ -90,7 +90,7 @@ Measurement measure(const Technique& technique, int rays) {
         for (std::uint32_t part = 0; part < THREADS; ++part)
             threads.emplace_back([&, part] {
                 for (auto seed = part; seed < static_cast<std::uint32_t>(rays); seed += THREADS)
-                    measure_ray(technique, seed, parts[part]);
+                    measure_ray(technique, values, seed, parts[part]);
             });
     }
     Measurement& all = parts.front();
@@ -113,15 +113,25 @@ double mean(const auto& samples, auto value) {
     return sum / static_cast<double>(samples.size());
 }
 
-/// What Table 1 gives power moments of the same count; 0 for bases that it knows.
-float table1_power_bias(const Technique& technique) {
-    if (std::string_view(technique.basis) != "chebyshev") return 0;
-    return require_technique(fmt::format("power{}-32", technique.moment_count)).recommended_bias;
+/// What errors of T may reach.
+struct Tolerance {
+    double mean, percentile_99, percentile_9999, mean_from_float_moments;
+};
+constexpr Tolerance AT_TABLE_1 = {8e-6, 1e-4, 5e-2, 2e-6};
+
+/// At the technique's own bias. The less bias, the more the rounding of the moments shows: for six and eight
+/// Chebyshev moments, which have a tenth and a hundredth of Table 1's, about half as much again as was
+/// measured over 10^5 rays. That their arithmetic is no worse is tested at Table 1's bias.
+Tolerance tolerance_of(const Technique& technique) {
+    const std::string_view id = technique.id;
+    if (id == "cheb6-32") return {2.5e-5, 2e-4, 5e-2, 8e-7};
+    if (id == "cheb8-32") return {7e-5, 1e-3, 5e-2, 1e-5};
+    return AT_TABLE_1;
 }
 
 class Accuracy : public testing::TestWithParam<const Technique*> {
 protected:
-    static void check(const Technique& technique, float beta, Errors& errors) {
+    static void check(const Technique& technique, float beta, const Tolerance& tolerance, Errors& errors) {
         const auto error_of = [](const Sample& sample) { return sample.error; };
         std::ranges::sort(errors.against_exact_moments, {}, error_of);
         const auto quantile = [&](double share) {
@@ -136,22 +146,31 @@ protected:
             "float moments: mean {:.2e}\n  worst ray {}\n",
             technique.id, beta, mean_exact, quantile(0.99), quantile(0.9999), worst.error, mean_float,
             ray_to_json(ray_of_seed(worst.ray)).dump());
-        // The less bias, the more rounding of the moments shows: measured, with the root of the ratio of
-        // biases. So a technique that is biased a hundredth as much as power moments, as cheb8-32 is, pays
-        // for its sharpness here.
-        const double less_bias = std::max(table1_power_bias(technique) / technique.recommended_bias, 1.0f);
-        EXPECT_LE(mean_exact, 8e-6 * std::sqrt(less_bias));
-        EXPECT_LE(quantile(0.99), 1e-4 * std::sqrt(less_bias));
-        EXPECT_LE(quantile(0.9999), 5e-2f);
-        EXPECT_LE(mean_float, 2e-6 * std::sqrt(less_bias));
+        EXPECT_LE(mean_exact, tolerance.mean);
+        EXPECT_LE(static_cast<double>(quantile(0.99)), tolerance.percentile_99);
+        EXPECT_LE(static_cast<double>(quantile(0.9999)), tolerance.percentile_9999);
+        EXPECT_LE(mean_float, tolerance.mean_from_float_moments);
     }
 };
 
 TEST_P(Accuracy, AtOwnDepthsAgainstExactArithmetic) {
-    Measurement measured = measure(*GetParam(), ray_count(100'000));
+    Measurement measured = measure(*GetParam(), {}, ray_count(100'000));
     fmt::print("{}: {} rays; without exact result from the float moments: {}; pivots floored: {}\n",
                GetParam()->id, measured.rays, measured.without_exact_result, measured.floored_pivots);
-    for (std::size_t k = 0; k < BETAS.size(); ++k) check(*GetParam(), BETAS[k], measured.by_beta[k]);
+    for (std::size_t k = 0; k < BETAS.size(); ++k)
+        check(*GetParam(), BETAS[k], tolerance_of(*GetParam()), measured.by_beta[k]);
+}
+
+// With the bias that power moments of the same count have, Chebyshev moments must be as accurate as these.
+TEST_P(Accuracy, OfChebyshevMomentsAtTable1sBias) {
+    const Technique& technique = *GetParam();
+    if (std::string_view(technique.basis) != "chebyshev") return;
+    const Technique& power = require_technique(fmt::format("power{}-32", technique.moment_count));
+    ParameterValues values;
+    values.set(ParameterId::alpha, power.recommended_bias);
+    Measurement measured = measure(technique, values, ray_count(100'000));
+    for (std::size_t k = 0; k < BETAS.size(); ++k)
+        check(technique, BETAS[k], AT_TABLE_1, measured.by_beta[k]);
 }
 
 INSTANTIATE_TEST_SUITE_P(Techniques, Accuracy, testing::ValuesIn(moment_based_techniques()),

@@ -1,0 +1,151 @@
+// files_test.cpp -- what the window opens, saves and exports.
+#include <nlohmann/json.hpp>
+
+#include "core/ray/ray_json.hpp"
+#include "tests/gui/folder_fixture.hpp"
+#include "ui/session.hpp"
+
+namespace momentscope::test {
+namespace {
+
+class FilesTest : public FolderTest {};
+
+TEST_F(FilesTest, SavingAsksBeforeItReplaces) {
+    open();
+    write("momentscope.json", "precious");
+    play("key Ctrl+S\nkey Enter");
+    EXPECT_EQ(read("momentscope.json"), "precious");
+    play("click @file.cancel");
+    EXPECT_EQ(read("momentscope.json"), "precious");
+    play("key Ctrl+S\nclick @file.accept\nclick @file.accept");
+    EXPECT_NE(read("momentscope.json"), "precious");
+}
+
+TEST_F(FilesTest, EveryExportIsWritten) {
+    open("planes", "power4-32");
+    play("key Ctrl+2");
+    const char* kinds[] = {"curves_csv",  "curves_json", "fragments_csv", "ray_json",
+                           "picture_png", "picture_exr", "window_png"};
+    int number = 0;
+    for (const char* kind : kinds) {
+        play(
+            fmt::format("key Ctrl+E\nclick @file.kind\nclick @file.kind.{}\nclick @file.name\nkey "
+                        "Ctrl+A\ntype out{}\nkey Enter\n"
+                        "wait 1",
+                        kind, number++));
+        EXPECT_NE(explorer().message().find("Written to"), std::string::npos)
+            << kind << ": " << explorer().message();
+    }
+    const auto curves = nlohmann::json::parse(read("out1.json"));
+    EXPECT_EQ(curves["curves"][0]["reconstructed"].size(), measurement().curve.depth.size());
+    EXPECT_EQ(ray_from_json(read("out3.json")).fragments.size(), measurement().capture.ray.fragments.size());
+    const std::string fragments = read("out2.csv");
+    EXPECT_EQ(std::ranges::count(fragments, '\n'), static_cast<long>(1 + measurement().history.size()));
+    for (const char* picture : {"out4.png", "out5.exr", "out6.png"})
+        EXPECT_GT(fs::file_size(picture), 1000u) << picture;
+}
+
+TEST_F(FilesTest, ARayFileIsPlotted) {
+    write("ray.json", R"({"fragments": [{"depth": -0.2, "opacity": 0.5}, {"depth": 0.4, "opacity": 0.7}]})");
+    open();
+    play("key Ctrl+J\nclick @file.entry.ray.json\nclick @file.accept");
+    ASSERT_TRUE(state().ray) << explorer().message();
+    EXPECT_EQ(measurement().capture.ray.fragments.size(), 2u);
+    play("key Ctrl+2\nclick @fragment.2\nkey P\nkey Home\nkey Left\nhold G\nlet G");
+    EXPECT_EQ(state().marked, std::optional<std::size_t>(1));
+    play("key Ctrl+Z\nkey Ctrl+Z\nkey Ctrl+Z");
+    EXPECT_FALSE(state().ray) << "undone, the scene is back";
+    EXPECT_EQ(measurement().capture.ray.fragments.size(), 4u);
+}
+
+TEST_F(FilesTest, ARayOfManyFragmentsIsDrawnWhole) {
+    std::string fragments;
+    for (int i = 0; i < 40'000; ++i)
+        fragments +=
+            fmt::format(R"({}{{"depth": {}, "opacity": 0.0001}})", i == 0 ? "" : ",", -1 + 2.0 * i / 40'000);
+    write("many.json", fmt::format(R"({{"fragments": [{}]}})", fragments));
+    open();
+    play("key Ctrl+J\nclick @file.entry.many.json\nclick @file.accept\nmove -10 -10");
+    ASSERT_TRUE(state().ray) << explorer().message();
+    // Right of the middle the truth's ramp is above half its height: its light colour must be found there.
+    const ui::Rect plot = explorer().anchors().at("plot");
+    const auto pixels = screen();
+    const int x = static_cast<int>(plot.low.x + 0.75f * (plot.high.x - plot.low.x));
+    int bright = 0;
+    for (int y = static_cast<int>(plot.low.y); y < static_cast<int>(0.5f * (plot.low.y + plot.high.y)); ++y)
+        bright += pixels[4u * static_cast<unsigned>(y * size_.x + x)] > 150 ? 1 : 0;
+    EXPECT_GT(bright, 0);
+}
+
+TEST_F(FilesTest, AHugeMeshCanBeCancelled) {
+    // 400,000 triangles as text: long enough to read that the first frames find it loading.
+    std::string mesh;
+    for (int i = 0; i < 200'000; ++i) mesh += fmt::format("v {} {} {}\n", i % 997, i % 991, i % 983);
+    for (int i = 1; i < 199'998; ++i)
+        mesh += fmt::format("f {} {} {}\nf {} {} {}\n", i, i + 1, i + 2, i, i + 2, i + 1);
+    write("huge.obj", mesh);
+    open();
+    const ui::ExplorerState before = state();
+    ui::choose_scene(explorer().state(), (folder_ / "huge.obj").string());
+    draw();
+    ASSERT_TRUE(explorer().busy());
+    draw();
+    const ui::Rect cancel = explorer().anchors().at("loading.cancel");
+    ImGui::GetIO().MousePos = {0.5f * (cancel.low.x + cancel.high.x), 0.5f * (cancel.low.y + cancel.high.y)};
+    for (const bool down : {false, true, false}) {
+        ImGui::GetIO().MouseDown[0] = down;
+        draw();
+    }
+    settle();
+    EXPECT_EQ(state(), before);
+    EXPECT_NE(explorer().message().find("cancelled"), std::string::npos) << explorer().message();
+}
+
+TEST_F(FilesTest, WhileAMeshIsReadNothingElseChanges) {
+    std::string mesh;
+    for (int i = 0; i < 100'000; ++i) mesh += fmt::format("v {} {} {}\n", i % 997, i % 991, i % 983);
+    for (int i = 1; i < 99'998; ++i) mesh += fmt::format("f {} {} {}\n", i, i + 1, i + 2);
+    write("large.obj", mesh);
+    write("ray.json", R"({"fragments": [{"depth": 0, "opacity": 0.5}]})");
+    open();
+    play("key P");
+    ui::choose_scene(explorer().state(), (folder_ / "large.obj").string());
+    draw();
+    ASSERT_TRUE(explorer().busy());
+    ImGuiIO& io = ImGui::GetIO();
+    for (const int key : {int('P'), int('7'), int('L'), int('T')}) {
+        io.KeysDown[key] = true;
+        draw();
+        io.KeysDown[key] = false;
+        draw();
+    }
+    settle();
+    EXPECT_FALSE(explorer().busy());
+    EXPECT_NE(state().scene, "planes") << explorer().message();
+    EXPECT_FALSE(state().lens);
+    EXPECT_TRUE(state().pins.empty());
+    EXPECT_EQ(measurement().pins.size(), 0u);
+}
+
+TEST_F(FilesTest, ADoubleClickOnAFolderOnlyEntersIt) {
+    fs::create_directories("aaa");
+    write("aaa/inner.json", ui::session_to_json(ui::ExplorerState()).dump());
+    open("spheres", "trig2-32");
+    play("key Ctrl+O\ndoubleclick @file.entry.aaa");
+    EXPECT_TRUE(explorer().shows_file_dialog());
+    EXPECT_EQ(state().scene, "spheres");
+    play("wait 1\nclick @file.entry.inner.json\nclick @file.accept");
+    EXPECT_EQ(state().scene, "teapots");
+}
+
+TEST_F(FilesTest, EscapeClosesTheDialogAndKeepsTheCard) {
+    open();
+    play("click @card.beta\nkey Ctrl+S\nkey Escape");
+    EXPECT_FALSE(explorer().shows_file_dialog());
+    EXPECT_EQ(state().card, "beta");
+    play("key Escape");
+    EXPECT_TRUE(state().card.empty());
+}
+
+}  // namespace
+}  // namespace momentscope::test

@@ -1,0 +1,122 @@
+// undo_test.cpp -- every change can be taken back, and what failed is no change.
+#include <random>
+
+#include "tests/gui/folder_fixture.hpp"
+#include "ui/commands.hpp"
+
+namespace momentscope::test {
+namespace {
+
+class UndoTest : public FolderTest {
+protected:
+    std::size_t below(std::size_t n) { return static_cast<std::size_t>(random_() % n); }
+    std::string share() { return fmt::format("{:.2f}", 0.05 + 0.9 * static_cast<double>(below(100)) / 100); }
+    std::string anywhere() { return fmt::format("{} {}", below(1280), below(800)); }
+
+    /// On some control that is there now.
+    std::string on_a_control() {
+        const auto& anchors = explorer().anchors();
+        auto anchor = anchors.begin();
+        std::advance(anchor, static_cast<long>(below(anchors.size())));
+        return fmt::format("@{} {} {}", anchor->first, share(), share());
+    }
+    /// Of some command, but not undo itself; "" for one without a key.
+    std::string key_event() {
+        const auto all = ui::commands();
+        const auto& keys = all[below(all.size())].keys;
+        return keys.empty() || keys.front() == "Ctrl+Z" ? "" : "key " + keys[below(keys.size())];
+    }
+    std::string random_event() {
+        constexpr const char* TEXTS[] = {"0.5", "nonsense", "β", "12, 30", "/", "1e30"};
+        constexpr const char* BUTTONS[] = {"left", "right", "middle"};
+        switch (below(8)) {
+            case 0:
+            case 1:
+                return "click " + on_a_control();
+            case 2:
+                return "drag " + on_a_control() + " to " + anywhere() + " " + BUTTONS[below(3)];
+            case 3:
+                return "move " + anywhere() + fmt::format("\nwheel {}", static_cast<int>(below(7)) - 3);
+            case 4:
+            case 5:
+                return key_event();
+            case 6:
+                return fmt::format("type {}", TEXTS[below(std::size(TEXTS))]);
+            default:
+                return "doubleclick " + on_a_control();
+        }
+    }
+
+    std::mt19937 random_;
+};
+
+TEST_F(UndoTest, AFailedLoadIsNoStep) {
+    write("broken.obj", "no mesh at all");
+    open();
+    play("key L\nkey Ctrl+M\nclick @file.entry.broken.obj\nclick @file.accept");
+    EXPECT_EQ(state().scene, "planes");
+    EXPECT_TRUE(state().lens);
+    play("key Ctrl+Z");
+    EXPECT_FALSE(state().lens) << "undo takes back what came before the failure";
+    EXPECT_FALSE(explorer().can_undo());
+    play("key Ctrl+Y");
+    EXPECT_TRUE(state().lens);
+}
+
+// A mesh that vanished: undo cannot show its state, and must not trap the user there.
+TEST_F(UndoTest, ToAVanishedMeshStaysUsable) {
+    write("triangle.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    open();
+    play("key Ctrl+M\nclick @file.entry.triangle.obj\nclick @file.accept");
+    ASSERT_NE(state().scene, "planes") << explorer().message();
+    play("click @controls.scene\nclick @controls.scene.spheres");
+    fs::remove("triangle.obj");
+    play("key Ctrl+Z");
+    EXPECT_EQ(state().scene, "spheres");
+    EXPECT_NE(explorer().message().find("triangle.obj"), std::string::npos);
+    play("key Ctrl+Z");
+    EXPECT_EQ(state().scene, "planes") << "the state that cannot be shown is skipped";
+}
+
+TEST_F(UndoTest, TakesBackOneStepEvenWhileAFieldIsOpen) {
+    open();
+    play("key X\nclick @scene.goto\nkey Ctrl+T\nclick 5 790");
+    ASSERT_EQ(state().theme, ui::ThemeKind::light);
+    play("key Ctrl+Z");
+    EXPECT_EQ(state().theme, ui::ThemeKind::dark);
+    EXPECT_TRUE(state().plot.shown[static_cast<std::size_t>(ui::Series::ghost)]);
+    play("key L\nclick @scene.goto\ntype 12\nkey Ctrl+Z");
+    EXPECT_TRUE(state().lens) << "Ctrl+Z belongs to the text that is typed";
+}
+
+// Undo brings the first state back whatever was done, and nothing that is done crashes.
+TEST_F(UndoTest, AfterRandomEventsRestoresTheFirstState) {
+#ifdef MOMENTSCOPE_SANITIZE
+    constexpr int SEQUENCES = 2;
+#else
+    constexpr int SEQUENCES = 6;
+#endif
+    for (int sequence = 0; sequence < SEQUENCES; ++sequence) {
+        SCOPED_TRACE(fmt::format("sequence {}", sequence));
+        random_.seed(static_cast<unsigned>(7919 * sequence + 1));
+        open("planes", "power4-32");
+        const ui::ExplorerState first = state();
+        std::string played;
+        for (int i = 0; i < 50; ++i) {
+            const std::string event = random_event();
+            played += event + "\n";
+            ASSERT_NO_THROW(play(event)) << played;
+        }
+        play("release left\nrelease right\nrelease middle\nmove -10 -10");
+        play("key Escape\nkey Escape\nkey Escape\nkey Escape");
+        EXPECT_NE(state(), first) << "events that change nothing test nothing";
+        while (explorer().can_undo()) {
+            explorer().undo();
+            settle();
+        }
+        EXPECT_EQ(state(), first) << played;
+    }
+}
+
+}  // namespace
+}  // namespace momentscope::test

@@ -1,0 +1,56 @@
+#include "ui/series.hpp"
+
+namespace momentscope::ui {
+
+namespace {
+
+constexpr SeriesRow ROWS[] = {
+    {Series::truth, "truth", "U", "truth", nullptr,
+     "A(z): the sum of the absorbances of all fragments in front of z. It has a step at every fragment.",
+     nullptr, &Palette::truth},
+    {Series::reconstruction, "reconstruction", "K", "reconstruction", nullptr,
+     "A(z, b, β): what the technique makes of the moments. Its value at a fragment's own depth weighs that fragment "
+     "in the picture.",
+     nullptr, &Palette::reconstruction},
+    {Series::bounds, "bounds", "B", "lower, upper bound", "β = 0, β = 1 (no bounds)",
+     "The least and the greatest absorbance that any distribution with the biased moments has in front of z (β = 0 "
+     "and β = 1).",
+     "The results for β = 0 and β = 1. For trigonometric moments these are no bounds: the truth may lie outside.",
+     &Palette::bounds},
+    {Series::ghost, "ghost", "X", "exact, no bias", nullptr,
+     "The reconstruction in exact arithmetic without moment bias, in long double. What lies between it and the orange "
+     "curve is the price of bias and rounding.",
+     nullptr, &Palette::ghost},
+    {Series::stems, "stems", "C", "canonical masses", nullptr,
+     "The canonical representation: masses that have the biased moments, one of them at the query depth (diamond). "
+     "Full heads count as in front of it. In a plot of T a stem's height is its share of b₀.",
+     nullptr, &Palette::stems},
+    {Series::errors, "errors", "E", "error at own depth", nullptr,
+     "From truth to reconstruction at every fragment's own depth: only these values reach the picture.",
+     nullptr, &Palette::errors},
+    {Series::wrapping_zone, "wrapping_zone", "Z", "wrapping zone θ", nullptr,
+     "The arc θ of the circle that holds no depths: beyond the far end of the depth range, where roots wrap to the "
+     "near end (Eq. 6).",
+     nullptr, &Palette::wrapping_zone}};
+static_assert(std::size(ROWS) == SERIES_COUNT);
+
+}  // namespace
+
+std::span<const SeriesRow> series_rows() {
+    return ROWS;
+}
+
+bool has_series(Series series, const Technique& technique) {
+    if (series == Series::truth) return true;
+    return series == Series::wrapping_zone ? technique.uses(ParameterId::theta) : technique.kernel != nullptr;
+}
+
+const char* series_name(const SeriesRow& row, const Technique& technique) {
+    return technique.has_bounds || row.name_without_bounds == nullptr ? row.name : row.name_without_bounds;
+}
+
+const char* series_help(const SeriesRow& row, const Technique& technique) {
+    return technique.has_bounds || row.help_without_bounds == nullptr ? row.help : row.help_without_bounds;
+}
+
+}  // namespace momentscope::ui
