@@ -48,7 +48,9 @@ json list_parameters() {
                         {"unit", p.unit},
                         {"minimum", p.minimum},
                         {"maximum", p.maximum},
-                        {"default", p.standard ? json(*p.standard) : json("auto")},
+                        {"choices", p.choices},
+                        {"default", p.standard && p.choices.empty() ? json(*p.standard)
+                                                                    : json(parameter_text(p, p.standard))},
                         {"help", p.help},
                         {"source", p.source}});
     return rows;

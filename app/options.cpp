@@ -39,10 +39,9 @@ void add_scene_options(CLI::App& command, Options& options) {
 
 void add_parameter_options(CLI::App& command, Options& options) {
     for (const Parameter& row : parameters()) {
-        const std::string standard = row.standard ? fmt::format("{:g}", *row.standard) : "auto";
         command.add_option(fmt::format("--{}", row.key), options.parameters[row.key],
-                           fmt::format("{} {}, {:g} to {:g}{}{} [{}]", row.name, row.symbol, row.minimum,
-                                       row.maximum, *row.unit != '\0' ? " " : "", row.unit, standard));
+                           fmt::format("{} {}: {} [{}]", row.name, row.symbol, parameter_values_text(row),
+                                       parameter_text(row, row.standard)));
     }
 }
 

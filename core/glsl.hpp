@@ -30,7 +30,10 @@ using glm::vec2;
 using glm::vec3;
 using glm::vec4;
 using uint = std::uint32_t;
+using std::cos;
 using std::floor;
+using std::pow;
+using std::sin;
 using std::sqrt;
 
 // Scalars only and no templates, so that min(x, 0.0f) means what it means in GLSL.
@@ -51,6 +54,9 @@ inline int max(int a, int b) {
 }
 inline float clamp(float x, float low, float high) {
     return min(max(x, low), high);
+}
+inline float atan(float y, float x) {
+    return std::atan2(y, x);
 }
 inline int floatBitsToInt(float x) {
     return std::bit_cast<int>(x);

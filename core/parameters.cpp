@@ -14,6 +14,10 @@ namespace {
 
 constexpr float PI = 3.14159265f;
 
+constexpr std::array PRESETS = {"table1", "robust"};
+constexpr std::array SOLVERS = {"robust", "textbook"};
+constexpr std::array ACCUMULATIONS = {"blending", "ordered"};
+
 const std::array<Parameter, PARAMETER_COUNT> ROWS = {{
     {ParameterId::beta, "beta", "β", "overestimation weight", "", 0.0f, 1.0f, 0.25f, Scale::linear,
      Stage::color,
@@ -29,9 +33,21 @@ const std::array<Parameter, PARAMETER_COUNT> ROWS = {{
     {ParameterId::alpha, "alpha", "α", "moment bias", "", 0.0f, 0.1f, std::nullopt, Scale::logarithmic,
      Stage::color,
      "How far the moments are pulled towards harmless ones before reconstruction, to make up for rounding. "
-     "`auto` is the value of the supplementary's Table 1 for the technique. Less is sharper until matrices "
-     "become singular.",
+     "`auto` is what the bias preset says for the technique. Less is sharper until matrices become singular.",
      "Münstermann et al. 2018, supplementary, Section 1 and Table 1"},
+    {ParameterId::preset, "preset", "α*", "bias preset", "", 0.0f, 1.0f, 0.0f, Scale::choice, Stage::color,
+     "What `auto` means for the moment bias: the published values of the supplementary's Table 1, or the least "
+     "that the robust solver was measured to survive, which is sharper.",
+     "Münstermann et al. 2018, supplementary, Table 1; Momentscope 2026, docs/bias.md", PRESETS},
+    {ParameterId::solver, "solver", "q(z)", "solver", "", 0.0f, 1.0f, 0.0f, Scale::choice, Stage::color,
+     "How moments are reconstructed: by this project's solver, which survives nearly singular matrices, or by "
+     "Algorithms 1 and 2 as published, which show what bias is for.",
+     "Münstermann et al. 2018, Algorithms 1 and 2; Momentscope 2026, docs/equations.md", SOLVERS},
+    {ParameterId::accumulation, "accumulation", "Σ", "accumulation", "", 0.0f, 1.0f, 0.0f, Scale::choice,
+     Stage::moments,
+     "How the first pass adds up moments in floats: by blending, or by reading and writing pixels in submission "
+     "order, as 16-bit moments always need it. The sums are the same.",
+     "Münstermann et al. 2018, supplementary, Section 3.2 and Table 3", ACCUMULATIONS},
     {ParameterId::renormalize, "renormalize", "Eq. 2", "renormalisation", "", 0.0f, 1.0f, 1.0f, Scale::toggle,
      Stage::composite,
      "1 scales the transparent colour so that all weights sum to the true coverage, 0 leaves the sum as it is.",
@@ -64,24 +80,46 @@ ParameterValues::ParameterValues() {
 
 void ParameterValues::set(ParameterId id, std::optional<float> value) {
     const Parameter& row = parameter(id);
-    if (!value && row.standard)
-        throw Error(fmt::format("The {} --{} has no automatic value; give a number from {} to {}.", row.name,
-                                row.key, row.minimum, row.maximum));
-    if (value && !(*value >= row.minimum && *value <= row.maximum))  // NaN is refused too
-        throw Error(fmt::format("The {} --{} is {}; give a number from {} to {}.", row.name, row.key, *value,
-                                row.minimum, row.maximum));
+    const bool in_range = value && *value >= row.minimum && *value <= row.maximum;  // false for NaN
+    const bool allowed =
+        value ? in_range && (row.choices.empty() || *value == std::floor(*value)) : !row.standard;
+    if (!allowed)
+        throw Error(fmt::format("The {} --{} cannot be {}; give {}.", row.name, row.key,
+                                value ? fmt::format("{}", *value) : "auto", parameter_values_text(row)));
     values_[static_cast<std::size_t>(id)] = value;
 }
 
 std::optional<float> parse_parameter(const Parameter& row, std::string_view text) {
     if (text == "auto") return std::nullopt;
+    const auto choice =
+        std::ranges::find(row.choices, text, [](const char* name) { return std::string_view(name); });
+    if (choice != row.choices.end()) return static_cast<float>(choice - row.choices.begin());
     float value = 0;
     const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (status != std::errc() || end != text.data() + text.size())
-        throw Error(fmt::format("'{}' is not a number for the {} --{}; give one from {} to {}{}.", text,
-                                row.name, row.key, row.minimum, row.maximum,
-                                row.standard ? "" : ", or auto"));
+        throw Error(fmt::format("'{}' is no value of the {} --{}; give {}.", text, row.name, row.key,
+                                parameter_values_text(row)));
     return value;
+}
+
+std::string parameter_text(const Parameter& row, std::optional<float> value) {
+    if (!value) return "auto";
+    if (row.choices.empty()) return fmt::format("{:g}", *value);
+    return row.choices[static_cast<std::size_t>(*value)];
+}
+
+std::string parameter_values_text(const Parameter& row) {
+    if (row.choices.empty())
+        return fmt::format("a number from {:g} to {:.4g}{}{}{}", row.minimum, row.maximum,
+                           *row.unit != '\0' ? " " : "", row.unit, row.standard ? "" : ", or auto");
+    std::string list;
+    for (std::size_t i = 0; i < row.choices.size(); ++i)
+        list += fmt::format("{}{}",
+                            i == 0                        ? ""
+                            : i + 1 == row.choices.size() ? " or "
+                                                          : ", ",
+                            row.choices[i]);
+    return list;
 }
 
 }  // namespace momentscope

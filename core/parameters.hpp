@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace momentscope {
@@ -11,11 +12,20 @@ namespace momentscope {
 /// The way of the data. A change invalidates its stage and all later ones.
 enum class Stage { scene, opaque, moments, color, composite, nothing };
 
-enum class ParameterId : std::size_t { beta, theta, alpha, renormalize, opacity };
-constexpr std::size_t PARAMETER_COUNT = 5;
+enum class ParameterId : std::size_t {
+    beta,
+    theta,
+    alpha,
+    preset,
+    solver,
+    accumulation,
+    renormalize,
+    opacity
+};
+constexpr std::size_t PARAMETER_COUNT = 8;
 
 /// How a slider maps its way to a value; decides nothing but the looks.
-enum class Scale { linear, logarithmic, toggle };
+enum class Scale { linear, logarithmic, toggle, choice };
 
 /// One row: everything that is said about a parameter anywhere.
 struct Parameter {
@@ -28,9 +38,10 @@ struct Parameter {
     float maximum;
     std::optional<float> standard;  // nullopt: `auto`, the technique recommends a value
     Scale scale;
-    Stage invalidates;   // the first stage that a change makes stale
-    const char* help;    // one or two sentences: what it does and when to change it
-    const char* source;  // paper and section
+    Stage invalidates;                          // the first stage that a change makes stale
+    const char* help;                           // one or two sentences: what it does and when to change it
+    const char* source;                         // paper and section
+    std::span<const char* const> choices = {};  // names of the values 0, 1, ...; for Scale::choice alone
 };
 
 /// All parameters, in the order of ParameterId.
@@ -54,7 +65,14 @@ private:
     std::array<std::optional<float>, PARAMETER_COUNT> values_;
 };
 
-/// The value that a text on the command line or in a file means: a number or `auto`. Throws Error.
+/// The value that a text on the command line or in a file means: a number, `auto` or one of the choices.
+/// Throws Error.
 std::optional<float> parse_parameter(const Parameter& row, std::string_view text);
+
+/// The text that means a value: of a choice its name.
+std::string parameter_text(const Parameter& row, std::optional<float> value);
+
+/// The values that a row takes, for people: "a number from 0 to 1", "robust or textbook".
+std::string parameter_values_text(const Parameter& row);
 
 }  // namespace momentscope

@@ -7,6 +7,7 @@
 #include "core/gl/program.hpp"
 #include "core/output_file.hpp"
 #include "core/render/moment_passes.hpp"
+#include "core/techniques/moment_kernel.hpp"
 
 namespace {
 
@@ -17,9 +18,7 @@ constexpr const char* PLAIN[] = {
     "passes/composite.frag", "passes/display.frag",       "passes/capture.frag",
     "passes/sorted.frag",    "passes/peel.frag",          "passes/peel_composite.frag",
     "passes/copy.frag",      "passes/failure_colors.frag"};
-constexpr const char* PER_TECHNIQUE[] = {"passes/moments.frag", "passes/color.frag",
-                                         "passes/capture.frag", "passes/failures.frag",
-                                         "tests/evaluate.comp", "tests/evaluate.frag"};
+constexpr const char* RECONSTRUCTING[] = {"passes/color.frag", "passes/capture.frag", "passes/failures.frag"};
 
 void write(const std::filesystem::path& folder, const std::string& prefix, const std::string& path,
            const ShaderVariant& variant) {
@@ -28,18 +27,33 @@ void write(const std::filesystem::path& folder, const std::string& prefix, const
                     folder / (prefix + "." + name));  // glslang reads the stage from the end
 }
 
+// glslangValidator knows framebuffer fetch in OpenGL ES only, so that variant is compiled by GLs that have it
+// alone.
+void write_technique(const std::filesystem::path& folder, const Technique& technique) {
+    const std::string id = technique.id;
+    for (const bool textbook : {false, true}) {
+        if (textbook && !technique.kernel->has_textbook) continue;
+        ShaderVariant variant = reconstruction_variant(technique, {.textbook = textbook});
+        variant.defines["WITH_TRANSMITTANCE"] = "1";
+        for (const char* path : RECONSTRUCTING)
+            write(folder, id + (textbook ? ".textbook" : ""), path, variant);
+    }
+    for (const char* path : {"tests/evaluate.comp", "tests/evaluate.frag"})
+        write(folder, id, path, moment_variant(technique));
+    const auto access = OrderedAccess::interlock;
+    write(folder, id + ".ordered", "passes/moments.frag", accumulation_variant(technique, true, access));
+    if (technique.kernel->bits == 32)
+        write(folder, id, "passes/moments.frag", accumulation_variant(technique, false, access));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     if (argc != 2) return 1;
     try {
         for (const char* path : PLAIN) write(argv[1], "plain", path, {});
-        for (const Technique& technique : techniques()) {
-            if (technique.kernel == nullptr) continue;
-            ShaderVariant variant = moment_variant(technique);
-            variant.defines["WITH_TRANSMITTANCE"] = "1";
-            for (const char* path : PER_TECHNIQUE) write(argv[1], technique.id, path, variant);
-        }
+        for (const Technique& technique : techniques())
+            if (technique.kernel != nullptr) write_technique(argv[1], technique);
     } catch (const Error& error) {
         std::fputs(fmt::format("momentscope_shaders: {}\n", error.what()).c_str(), stderr);
         return 1;

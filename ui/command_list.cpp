@@ -84,7 +84,7 @@ void add_edit(List& list) {
     list.push_back(plain("edit.reset_parameters", "Reset parameters", {"R"},
                          "All parameters as at the start.", [](Explorer& e) { e.state().parameters = {}; }));
     for (const Parameter& row : parameters()) {
-        if (row.scale == Scale::toggle) continue;
+        if (row.scale == Scale::toggle || row.scale == Scale::choice) continue;
         list.push_back({fmt::format("edit.type_{}", row.key),
                         fmt::format("Type {} {}…", row.name, row.symbol),
                         {},

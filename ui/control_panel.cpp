@@ -90,8 +90,8 @@ void draw_control_panel(const Ui& ui, ExplorerState& state, std::optional<Parame
     for (const Parameter& row : parameters()) {
         const bool of_mesh = row.id == ParameterId::opacity && !is_builtin_scene(state.scene) && !state.ray;
         if (!state.technique->uses(row.id) && !of_mesh) continue;
-        draw_parameter_control(ui, row, state.technique->recommended_bias, LABEL_WIDTH * em(),
-                               to_type == row.id, state.parameters, message);
+        draw_parameter_control(ui, row, automatic_bias(state.parameters, *state.technique),
+                               LABEL_WIDTH * em(), to_type == row.id, state.parameters, message);
         any = true;
     }
     to_type.reset();

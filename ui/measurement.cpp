@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/inspect/ghost.hpp"
+#include "core/inspect/exact.hpp"
 
 namespace momentscope::ui {
 

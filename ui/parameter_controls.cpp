@@ -32,6 +32,19 @@ bool draw_logarithmic(const Parameter& row, float& value) {
     return true;
 }
 
+bool draw_choice(const Parameter& row, float& value) {
+    const auto chosen = static_cast<std::size_t>(value);
+    bool changed = false;
+    if (!ImGui::BeginCombo("##value", row.choices[chosen])) return false;
+    for (std::size_t i = 0; i < row.choices.size(); ++i) {
+        if (!ImGui::Selectable(row.choices[i], i == chosen) || i == chosen) continue;
+        value = static_cast<float>(i);
+        changed = true;
+    }
+    ImGui::EndCombo();
+    return changed;
+}
+
 bool draw_value(const Parameter& row, float& value) {
     switch (row.scale) {
         case Scale::logarithmic:
@@ -42,6 +55,8 @@ bool draw_value(const Parameter& row, float& value) {
             value = on ? 1.0f : 0.0f;
             return changed;
         }
+        case Scale::choice:
+            return draw_choice(row, value);
         case Scale::linear:
             break;
     }
@@ -80,8 +95,12 @@ void draw_typed(const Parameter& row, ParameterValues& values, std::string& mess
         state = not_typing;
 }
 
+bool is_slider(const Parameter& row) {
+    return row.scale == Scale::linear || row.scale == Scale::logarithmic;
+}
+
 void draw_tooltip(const Parameter& row) {
-    tooltip(parameter_help(row), "Ctrl+click types a value, double-click resets it.");
+    tooltip(parameter_help(row), is_slider(row) ? "Ctrl+click types a value, double-click resets it." : "");
 }
 
 bool double_clicked() {
@@ -91,10 +110,9 @@ bool double_clicked() {
 }  // namespace
 
 std::string parameter_help(const Parameter& row) {
-    const std::string unit = *row.unit != '\0' ? fmt::format(" {}", row.unit) : "";
-    const std::string standard = row.standard ? fmt::format("{:.4g}{}", *row.standard, unit) : "auto";
-    return fmt::format("{}. {}\n--{}, from {:g} to {:.4g}{}, normally {}. Source: {}.", shown_name(row),
-                       row.help, row.key, row.minimum, row.maximum, unit, standard, row.source);
+    const std::string unit = row.standard && *row.unit != '\0' ? fmt::format(" {}", row.unit) : "";
+    return fmt::format("{}. {}\n--{}, {}; normally {}{}. Source: {}.", shown_name(row), row.help, row.key,
+                       parameter_values_text(row), parameter_text(row, row.standard), unit, row.source);
 }
 
 void draw_parameter_control(const Ui& ui, const Parameter& row, float recommended, float label_width,
@@ -111,9 +129,9 @@ void draw_parameter_control(const Ui& ui, const Parameter& row, float recommende
     if (typing_state() != not_typing) {
         draw_typed(row, values, message);
     } else {
-        const bool to_type = ImGui::GetIO().KeyCtrl && row.scale != Scale::toggle;
+        const bool to_type = ImGui::GetIO().KeyCtrl && is_slider(row);
         if (draw_value(row, value) && !to_type) values.set(row.id, value);
-        reset |= row.scale != Scale::toggle && double_clicked();
+        reset |= is_slider(row) && double_clicked();
         if (to_type && ImGui::IsItemHovered() && ImGui::IsMouseReleased(ImGuiMouseButton_Left))
             typing_state() = begin_typing;
     }
@@ -128,7 +146,8 @@ void draw_parameter_control(const Ui& ui, const Parameter& row, float recommende
         bool on = !values[row.id].has_value();
         if (ImGui::Checkbox("auto", &on)) values.set(row.id, on ? std::nullopt : std::optional(value));
         ui.mark(fmt::format("parameter.{}.auto", row.key));
-        tooltip(fmt::format("The technique's own recommendation, {:.1e}.", static_cast<double>(recommended)));
+        tooltip(fmt::format("What the bias preset says for this technique, {:.1e}.",
+                            static_cast<double>(recommended)));
     }
     ImGui::PopID();
 }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/inspect/ghost.hpp"
+#include "core/inspect/exact.hpp"
 #include "ui/plot_layers.hpp"
 #include "ui/plot_legend.hpp"
 

@@ -55,7 +55,9 @@ ordered_json plot_json(const PlotState& plot) {
 ordered_json parameters_json(const ParameterValues& values) {
     ordered_json result = ordered_json::object();
     for (const Parameter& row : parameters())
-        result[row.key] = values[row.id] ? ordered_json(*values[row.id]) : ordered_json("auto");
+        result[row.key] = values[row.id] && row.choices.empty()
+                              ? ordered_json(*values[row.id])
+                              : ordered_json(parameter_text(row, values[row.id]));
     return result;
 }
 

@@ -26,6 +26,12 @@ bool has_extension(std::string_view wanted) {
 
 }  // namespace
 
+OrderedAccess ordered_access() {
+    if (has_extension("GL_ARB_fragment_shader_interlock")) return OrderedAccess::interlock;
+    if (has_extension("GL_EXT_shader_framebuffer_fetch")) return OrderedAccess::framebuffer_fetch;
+    return OrderedAccess::none;
+}
+
 GlInfo gl_info() {
     GlInfo info;
     info.renderer = gl_text(GL_RENDERER);
@@ -36,11 +42,19 @@ GlInfo gl_info() {
     if (info.software)
         info.missing.push_back(
             {"a GPU", "pictures are drawn by the CPU, so times say nothing about graphics hardware"});
-    if (!has_extension("GL_ARB_fragment_shader_interlock") &&
-        !has_extension("GL_NV_fragment_shader_interlock"))
-        info.missing.push_back(
-            {"fragment shader interlock",
-             "methods that read, change and write a pixel in order cannot run in one pass"});
+    switch (ordered_access()) {
+        case OrderedAccess::interlock:
+            break;
+        case OrderedAccess::framebuffer_fetch:
+            info.missing.push_back({"fragment shader interlock",
+                                    "framebuffer fetch takes its place: 16-bit variants run, at other "
+                                    "speeds than with rasterizer ordered views"});
+            break;
+        case OrderedAccess::none:
+            info.missing.push_back({"fragment shader interlock and framebuffer fetch",
+                                    "methods that read, change and write a pixel in order cannot run: all "
+                                    "16-bit variants, and ordered accumulation"});
+    }
     if (!has_extension("GL_NV_shader_atomic_int64"))
         info.missing.push_back(
             {"64-bit atomics in shaders", "methods that sort fragments by atomics cannot run"});

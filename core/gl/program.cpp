@@ -40,6 +40,7 @@ void append_file(std::string& text, std::string_view path, const ShaderVariant& 
     for (int at = 1; std::getline(lines, line); ++at) {
         if (line.starts_with("#include ")) {
             const std::string included = included_path(line, path, variant);
+            if (!included.empty() && included == variant.technique) text += variant.constants;
             if (!included.empty()) append_file(text, included, variant, files);
             text += fmt::format("#line {} {}\n", at + 1, number);
         } else {

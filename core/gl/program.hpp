@@ -1,5 +1,6 @@
 // program.hpp -- GL programs from the files of shaders/.
 #pragma once
+#include <compare>
 #include <glm/glm.hpp>
 #include <map>
 #include <span>
@@ -14,7 +15,10 @@ namespace momentscope {
 /// Which variant of a shader: #defines, and what `#include "technique"` stands for.
 struct ShaderVariant {
     std::map<std::string, std::string> defines;
-    std::string technique;  // a path in shaders/, or empty
+    std::string technique = {};  // a path in shaders/, or empty
+    std::string constants = {};  // declarations put before it
+
+    friend auto operator<=>(const ShaderVariant&, const ShaderVariant&) = default;
 };
 
 /// The whole text of a shader: version, defines, prelude, and the file with its #includes joined, each with a

@@ -35,8 +35,7 @@ CanonicalRepresentation canonical_representation(const Curve& curve, float query
         return result;
     const MomentKernel& kernel = *curve.technique->kernel;
     const float b0 = curve.moments.b0;
-    const ReconstructionSteps steps = kernel.steps(
-        curve.moments, {curve.parameters.beta, curve.parameters.theta, curve.parameters.alpha}, query);
+    const ReconstructionSteps steps = kernel.steps(curve.moments, settings_of(curve.parameters), query);
     result.query_absorbance = steps.query_weight * b0;
     result.in_front = steps.in_front * b0;
     result.floored_pivots = steps.floored_pivots;

@@ -34,9 +34,7 @@ Curve sample_curve(const ViewRay& ray, const Technique& technique, const Paramet
     curve.reconstructed.resize(depths.size());
     curve.beta0.resize(depths.size());
     curve.beta1.resize(depths.size());
-    const ReconstructionSettings settings = {curve.parameters.beta, curve.parameters.theta,
-                                             curve.parameters.alpha};
-    technique.kernel->evaluate(curve.moments, settings, depths,
+    technique.kernel->evaluate(curve.moments, settings_of(curve.parameters), depths,
                                {curve.reconstructed, curve.beta0, curve.beta1});
     return curve;
 }

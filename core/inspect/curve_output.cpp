@@ -16,9 +16,10 @@ using nlohmann::ordered_json;
 
 ordered_json moments_json(const Curve& curve) {
     if (curve.technique->kernel == nullptr) return nullptr;
-    ordered_json moments = {curve.moments.b0};
+    const MomentVector vector = curve.technique->kernel->moments_of(curve.moments);
+    ordered_json moments = {vector.b0};
     for (std::size_t i = 0; i < static_cast<std::size_t>(curve.technique->kernel->moment_floats); ++i)
-        moments.push_back(curve.moments.b[i]);
+        moments.push_back(vector.b[i]);
     return moments;
 }
 
@@ -27,6 +28,8 @@ ordered_json parameters_json(const Curve& curve) {
     if (curve.technique->uses(ParameterId::beta)) values["beta"] = curve.parameters.beta;
     if (curve.technique->uses(ParameterId::theta)) values["theta"] = curve.parameters.theta;
     if (curve.technique->uses(ParameterId::alpha)) values["alpha"] = curve.parameters.alpha;
+    if (curve.technique->uses(ParameterId::solver))
+        values["solver"] = curve.parameters.textbook ? "textbook" : "robust";
     return values;
 }
 

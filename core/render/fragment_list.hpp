@@ -17,7 +17,8 @@ struct FragmentNode {
     std::uint32_t draw;
     std::uint32_t primitive;
     std::uint32_t next;
-    std::uint32_t padding[2];
+    std::uint32_t pixel;  // x + 65536 y, in GL pixels
+    std::uint32_t padding;
 };
 static_assert(sizeof(FragmentNode) == 48);
 

@@ -2,67 +2,128 @@
 
 #include <fmt/format.h>
 
-#include <vector>
-
+#include "core/error.hpp"
 #include "core/gl/texture.hpp"
 #include "core/techniques/moment_kernel.hpp"
+#include "core/techniques/quantisation_glsl.hpp"
 
 namespace momentscope {
 
 namespace {
 
-void begin_additive(const GlFramebuffer& target, int color_count) {
+constexpr const char* MOMENTS = "passes/moments.frag";
+constexpr const char* COLOR = "passes/color.frag";
+constexpr const char* FAILURES = "passes/failures.frag";
+
+struct Formats {
+    GLenum total_absorbance, four_moments, two_moments;
+};
+
+Formats formats_of(const MomentKernel& kernel) {
+    if (kernel.bits == 16) return {GL_R16F, GL_RGBA16, GL_RG16};
+    return {GL_R32F, GL_RGBA32F, GL_RG32F};
+}
+
+void begin_drawing(GLuint target, bool blending) {
     glBindFramebuffer(GL_FRAMEBUFFER, target);
-    const float zero[4] = {0, 0, 0, 0};
-    for (int i = 0; i < color_count; ++i) glClearNamedFramebufferfv(target, GL_COLOR, i, zero);
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_FALSE);
-    glEnable(GL_BLEND);
+    if (blending) glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
 }
 
-void end_additive() {
+void end_drawing() {
     glDisable(GL_BLEND);
     glDepthMask(GL_TRUE);
     glDisable(GL_DEPTH_TEST);
 }
 
+void clear(GLuint target, int color_count) {
+    const float zero[4] = {0, 0, 0, 0};
+    for (int i = 0; i < color_count; ++i) glClearNamedFramebufferfv(target, GL_COLOR, i, zero);
+}
+
 }  // namespace
 
 ShaderVariant moment_variant(const Technique& technique) {
-    return {.defines = {{"MOMENT_COUNT", std::to_string(technique.moment_count)}},
-            .technique = fmt::format("shared/{}_moments.glsl", technique.basis)};
+    const MomentKernel& kernel = *technique.kernel;
+    ShaderVariant variant = {.defines = {{"MOMENT_COUNT", std::to_string(technique.moment_count)},
+                                         {"MOMENT_BITS", std::to_string(kernel.bits)}},
+                             .technique = fmt::format("shared/{}_moments.glsl", technique.basis)};
+    if (kernel.bits == 16 && kernel.moment_floats == technique.moment_count)
+        variant.constants = quantisation_glsl(technique.moment_count);
+    return variant;
 }
 
-MomentPasses::MomentPasses(const Technique& technique, glm::ivec2 size, GLuint depth)
-    : technique_(technique) {
+ShaderVariant reconstruction_variant(const Technique& technique, const ResolvedParameters& parameters) {
+    ShaderVariant variant = moment_variant(technique);
+    if (parameters.textbook) variant.defines["TEXTBOOK_SOLVER"] = "1";
+    return variant;
+}
+
+ShaderVariant accumulation_variant(const Technique& technique, bool ordered, OrderedAccess access) {
+    ShaderVariant variant = moment_variant(technique);
+    const bool interlock = access == OrderedAccess::interlock;
+    variant.defines[!ordered ? "BLENDING" : interlock ? "INTERLOCK" : "FRAMEBUFFER_FETCH"] = "1";
+    return variant;
+}
+
+MomentPasses::MomentPasses(const Technique& technique, glm::ivec2 size, GLuint depth, OrderedAccess access)
+    : technique_(technique), access_(access) {
+    if (const std::string why = why_unavailable(technique, access); !why.empty())
+        throw Error(
+            fmt::format("{} cannot be drawn here. {} Choose a variant of 32 bits.", technique.name, why));
     const int floats = technique.kernel->moment_floats;
-    total_absorbance_ = make_texture(GL_R32F, size);
-    moments_1_to_4_ = make_texture(GL_RGBA32F, size);
-    if (floats > 4) moments_5_to_8_ = make_texture(floats > 6 ? GL_RGBA32F : GL_RG32F, size);
+    const Formats formats = formats_of(*technique.kernel);
+    total_absorbance_ = make_texture(formats.total_absorbance, size);
+    moments_1_to_4_ = make_texture(formats.four_moments, size);
+    if (floats > 4)
+        moments_5_to_8_ = make_texture(floats > 6 ? formats.four_moments : formats.two_moments, size);
     weighted_color_ = make_texture(GL_RGBA16F, size);  // half floats, as in the paper's evaluation
     const GLuint targets[] = {total_absorbance_, moments_1_to_4_, moments_5_to_8_};
     moment_target_ = make_framebuffer(targets, floats > 4 ? 3 : 2, depth);
+    depth_target_ = make_framebuffer({}, depth);
     color_target_ = make_framebuffer({weighted_color_}, depth);
-    const ShaderVariant variant = moment_variant(technique);
-    moment_program_ = link_program("passes/scene.vert", "passes/moments.frag", variant);
-    color_program_ = link_program("passes/scene.vert", "passes/color.frag", variant);
     composite_program_ = link_program("passes/fullscreen.vert", "passes/composite.frag");
 }
 
+GLuint MomentPasses::program(const char* fragment, const ShaderVariant& variant) {
+    const auto key = std::pair(fragment, variant);
+    auto found = programs_.find(key);
+    if (found == programs_.end())
+        found = programs_.emplace(key, link_program("passes/scene.vert", fragment, variant)).first;
+    return found->second;
+}
+
 void MomentPasses::draw_moments(const PassInput& input) {
-    begin_additive(moment_target_, moments_5_to_8_ != 0 ? 3 : 2);
-    glUseProgram(moment_program_);
+    const bool ordered = input.parameters.ordered;
+    if (ordered && access_ == OrderedAccess::none)
+        throw Error(fmt::format("{} Set --accumulation to blending.", NO_ORDERED_ACCESS));
+    const bool by_images = ordered && access_ == OrderedAccess::interlock;
+    clear(moment_target_, moments_5_to_8_ != 0 ? 3 : 2);
+    begin_drawing(by_images ? depth_target_ : moment_target_, !ordered);
+    if (by_images) {
+        const Formats formats = formats_of(*technique_.kernel);
+        const bool two = technique_.kernel->moment_floats == 6;
+        glBindImageTexture(0, total_absorbance_, 0, GL_FALSE, 0, GL_READ_WRITE, formats.total_absorbance);
+        glBindImageTexture(1, moments_1_to_4_, 0, GL_FALSE, 0, GL_READ_WRITE, formats.four_moments);
+        if (moments_5_to_8_ != 0)
+            glBindImageTexture(2, moments_5_to_8_, 0, GL_FALSE, 0, GL_READ_WRITE,
+                               two ? formats.two_moments : formats.four_moments);
+    }
+    glUseProgram(program(MOMENTS, accumulation_variant(technique_, ordered, access_)));
     input.scene.draw(Surfaces::transparent);
-    end_additive();
+    end_drawing();
+    if (by_images) glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
 }
 
 void MomentPasses::draw_color(const PassInput& input) {
-    begin_additive(color_target_, 1);
-    glUseProgram(color_program_);
+    clear(color_target_, 1);
+    begin_drawing(color_target_, true);
+    glUseProgram(program(COLOR, reconstruction_variant(technique_, input.parameters)));
     bind_moments();
     input.scene.draw(Surfaces::transparent);
-    end_additive();
+    end_drawing();
 }
 
 void MomentPasses::draw_composite(const PassInput& input) {
@@ -74,23 +135,41 @@ void MomentPasses::draw_composite(const PassInput& input) {
 }
 
 bool MomentPasses::draw_failures(const PassInput& input) {
-    if (failure_program_ == 0)
-        failure_program_ =
-            link_program("passes/scene.vert", "passes/failures.frag", moment_variant(technique_));
-    glEnable(GL_DEPTH_TEST);
-    glDepthMask(GL_FALSE);
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE);
-    glUseProgram(failure_program_);
+    GLint target = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
+    begin_drawing(static_cast<GLuint>(target), true);
+    glUseProgram(program(FAILURES, reconstruction_variant(technique_, input.parameters)));
     bind_moments();
     input.scene.draw(Surfaces::transparent);
-    end_additive();
+    end_drawing();
     return true;
 }
 
-bool MomentPasses::bind_for_capture() const {
+std::optional<ShaderVariant> MomentPasses::bind_for_capture(const ResolvedParameters& parameters) const {
     bind_moments();
-    return true;
+    return reconstruction_variant(technique_, parameters);
+}
+
+std::vector<MomentVector> MomentPasses::read_moments(glm::ivec2 corner, glm::ivec2 extent) const {
+    const auto count = static_cast<std::size_t>(extent.x) * static_cast<std::size_t>(extent.y);
+    const auto read = [&](GLuint texture, GLenum format, std::size_t channels) {
+        std::vector<float> values(count * channels);
+        glGetTextureSubImage(texture, 0, corner.x, corner.y, 0, extent.x, extent.y, 1, format, GL_FLOAT,
+                             static_cast<GLsizei>(values.size() * sizeof(float)), values.data());
+        return values;
+    };
+    const auto floats = static_cast<std::size_t>(technique_.kernel->moment_floats);
+    const std::vector<float> absorbances = read(total_absorbance_, GL_RED, 1);
+    const std::vector<float> first = read(moments_1_to_4_, GL_RGBA, 4);
+    const std::vector<float> second = floats > 4 ? read(moments_5_to_8_, GL_RGBA, 4) : std::vector<float>();
+    check_gl("reading moments");
+    std::vector<MomentVector> moments(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        moments[i].b0 = absorbances[i];
+        for (std::size_t k = 0; k < floats; ++k)
+            moments[i].b[k] = k < 4 ? first[4 * i + k] : second[4 * i + k - 4];
+    }
+    return moments;
 }
 
 void MomentPasses::bind_moments() const {

@@ -1,30 +1,44 @@
-// moment_passes.hpp -- moment-based transparency: the paper's two additive passes and its composite.
+// moment_passes.hpp -- moment-based transparency: the paper's two geometry passes and its composite.
 #pragma once
+#include <map>
+
 #include "core/gl/program.hpp"
 #include "core/render/transparency.hpp"
 
 namespace momentscope {
 
-/// The shader variant that computes a moment-based technique.
+/// The shader variant that knows a moment-based technique.
 ShaderVariant moment_variant(const Technique& technique);
+
+/// The one that reconstructs with the parameters' solver.
+ShaderVariant reconstruction_variant(const Technique& technique, const ResolvedParameters& parameters);
+
+/// The one that adds up moments: by blending, or in order with an access that is not none.
+ShaderVariant accumulation_variant(const Technique& technique, bool ordered, OrderedAccess access);
 
 class MomentPasses : public Transparency {
 public:
-    MomentPasses(const Technique& technique, glm::ivec2 size, GLuint depth);
+    /// Throws Error when the technique needs ordered access and there is none.
+    MomentPasses(const Technique& technique, glm::ivec2 size, GLuint depth, OrderedAccess access);
     void draw_moments(const PassInput& input) override;
     void draw_color(const PassInput& input) override;
     void draw_composite(const PassInput& input) override;
-    bool bind_for_capture() const override;
+    std::optional<ShaderVariant> bind_for_capture(const ResolvedParameters& parameters) const override;
     bool draw_failures(const PassInput& input) override;
+
+    std::vector<MomentVector> read_moments(glm::ivec2 corner, glm::ivec2 extent) const override;
 
 private:
     void bind_moments() const;
+    GLuint program(const char* fragment, const ShaderVariant& variant);
 
-    GlTexture total_absorbance_, moments_1_to_4_, moments_5_to_8_, weighted_color_;
-    GlFramebuffer moment_target_, color_target_;
-    GlProgram moment_program_, color_program_, composite_program_;
-    GlProgram failure_program_;  // linked when it is first asked for
     const Technique& technique_;
+    OrderedAccess access_;
+    GlTexture total_absorbance_, moments_1_to_4_, moments_5_to_8_, weighted_color_;
+    GlFramebuffer moment_target_, depth_target_, color_target_;
+    std::map<std::pair<const char*, ShaderVariant>, GlProgram>
+        programs_;  // linked when they are first asked for
+    GlProgram composite_program_;
 };
 
 }  // namespace momentscope

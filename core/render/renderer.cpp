@@ -31,7 +31,9 @@ void require_gl_4_5() {
 
 }  // namespace
 
-Renderer::Renderer() {
+Renderer::Renderer() : Renderer(momentscope::ordered_access()) {}
+
+Renderer::Renderer(OrderedAccess access) : access_(access) {
     require_gl_4_5();
     GLuint name = 0;
     glCreateBuffers(1, &name);
@@ -63,7 +65,7 @@ void Renderer::render(const View& view) {
     const bool technique_changed = transparency_of_ != view.technique;
     if (technique_changed || transparency_ == nullptr) {
         transparency_.reset();  // free its memory before the next takes its own
-        transparency_ = make_transparency(*view.technique, view.size, depth_);
+        transparency_ = make_transparency(*view.technique, view.size, depth_, access_);
         transparency_of_ = view.technique;
     }
     view_ = view;
@@ -97,7 +99,8 @@ void Renderer::resize(glm::ivec2 size) {
 
 void Renderer::update_frame_block(const View& view) {
     warp_ = depth_warp(view.camera, bounds_);
-    const ResolvedParameters p = resolve(view.parameters, *view.technique);
+    parameters_ = resolve(view.parameters, *view.technique);
+    const ResolvedParameters& p = parameters_;
     const glm::vec2 warp = depth_warp_factors(warp_);
     const float aspect = static_cast<float>(view.size.x) / static_cast<float>(view.size.y);
     const FrameBlock block = {view_matrix(view.camera), projection_matrix(view.camera, aspect),
@@ -107,7 +110,7 @@ void Renderer::update_frame_block(const View& view) {
 }
 
 PassInput Renderer::pass_input() const {
-    return {*buffers_, view_.size, opaque_color_, depth_};
+    return {*buffers_, view_.size, opaque_color_, depth_, parameters_};
 }
 
 void Renderer::draw_opaque() {
@@ -221,41 +224,66 @@ std::optional<FailureCounts> Renderer::draw_failures() {
     return total;
 }
 
+GLuint Renderer::capture_program(bool& has_transmittance) {
+    std::optional<ShaderVariant> reconstructing = transparency_->bind_for_capture(parameters_);
+    has_transmittance = reconstructing.has_value();
+    ShaderVariant variant = reconstructing.value_or(ShaderVariant());
+    if (has_transmittance) variant.defines["WITH_TRANSMITTANCE"] = "1";
+    auto program = capture_programs_.find(variant);
+    if (program == capture_programs_.end())
+        program = capture_programs_
+                      .emplace(variant, link_program("passes/scene.vert", "passes/capture.frag", variant))
+                      .first;
+    return program->second;
+}
+
 PixelCapture Renderer::capture_pixel(glm::ivec2 pixel) {
-    assert(transparency_ != nullptr && "capture_pixel needs a picture");
-    const bool has_transmittance = transparency_->bind_for_capture();
-    const std::string key = has_transmittance ? view_.technique->id : "";
-    auto program = capture_programs_.find(key);
-    if (program == capture_programs_.end()) {
-        ShaderVariant variant;
-        if (has_transmittance) {
-            variant = moment_variant(*view_.technique);
-            variant.defines["WITH_TRANSMITTANCE"] = "1";
-        }
-        program =
-            capture_programs_.emplace(key, link_program("passes/scene.vert", "passes/capture.frag", variant))
-                .first;
-    }
+    return capture_region(pixel, {1, 1}).front();
+}
+
+std::vector<PixelCapture> Renderer::capture_region(glm::ivec2 corner, glm::ivec2 extent) {
+    assert(transparency_ != nullptr && "capturing needs a picture");
+    bool has_transmittance = false;
+    const GLuint program = capture_program(has_transmittance);
     glViewport(0, 0, view_.size.x, view_.size.y);
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_block_);
-    const glm::ivec2 corner(pixel.x, view_.size.y - 1 - pixel.y);
-    const std::size_t count = pixel_list_->capture(pass_input(), program->second, corner, {1, 1});
+    const glm::ivec2 lower_left(corner.x, view_.size.y - corner.y - extent.y);
+    const std::size_t count = pixel_list_->capture(pass_input(), program, lower_left, extent);
+    if (count > pixel_list_->capacity() && extent.x * extent.y > 1) {  // in two halves
+        const bool rows = extent.y > 1;
+        const glm::ivec2 half = rows ? glm::ivec2(extent.x, extent.y / 2) : glm::ivec2(extent.x / 2, 1);
+        const glm::ivec2 step = rows ? glm::ivec2(0, half.y) : glm::ivec2(half.x, 0);
+        std::vector<PixelCapture> captures = capture_region(corner, half);
+        std::ranges::move(capture_region(corner + step, extent - step), std::back_inserter(captures));
+        return captures;
+    }
     std::vector<FragmentNode> nodes = pixel_list_->read(count);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    check_gl("capturing a pixel");
+    check_gl("capturing pixels");
     // The order in which nodes were appended is not the order of submission.
     std::ranges::sort(nodes, {},
                       [](const FragmentNode& node) { return std::pair(node.draw, node.primitive); });
-    PixelCapture capture;
-    capture.ray.warp = warp_;
-    capture.ray.near_plane = NEAR_PLANE;
-    capture.ray.far_plane = FAR_PLANE;
+    PixelCapture empty;
+    empty.ray.warp = warp_;
+    empty.ray.near_plane = NEAR_PLANE;
+    empty.ray.far_plane = FAR_PLANE;
+    std::vector<PixelCapture> captures(static_cast<std::size_t>(extent.x * extent.y), empty);
+    const auto index_of = [&](int x, int y) {  // GL pixels
+        return static_cast<std::size_t>((extent.y - 1 - (y - lower_left.y)) * extent.x + x - lower_left.x);
+    };
     for (const FragmentNode& node : nodes) {
+        PixelCapture& capture =
+            captures[index_of(static_cast<int>(node.pixel & 0xffffU), static_cast<int>(node.pixel >> 16))];
         capture.ray.fragments.push_back({node.depth, node.view_depth, node.color_opacity.a,
                                          glm::vec3(node.color_opacity), node.draw, node.primitive});
         if (has_transmittance) capture.transmittance.push_back(node.transmittance);
     }
-    return capture;
+    const std::vector<MomentVector> stored = transparency_->read_moments(lower_left, extent);
+    for (int y = 0; !stored.empty() && y < extent.y; ++y)
+        for (int x = 0; x < extent.x; ++x)
+            captures[index_of(lower_left.x + x, lower_left.y + y)].stored =
+                stored[static_cast<std::size_t>(y * extent.x + x)];
+    return captures;
 }
 
 }  // namespace momentscope

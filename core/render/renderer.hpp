@@ -33,6 +33,7 @@ struct PixelCapture {
     ViewRay ray;
     std::vector<float>
         transmittance;  // of the second pass at each fragment; empty when the technique has none
+    std::optional<MomentVector> stored;  // by the first pass, as the texture units give it
 };
 
 /// Draws into its own textures; needs a current OpenGL 4.5 context as long as it lives. Pixels count from the
@@ -41,6 +42,9 @@ class Renderer {
 public:
     /// Throws Error when the GL is older than 4.5.
     Renderer();
+
+    /// The same as if the GL had that ordered access: to see what is said where there is none.
+    explicit Renderer(OrderedAccess access);
     ~Renderer();
 
     void set_scene(const Scene& scene);
@@ -58,6 +62,9 @@ public:
     /// All transparent fragments that cover a pixel of the last picture and are not behind opaque surfaces.
     PixelCapture capture_pixel(glm::ivec2 pixel);
 
+    /// The same for a rectangle, row by row; corner is its upper left.
+    std::vector<PixelCapture> capture_region(glm::ivec2 corner, glm::ivec2 extent);
+
     /// A rectangle of the picture in linear RGBA; corner is its upper left. Throws Error unless it lies
     /// within.
     Image read_region(glm::ivec2 corner, glm::ivec2 extent) const;
@@ -69,6 +76,7 @@ public:
     /// sRGB with alpha, to be laid over display_texture(); valid after draw_failures().
     GLuint failure_texture() const { return failure_color_; }
 
+    OrderedAccess ordered_access() const { return access_; }
     const PassCounts& pass_counts() const { return counts_; }
     const PassTimes& pass_times() const { return times_; }
 
@@ -78,6 +86,7 @@ private:
     void draw_opaque();
     void run_from(Stage stage);
     PassInput pass_input() const;
+    GLuint capture_program(bool& has_transmittance);
 
     template <typename Draw>
     void timed(double& milliseconds, const Draw& draw);
@@ -86,6 +95,8 @@ private:
     Sphere bounds_;
     std::unique_ptr<SceneBuffers> buffers_;
     View view_;
+    ResolvedParameters parameters_;
+    OrderedAccess access_;
     DepthWarp warp_;
     PassCounts counts_;
     PassTimes times_;
@@ -97,7 +108,7 @@ private:
     std::unique_ptr<Transparency> transparency_;
     const Technique* transparency_of_ = nullptr;
     std::unique_ptr<FragmentList> pixel_list_;
-    std::map<std::string, GlProgram> capture_programs_;  // by technique id
+    std::map<ShaderVariant, GlProgram> capture_programs_;
 
     GlQuery timer_;
     GlTexture failure_counts_, failure_color_;  // made when they are first asked for

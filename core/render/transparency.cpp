@@ -3,10 +3,12 @@
 #include "core/render/moment_passes.hpp"
 #include "core/render/peeling_passes.hpp"
 #include "core/render/sorted_passes.hpp"
+#include "core/techniques/moment_kernel.hpp"
 
 namespace momentscope {
 
-std::unique_ptr<Transparency> make_transparency(const Technique& technique, glm::ivec2 size, GLuint depth) {
+std::unique_ptr<Transparency> make_transparency(const Technique& technique, glm::ivec2 size, GLuint depth,
+                                                OrderedAccess access) {
     switch (technique.path) {
         case RenderPath::sorted:
             return std::make_unique<SortedPasses>(size, depth);
@@ -15,7 +17,12 @@ std::unique_ptr<Transparency> make_transparency(const Technique& technique, glm:
         case RenderPath::moments:
             break;
     }
-    return std::make_unique<MomentPasses>(technique, size, depth);
+    return std::make_unique<MomentPasses>(technique, size, depth, access);
+}
+
+std::string why_unavailable(const Technique& technique, OrderedAccess access) {
+    const bool needs_order = technique.kernel != nullptr && technique.kernel->bits == 16;
+    return needs_order && access == OrderedAccess::none ? NO_ORDERED_ACCESS : "";
 }
 
 void draw_fullscreen() {

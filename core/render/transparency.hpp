@@ -2,9 +2,14 @@
 #pragma once
 #include <glm/glm.hpp>
 #include <memory>
+#include <optional>
+#include <vector>
 
+#include "core/gl/gl_info.hpp"
 #include "core/gl/handle.hpp"
+#include "core/gl/program.hpp"
 #include "core/render/scene_buffers.hpp"
+#include "core/techniques/moment_kernel.hpp"
 #include "core/techniques/technique.hpp"
 
 namespace momentscope {
@@ -15,6 +20,7 @@ struct PassInput {
     glm::ivec2 size;
     GLuint opaque_color;
     GLuint depth;  // of the opaque surfaces; tested, never written
+    const ResolvedParameters& parameters;
 };
 
 /// The passes of one technique at one picture size. Each function draws one stage and leaves no GL state
@@ -32,8 +38,15 @@ public:
     /// Transparent over opaque, into the bound framebuffer of one RGBA target.
     virtual void draw_composite(const PassInput& input) = 0;
 
-    /// Binds what capture.frag WITH_TRANSMITTANCE reads. False when the technique has no such thing.
-    virtual bool bind_for_capture() const { return false; }
+    /// Binds what capture.frag WITH_TRANSMITTANCE reads, and returns its variant. nullopt when the technique
+    /// has no such thing.
+    virtual std::optional<ShaderVariant> bind_for_capture(const ResolvedParameters&) const { return {}; }
+
+    /// What the first pass stored for the pixels of a rectangle, counted from the lower left, as the texture
+    /// units give it. Empty when the technique has no moments.
+    virtual std::vector<MomentVector> read_moments(glm::ivec2 /*corner*/, glm::ivec2 /*extent*/) const {
+        return {};
+    }
 
     /// Counts failed and clamped reconstructions into the bound two-channel target, additively. False when
     /// the technique reconstructs nothing.
@@ -42,7 +55,11 @@ public:
 
 /// The passes of a technique; `depth` is the texture that its framebuffers test. Throws Error when GL lacks
 /// what it needs.
-std::unique_ptr<Transparency> make_transparency(const Technique& technique, glm::ivec2 size, GLuint depth);
+std::unique_ptr<Transparency> make_transparency(const Technique& technique, glm::ivec2 size, GLuint depth,
+                                                OrderedAccess access);
+
+/// Why a GL with that access cannot draw a technique, as a sentence; empty when it can.
+std::string why_unavailable(const Technique& technique, OrderedAccess access);
 
 /// Draws fullscreen.vert's triangle with the program in use.
 void draw_fullscreen();

@@ -1,8 +1,9 @@
 // moment_kernel.inl -- the body of a MomentKernel. A file generated from moment_kernel.cpp.in defines
-// KERNEL_ID, MOMENT_COUNT and MOMENT_BASIS (a file of shaders/shared) and includes this.
+// KERNEL_ID, MOMENT_COUNT, MOMENT_BITS and MOMENT_BASIS (a file of shaders/shared) and includes this.
 #include "core/glsl.hpp"
 #include "core/techniques/moment_kernel.hpp"
 #include "core/techniques/moment_techniques.hpp"
+#include "core/techniques/quantisation.hpp"
 
 #include <algorithm>
 
@@ -21,7 +22,16 @@ namespace glsl::KERNEL_ID {
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"  // g++ 12 cannot follow the triangular loops
 #include "shaders/shared/portable_math.glsl"
 #include MOMENT_BASIS
+#ifdef THETA_TRANSFORM
+constexpr auto THETA_ODD = flat_floats(quantisation_transform<MOMENT_COUNT>().odd);
+constexpr auto THETA_EVEN = flat_floats(quantisation_transform<MOMENT_COUNT>().even);
+constexpr auto THETA_ODD_INVERSE = flat_floats(inverse(quantisation_transform<MOMENT_COUNT>().odd));
+constexpr auto THETA_EVEN_INVERSE = flat_floats(inverse(quantisation_transform<MOMENT_COUNT>().even));
+constexpr auto THETA_EVEN_OFFSET = floats(quantisation_transform<MOMENT_COUNT>().even_offset);
+#endif
 #include "shaders/shared/reconstruction.glsl"
+#include "shaders/shared/storage.glsl"
+#include "shaders/shared/textbook.glsl"
 #pragma GCC diagnostic pop
 }  // namespace glsl::KERNEL_ID
 
@@ -36,10 +46,24 @@ g::Moments to_shared(const MomentVector& vector) {
     return moments;
 }
 
-void add_fragment(MomentVector& sum, float depth, float absorbance, float wrapping_zone_angle) {
-    const g::Moments added = g::fragment_moments(depth, absorbance, g::make_basis(wrapping_zone_angle));
-    sum.b0 += added.b0;
-    for (std::size_t i = 0; i < MOMENT_FLOATS; ++i) sum.b[i] += added.b[i];
+MomentVector from_shared(const g::Moments& moments) {
+    MomentVector vector;
+    vector.b0 = moments.b0;
+    std::copy_n(moments.b, MOMENT_FLOATS, vector.b.begin());
+    return vector;
+}
+
+g::Moments unpacked(const MomentVector& stored) {
+    return g::unpacked_moments(to_shared(stored));
+}
+
+void add_fragment(MomentVector& stored, float depth, float absorbance, float wrapping_zone_angle) {
+    stored = from_shared(g::with_fragment(
+        to_shared(stored), g::fragment_moments(depth, absorbance, g::make_basis(wrapping_zone_angle))));
+}
+
+MomentVector moments_of(const MomentVector& stored) {
+    return from_shared(unpacked(stored));
 }
 
 WIDE_CLONES
@@ -54,24 +78,65 @@ void evaluate_wide(const g::Factor& factor, const g::Basis& basis, float b0, flo
     }
 }
 
+#if defined(ALGORITHM_1) || defined(ALGORITHM_2)
+constexpr bool HAS_TEXTBOOK = true;
+
+float textbook(const g::Moments& moments, const ReconstructionSettings& settings, float overestimation,
+               float depth) {
+    return g::textbook_fraction(moments, depth, settings.bias, overestimation,
+                                g::make_basis(settings.wrapping_zone_angle));
+}
+#else
+constexpr bool HAS_TEXTBOOK = false;
+
+float textbook(const g::Moments&, const ReconstructionSettings&, float, float) {
+    return 0;
+}
+#endif
+
+// The published code knows one depth at a time, and so it is called.
+void evaluate_textbook(const g::Moments& moments, const ReconstructionSettings& settings,
+                       std::span<const float> depths, const AbsorbanceCurves& curves) {
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+        const auto absorbance = [&](float beta) {
+            return moments.b0 * g::number_in_unit_range(textbook(moments, settings, beta, depths[i]));
+        };
+        curves.reconstructed[i] = absorbance(settings.overestimation);
+        curves.beta0[i] = absorbance(0.0f);
+        curves.beta1[i] = absorbance(1.0f);
+    }
+}
+
 void evaluate(const MomentVector& vector, const ReconstructionSettings& settings,
               std::span<const float> depths, const AbsorbanceCurves& curves) {
-    if (g::is_empty(to_shared(vector))) {
+    const g::Moments moments = unpacked(vector);
+    if (g::is_empty(moments)) {
         for (const auto& curve : {curves.reconstructed, curves.beta0, curves.beta1})
             std::ranges::fill(curve, 0.0f);
         return;
     }
+    if (settings.solver == Solver::textbook) return evaluate_textbook(moments, settings, depths, curves);
     const g::Basis basis = g::make_basis(settings.wrapping_zone_angle);
-    const g::Factor factor = g::factor_moments(g::biased_moments(to_shared(vector), settings.bias));
+    const g::Factor factor = g::factor_moments(g::biased_moments(moments, settings.bias));
     evaluate_wide(factor, basis, vector.b0, settings.overestimation, depths.data(), depths.size(),
                   curves.reconstructed.data(), curves.beta0.data(), curves.beta1.data());
+}
+
+float fraction(const MomentVector& vector, const ReconstructionSettings& settings, float depth) {
+    const g::Moments moments = unpacked(vector);
+    if (g::is_empty(moments)) return 0;
+    if (settings.solver == Solver::textbook)
+        return textbook(moments, settings, settings.overestimation, depth);
+    const g::Basis basis = g::make_basis(settings.wrapping_zone_angle);
+    const g::Factor factor = g::factor_moments(g::biased_moments(moments, settings.bias));
+    return g::fraction_in_front(g::reconstruct(factor, basis, depth), settings.overestimation);
 }
 
 ReconstructionSteps steps(const MomentVector& vector, const ReconstructionSettings& settings, float depth) {
     ReconstructionSteps result;
     if (g::is_empty(to_shared(vector))) return result;
     const g::Basis basis = g::make_basis(settings.wrapping_zone_angle);
-    const g::BiasedMoments biased = g::biased_moments(to_shared(vector), settings.bias);
+    const g::BiasedMoments biased = g::biased_moments(unpacked(vector), settings.bias);
     const g::Factor factor = g::factor_moments(biased);
     const g::Kernel kernel = g::kernel_polynomial(g::query_at(depth, factor, basis), factor);
     const g::Reconstruction at_depth = g::reconstruct(factor, basis, depth);
@@ -86,6 +151,7 @@ ReconstructionSteps steps(const MomentVector& vector, const ReconstructionSettin
     std::copy_n(at_depth.t, ROOT_COUNT, result.t.begin());
     std::copy_n(at_depth.weight, ROOT_COUNT, result.weight.begin());
     std::copy_n(at_depth.value, ROOT_COUNT, result.value.begin());
+    result.fraction = g::fraction_in_front(at_depth, settings.overestimation);
     result.absorbance = g::absorbance_in_front(at_depth, vector.b0, settings.overestimation);
     return result;
 }
@@ -93,7 +159,15 @@ ReconstructionSteps steps(const MomentVector& vector, const ReconstructionSettin
 }  // namespace
 
 const MomentKernel& moment_kernel(MomentKernelTag<MomentTechnique::KERNEL_ID>) {
-    static constexpr MomentKernel kernel = {MOMENT_FLOATS, ROOT_COUNT, add_fragment, evaluate, steps};
+    static constexpr MomentKernel kernel = {.moment_floats = MOMENT_FLOATS,
+                                            .node_count = ROOT_COUNT,
+                                            .bits = MOMENT_BITS,
+                                            .has_textbook = HAS_TEXTBOOK,
+                                            .add_fragment = add_fragment,
+                                            .moments_of = moments_of,
+                                            .evaluate = evaluate,
+                                            .fraction = fraction,
+                                            .steps = steps};
     return kernel;
 }
 

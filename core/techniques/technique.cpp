@@ -13,19 +13,21 @@ namespace momentscope {
 
 namespace {
 
-constexpr std::array POWER_PARAMETERS = {ParameterId::beta, ParameterId::alpha, ParameterId::renormalize};
-constexpr std::array TRIGONOMETRIC_PARAMETERS = {ParameterId::beta, ParameterId::theta, ParameterId::alpha,
-                                                 ParameterId::renormalize};
-
-// The wrapping zone is a notion of bases on the circle alone.
-std::span<const ParameterId> moment_parameters(std::string_view basis) {
-    if (basis == "trigonometric") return TRIGONOMETRIC_PARAMETERS;
-    return POWER_PARAMETERS;
+// What a moment-based technique reads: the wrapping zone is a notion of bases on the circle alone, only
+// published algorithms have a textbook, and what is stored in 16 bits cannot be blended.
+std::vector<ParameterId> moment_parameters(const MomentKernel& kernel, std::string_view basis) {
+    std::vector<ParameterId> ids = {ParameterId::beta};
+    if (basis == "trigonometric") ids.push_back(ParameterId::theta);
+    ids.insert(ids.end(), {ParameterId::alpha, ParameterId::preset});
+    if (kernel.has_textbook) ids.push_back(ParameterId::solver);
+    if (kernel.bits == 32) ids.push_back(ParameterId::accumulation);
+    ids.push_back(ParameterId::renormalize);
+    return ids;
 }
 
 Technique moment_technique(const MomentKernel& kernel, const char* basis, int moment_count, const char* id,
-                           const char* name, float recommended_bias, bool has_bounds, const char* description,
-                           const char* source) {
+                           const char* name, float recommended_bias, float robust_bias, bool has_bounds,
+                           const char* description, const char* source) {
     return {.id = id,
             .name = name,
             .description = description,
@@ -34,17 +36,18 @@ Technique moment_technique(const MomentKernel& kernel, const char* basis, int mo
             .kernel = &kernel,
             .basis = basis,
             .moment_count = moment_count,
-            .parameters = moment_parameters(basis),
+            .parameters = moment_parameters(kernel, basis),
             .recommended_bias = recommended_bias,
+            .robust_bias = robust_bias,
             .has_bounds = has_bounds,
-            .bits_per_pixel = 32 * (1 + kernel.moment_floats),
+            .bits_per_pixel = kernel.bits * (1 + kernel.moment_floats),
             .geometry_passes = 2,
-            .order_dependent = false};
+            .order_dependent = kernel.bits == 16};
 }
 
 std::vector<Technique> make_rows() {
     std::vector<Technique> rows = {
-#define MOMENT_TECHNIQUE(id, basis, count, ...) \
+#define MOMENT_TECHNIQUE(id, basis, count, bits, ...) \
     moment_technique(moment_kernel(MomentKernelTag<MomentTechnique::id>()), #basis, count, __VA_ARGS__),
 #include "core/techniques/moment_techniques.def"
 #undef MOMENT_TECHNIQUE
@@ -94,11 +97,27 @@ const Technique& require_technique(std::string_view id) {
     throw Error(fmt::format("There is no technique '{}'; use one of {}.", id, ids));
 }
 
+float automatic_bias(const ParameterValues& values, const Technique& technique) {
+    return values[ParameterId::preset].value_or(0.0f) >= 0.5f ? technique.robust_bias
+                                                              : technique.recommended_bias;
+}
+
 ResolvedParameters resolve(const ParameterValues& values, const Technique& technique) {
+    const auto on = [&](ParameterId id) { return technique.uses(id) && values[id].value_or(0.0f) >= 0.5f; };
     return {.beta = values[ParameterId::beta].value_or(0.0f),
             .theta = values[ParameterId::theta].value_or(0.0f),
-            .alpha = values[ParameterId::alpha].value_or(technique.recommended_bias),
+            .alpha = values[ParameterId::alpha].value_or(automatic_bias(values, technique)),
+            .textbook = on(ParameterId::solver),
+            .ordered = on(ParameterId::accumulation) ||
+                       (technique.kernel != nullptr && technique.kernel->bits == 16),
             .renormalize = values[ParameterId::renormalize].value_or(1.0f) >= 0.5f};
+}
+
+ReconstructionSettings settings_of(const ResolvedParameters& parameters) {
+    return {.overestimation = parameters.beta,
+            .wrapping_zone_angle = parameters.theta,
+            .bias = parameters.alpha,
+            .solver = parameters.textbook ? Solver::textbook : Solver::robust};
 }
 
 }  // namespace momentscope

@@ -2,12 +2,14 @@
 #pragma once
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "core/parameters.hpp"
 
 namespace momentscope {
 
 struct MomentKernel;
+struct ReconstructionSettings;
 
 /// Which passes render a technique (core/render).
 enum class RenderPath { moments, sorted, peeling };
@@ -22,8 +24,9 @@ struct Technique {
     const MomentKernel* kernel = nullptr;  // how C++ evaluates it on a view ray; null for the truth itself
     const char* basis = nullptr;           // shaders/shared/<basis>_moments.glsl, or null
     int moment_count = 0;                  // m
-    std::span<const ParameterId> parameters = {};  // those that it reads
-    float recommended_bias = 0;                    // what alpha = auto means
+    std::vector<ParameterId> parameters = {};  // those that it reads
+    float recommended_bias = 0;                // what alpha = auto means with the preset table1
+    float robust_bias = 0;                     // and with the preset robust (docs/bias.md)
     bool has_bounds = false;       // beta = 0 and beta = 1 bound the truth (of the biased moments)
     int bits_per_pixel = 0;        // beside the colour buffers; 0 where it grows with the fragments
     int geometry_passes = 1;       // of the transparent geometry; 0 where it grows with the layers
@@ -41,9 +44,17 @@ const Technique& require_technique(std::string_view id);
 
 /// The values that a technique computes with: `auto` replaced by its recommendation.
 struct ResolvedParameters {
-    float beta, theta, alpha;
-    bool renormalize;
+    float beta = 0, theta = 0, alpha = 0;
+    bool textbook = false;  // the solver is Algorithm 1 or 2 as published
+    bool ordered = false;   // moments are summed in order, not by blending
+    bool renormalize = true;
 };
 ResolvedParameters resolve(const ParameterValues& values, const Technique& technique);
+
+/// What alpha = auto means for the technique under these values' preset.
+float automatic_bias(const ParameterValues& values, const Technique& technique);
+
+/// What a kernel is told of them.
+ReconstructionSettings settings_of(const ResolvedParameters& parameters);
 
 }  // namespace momentscope

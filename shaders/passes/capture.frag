@@ -26,6 +26,7 @@ void main()
 #endif
     node.draw = object.draw.x;
     node.primitive = uint(gl_PrimitiveID);
+    node.pixel = uint(gl_FragCoord.x) + 65536u * uint(gl_FragCoord.y);
     node.next = imageAtomicExchange(list_heads, ivec2(gl_FragCoord.xy), index);
     fragment_list.nodes[index] = node;
 }

@@ -17,10 +17,12 @@ void main()
     Moments moments = stored_moments(ivec2(gl_FragCoord.xy));
     failed_clamped = vec2(0.0);
     if (is_empty(moments)) return;
-    Factor factor = factor_moments(biased_moments(moments, frame.parameters.z));
-    Reconstruction at_depth = reconstruct(factor, make_basis(frame.parameters.y), fragment_depth());
-    float fraction = fraction_in_front(at_depth, frame.parameters.x);
+    float fraction = fragment_fraction(moments);
     bool within = fraction >= -CLAMP_TOLERANCE && fraction <= 1.0 + CLAMP_TOLERANCE;
-    bool failed = factor.floored > 0 || isnan(fraction) || isinf(fraction);
+#ifdef TEXTBOOK_SOLVER
+    bool failed = !within;
+#else
+    bool failed = factor_moments(biased_moments(moments, frame.parameters.z)).floored > 0 || isnan(fraction);
+#endif
     failed_clamped = vec2(failed ? 1.0 : 0.0, !failed && !within ? 1.0 : 0.0);
 }

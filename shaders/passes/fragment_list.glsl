@@ -9,7 +9,8 @@ struct FragmentNode
     uint draw;
     uint primitive;
     uint next;             // index of another fragment of the pixel, or END_OF_LIST
-    uint padding[2];
+    uint pixel;            // x + 65536 y
+    uint padding;
 };
 
 const uint END_OF_LIST = 0xffffffffu;

@@ -1,9 +1,19 @@
 // power_moments.glsl -- power moments of the absorbance (Section 4): generation, bias and their matrix. MOMENT_COUNT m is
-// 4, 6 or 8.
+// 4, 6 or 8; MOMENT_BITS 16 or 32.
 
+#define ALGORITHM_1   // textbook.glsl
 #include "line_basis.glsl"
 
-#if MOMENT_COUNT == 4      // b* for moments stored in floats (supplementary, Table 1)
+#if MOMENT_BITS == 16
+#define THETA_TRANSFORM   // storage.glsl
+#if MOMENT_COUNT == 4     // b* for moments stored in 16 bits (supplementary, Table 1)
+const float BIAS_MOMENTS[4] = {0.0f, 0.628f, 0.0f, 0.628f};
+#elif MOMENT_COUNT == 6
+const float BIAS_MOMENTS[6] = {0.0f, 0.5566f, 0.0f, 0.489f, 0.0f, 0.47869382f};
+#else
+const float BIAS_MOMENTS[8] = {0.0f, 0.424749164f, 0.0f, 0.224078027f, 0.0f, 0.153692308f, 0.0f, 0.129004405f};
+#endif
+#elif MOMENT_COUNT == 4   // the same for floats
 const float BIAS_MOMENTS[4] = {0.0f, 0.375f, 0.0f, 0.375f};
 #elif MOMENT_COUNT == 6
 const float BIAS_MOMENTS[6] = {0.0f, 0.48f, 0.0f, 0.451f, 0.0f, 0.45f};

@@ -73,10 +73,16 @@ FN float fraction_in_front(IN(Reconstruction) reconstruction, float overestimati
     return fraction;
 }
 
+/// x clamped to [0, 1]; 0 where it is no number, as GPUs saturate.
+FN float number_in_unit_range(float x)
+{
+    return x >= 0.0f ? min(x, 1.0f) : 0.0f;
+}
+
 /// A(z_f, b, beta): absorbance in front of the query depth, in [0, b0].
 FN float absorbance_in_front(IN(Reconstruction) reconstruction, float b0, float overestimation)
 {
-    return b0 * clamp(fraction_in_front(reconstruction, overestimation), 0.0f, 1.0f);
+    return b0 * number_in_unit_range(fraction_in_front(reconstruction, overestimation));
 }
 
 /// Absorbance in front of a depth straight from stored moments: what the second pass computes for a fragment.

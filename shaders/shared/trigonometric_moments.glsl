@@ -6,6 +6,7 @@
 // turned so that the query is x = 1, with t = cot((phi - phi_f)/2), x = (t + i)/(t - i), the polynomials
 // q_k(t) = (t - i)^k p_k obey q_{k+1} = y + gamma_k conj(y) with y = (t + i) q_k: real arithmetic throughout.
 
+#define ALGORITHM_2   // textbook.glsl
 #define ROOT_COUNT MOMENT_COUNT
 #define MOMENT_FLOATS (2 * MOMENT_COUNT)
 #define ORDER (MOMENT_COUNT + 1)   // of the Toeplitz matrix

@@ -31,9 +31,8 @@ Work work_for(const Technique& technique) {
 }
 
 void evaluate(const Work& work, const std::vector<float>& depths, std::vector<float> (&curves)[3]) {
-    work.technique->kernel->evaluate(work.moments,
-                                     {work.parameters.beta, work.parameters.theta, work.parameters.alpha},
-                                     depths, {curves[0], curves[1], curves[2]});
+    work.technique->kernel->evaluate(work.moments, settings_of(work.parameters), depths,
+                                     {curves[0], curves[1], curves[2]});
     benchmark::DoNotOptimize(curves[0].data());
     benchmark::ClobberMemory();
 }

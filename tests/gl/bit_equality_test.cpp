@@ -10,7 +10,7 @@
 #include "core/gl/texture.hpp"
 #include "core/render/moment_passes.hpp"
 #include "tests/gl/gl_fixture.hpp"
-#include "tests/property/exact_technique.hpp"
+#include "tests/property/moment_rows.hpp"
 #include "tests/property/random_rays.hpp"
 
 namespace momentscope::test {
@@ -22,7 +22,7 @@ struct Item {  // shaders/tests/evaluate.glsl
     float b0, b[8], depth, view_depth, opacity;
 };
 struct Result {
-    float absorbance, transmittance, warped, fragment_b0, fragment_b[8];
+    float absorbance, transmittance, warped, b0_with_fragment, b_with_fragment[8];
 };
 struct Header {
     float beta, theta, alpha, padding, z_min, z_max, more_padding[2];
@@ -54,13 +54,12 @@ Result evaluate(const Technique& technique, const ResolvedParameters& p, const I
     MomentVector moments{item.b0, {}};
     std::ranges::copy(item.b, moments.b.begin());
     Result result{};
-    result.absorbance = technique.kernel->steps(moments, {p.beta, p.theta, p.alpha}, item.depth).absorbance;
+    result.absorbance = technique.kernel->steps(moments, settings_of(p), item.depth).absorbance;
     result.transmittance = transmittance(result.absorbance);
     result.warped = to_depth(item.view_depth, {true, Z_MIN, Z_MAX});
-    MomentVector fragment;
-    technique.kernel->add_fragment(fragment, result.warped, fragment_absorbance(item.opacity), p.theta);
-    result.fragment_b0 = fragment.b0;
-    std::ranges::copy(fragment.b, result.fragment_b);
+    technique.kernel->add_fragment(moments, result.warped, fragment_absorbance(item.opacity), p.theta);
+    result.b0_with_fragment = moments.b0;
+    std::ranges::copy(moments.b, result.b_with_fragment);
     return result;
 }
 
@@ -109,9 +108,9 @@ protected:
             different[0] += differs(cpp.absorbance, gl[i].absorbance);
             different[1] += differs(cpp.transmittance, gl[i].transmittance);
             different[2] += differs(cpp.warped, gl[i].warped);
-            different[3] += differs(cpp.fragment_b0, gl[i].fragment_b0);
+            different[3] += differs(cpp.b0_with_fragment, gl[i].b0_with_fragment);
             for (int k = 0; k < GetParam()->kernel->moment_floats; ++k)
-                different[4] += differs(cpp.fragment_b[k], gl[i].fragment_b[k]);
+                different[4] += differs(cpp.b_with_fragment[k], gl[i].b_with_fragment[k]);
             worst = std::max(worst, std::abs(cpp.transmittance - gl[i].transmittance));
         }
         fmt::print(

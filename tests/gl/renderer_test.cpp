@@ -5,7 +5,7 @@
 
 #include "core/inspect/curve.hpp"
 #include "tests/gl/gl_fixture.hpp"
-#include "tests/property/exact_technique.hpp"
+#include "tests/property/moment_rows.hpp"
 
 namespace momentscope::test {
 namespace {

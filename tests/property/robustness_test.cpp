@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/property/exact_technique.hpp"
+#include "tests/property/moment_rows.hpp"
 #include "tests/property/random_rays.hpp"
 
 namespace momentscope::test {
@@ -31,7 +31,7 @@ protected:
     void check_ray(const ViewRay& ray, const std::vector<float>& depths, const ParameterValues& values) {
         const ResolvedParameters p = resolve(values, *GetParam());
         const MomentVector moments = sum_moments(ray, *GetParam(), p);
-        for (const float depth : depths) check(moments, {p.beta, p.theta, p.alpha}, depth);
+        for (const float depth : depths) check(moments, settings_of(p), depth);
     }
     void report(const char* what) const {
         fmt::print("{} {}: {} queries, {} failures, {} sums above 1 clamped, {} pivots floored\n",

@@ -1,7 +1,7 @@
 // wide_test.cpp -- curves are computed many depths at a time; the bits must be those of one depth alone.
 #include <gtest/gtest.h>
 
-#include "tests/property/exact_technique.hpp"
+#include "tests/property/moment_rows.hpp"
 #include "tests/property/random_rays.hpp"
 
 namespace momentscope::test {
@@ -15,8 +15,7 @@ TEST_P(Wide, EqualsScalar) {
         const ViewRay ray = random_ray(random);
         const Curve curve =
             sample_curve(ray, *GetParam(), {}, even_depths(67));  // 67: leaves a rest for any width
-        const ReconstructionSettings settings = {curve.parameters.beta, curve.parameters.theta,
-                                                 curve.parameters.alpha};
+        const ReconstructionSettings settings = settings_of(curve.parameters);
         for (std::size_t k = 0; k < curve.depth.size(); ++k)
             ASSERT_EQ(curve.reconstructed[k],
                       GetParam()->kernel->steps(curve.moments, settings, curve.depth[k]).absorbance);

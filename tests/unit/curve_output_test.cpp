@@ -63,7 +63,7 @@ TEST(CurveJson, OfPowerMomentsHasBounds) {
     EXPECT_EQ(keys_of(curve), (Keys{"technique", "parameters", "moments", "depth", "true", "reconstructed",
                                     "lower", "upper"}));
     EXPECT_EQ(curve["technique"], "power4-32");
-    EXPECT_EQ(keys_of(curve["parameters"]), (Keys{"beta", "alpha"}));
+    EXPECT_EQ(keys_of(curve["parameters"]), (Keys{"beta", "alpha", "solver"}));
     EXPECT_EQ(curve["parameters"]["beta"], 0.25);
     EXPECT_EQ(curve["parameters"]["alpha"].get<float>(), 5e-7f);  // what `auto` means here
     for (const char* key : {"depth", "true", "reconstructed", "lower", "upper"}) {
@@ -79,7 +79,7 @@ TEST(CurveJson, OfTrigonometricMomentsHasBetaZeroAndOneButNoBounds) {
     const ordered_json curve = json_curve("trig3-32");
     EXPECT_EQ(keys_of(curve), (Keys{"technique", "parameters", "moments", "depth", "true", "reconstructed",
                                     "lower", "upper", "beta0", "beta1"}));
-    EXPECT_EQ(keys_of(curve["parameters"]), (Keys{"beta", "theta", "alpha"}));
+    EXPECT_EQ(keys_of(curve["parameters"]), (Keys{"beta", "theta", "alpha", "solver"}));
     EXPECT_TRUE(curve["lower"].is_null());
     EXPECT_TRUE(curve["upper"].is_null());
     ASSERT_EQ(curve["beta0"].size(), 5u);

@@ -1,5 +1,5 @@
 // ghost_test.cpp -- the exact curve without bias, and the canonical representation that the plot draws.
-#include "core/inspect/ghost.hpp"
+#include "core/inspect/exact.hpp"
 
 #include <gtest/gtest.h>
 

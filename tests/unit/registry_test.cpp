@@ -13,32 +13,30 @@
 #include <set>
 #include <string>
 
-// The shape is the same for every basis, so some parameters go unused; g++ 12 cannot follow triangular loops.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-namespace momentscope::glsl::bias4 {
+#define SHARED_NAME bias4_16
 #define MOMENT_COUNT 4
-#include "shaders/shared/portable_math.glsl"
-// portable_math first
-#include "shaders/shared/power_moments.glsl"
-#undef MOMENT_COUNT
-}  // namespace momentscope::glsl::bias4
-namespace momentscope::glsl::bias6 {
+#define MOMENT_BITS 16
+#include "tests/unit/shared_power.inl"
+#define SHARED_NAME bias4_32
+#define MOMENT_COUNT 4
+#define MOMENT_BITS 32
+#include "tests/unit/shared_power.inl"
+#define SHARED_NAME bias6_16
 #define MOMENT_COUNT 6
-#include "shaders/shared/portable_math.glsl"
-// portable_math first
-#include "shaders/shared/power_moments.glsl"
-#undef MOMENT_COUNT
-}  // namespace momentscope::glsl::bias6
-namespace momentscope::glsl::bias8 {
+#define MOMENT_BITS 16
+#include "tests/unit/shared_power.inl"
+#define SHARED_NAME bias6_32
+#define MOMENT_COUNT 6
+#define MOMENT_BITS 32
+#include "tests/unit/shared_power.inl"
+#define SHARED_NAME bias8_16
 #define MOMENT_COUNT 8
-#include "shaders/shared/portable_math.glsl"
-// portable_math first
-#include "shaders/shared/power_moments.glsl"
-#undef MOMENT_COUNT
-}  // namespace momentscope::glsl::bias8
-#pragma GCC diagnostic pop
+#define MOMENT_BITS 16
+#include "tests/unit/shared_power.inl"
+#define SHARED_NAME bias8_32
+#define MOMENT_COUNT 8
+#define MOMENT_BITS 32
+#include "tests/unit/shared_power.inl"
 
 using namespace momentscope;
 
@@ -52,12 +50,15 @@ struct ExpectedTechnique {
     bool circle;  // trigonometric: a wrapping zone, and no bounds
 };
 
-// Table 1 of the supplementary for the biases; 32 bits for b0 and for each real moment.
+// Table 1 of the supplementary for the biases; 32 or 16 bits for b0 and for each real moment.
 const std::map<std::string, ExpectedTechnique> MOMENT_TECHNIQUES = {
-    {"power4-32", {5e-7f, 160, 4, 4, false}}, {"power6-32", {5e-6f, 224, 6, 6, false}},
-    {"power8-32", {5e-5f, 288, 8, 8, false}}, {"trig2-32", {4e-7f, 160, 2, 4, true}},
-    {"trig3-32", {8e-7f, 224, 3, 6, true}},   {"trig4-32", {1.5e-6f, 288, 4, 8, true}},
-    {"cheb4-32", {5e-7f, 160, 4, 4, false}},  {"cheb6-32", {5e-7f, 224, 6, 6, false}},
+    {"power4-32", {5e-7f, 160, 4, 4, false}},   {"power6-32", {5e-6f, 224, 6, 6, false}},
+    {"power8-32", {5e-5f, 288, 8, 8, false}},   {"trig2-32", {4e-7f, 160, 2, 4, true}},
+    {"trig3-32", {8e-7f, 224, 3, 6, true}},     {"trig4-32", {1.5e-6f, 288, 4, 8, true}},
+    {"power4-16", {6e-5f, 80, 4, 4, false}},    {"power6-16", {6e-4f, 112, 6, 6, false}},
+    {"power8-16", {2.5e-3f, 144, 8, 8, false}}, {"trig2-16", {4e-4f, 80, 2, 4, true}},
+    {"trig3-16", {6.5e-4f, 112, 3, 6, true}},   {"trig4-16", {8.5e-4f, 144, 4, 8, true}},
+    {"cheb4-32", {5e-7f, 160, 4, 4, false}},    {"cheb6-32", {5e-7f, 224, 6, 6, false}},
     {"cheb8-32", {5e-7f, 288, 8, 8, false}},
 };
 
@@ -106,7 +107,9 @@ TEST(Techniques, OfMomentsHaveTableOnesBiasAndTheirBits) {
         EXPECT_EQ(technique.uses(ParameterId::theta), expected.circle);
         EXPECT_EQ(technique.path, RenderPath::moments);
         EXPECT_EQ(technique.geometry_passes, 2);
-        EXPECT_FALSE(technique.order_dependent);
+        EXPECT_EQ(technique.order_dependent, technique.kernel->bits == 16);  // rounded after every fragment
+        EXPECT_EQ(technique.uses(ParameterId::accumulation), technique.kernel->bits == 32);
+        EXPECT_EQ(technique.uses(ParameterId::solver), id.find("cheb") == std::string::npos);
         EXPECT_TRUE(
             std::filesystem::exists(std::string("shaders/shared/") + technique.basis + "_moments.glsl"));
         for (const ParameterId id_used : {ParameterId::beta, ParameterId::alpha, ParameterId::renormalize})
@@ -199,25 +202,31 @@ double least_pivot(const reference::PowerMoments<M, double>& moments) {
 }
 
 TEST(BiasMoments, LieInsideTheMomentSpace) {
-    // Table 1's digits give .234375 (exactly), .0263... and .0112...; the papers' last printed digit matters:
-    // .5 of the last digit named is the tolerance.
-    EXPECT_NEAR(least_pivot<4>(bias_moments(glsl::bias4::BIAS_MOMENTS)), 0.234, 0.0005);
-    EXPECT_NEAR(least_pivot<6>(bias_moments(glsl::bias6::BIAS_MOMENTS)), 0.026, 0.0005);
-    EXPECT_NEAR(least_pivot<8>(bias_moments(glsl::bias8::BIAS_MOMENTS)), 0.011, 0.0005);
+    // Half of the last digit named is the tolerance: the papers' last printed digit matters.
+    EXPECT_NEAR(least_pivot<4>(bias_moments(glsl::bias4_16::BIAS_MOMENTS)), 0.234, 0.0005);
+    EXPECT_NEAR(least_pivot<4>(bias_moments(glsl::bias4_32::BIAS_MOMENTS)), 0.234, 0.0005);
+    EXPECT_NEAR(least_pivot<6>(bias_moments(glsl::bias6_16::BIAS_MOMENTS)), 0.049, 0.0005);
+    EXPECT_NEAR(least_pivot<6>(bias_moments(glsl::bias6_32::BIAS_MOMENTS)), 0.026, 0.0005);
+    EXPECT_NEAR(least_pivot<8>(bias_moments(glsl::bias8_16::BIAS_MOMENTS)), 0.00038, 0.000005);
+    EXPECT_NEAR(least_pivot<8>(bias_moments(glsl::bias8_32::BIAS_MOMENTS)), 0.011, 0.0005);
 }
 
 TEST(BiasMoments, AreThoseOfTableOne) {
     using Four = std::array<float, 4>;
     using Six = std::array<float, 6>;
     using Eight = std::array<float, 8>;
-    EXPECT_EQ(std::to_array(glsl::bias4::BIAS_MOMENTS), (Four{0, 0.375f, 0, 0.375f}));
-    EXPECT_EQ(std::to_array(glsl::bias6::BIAS_MOMENTS), (Six{0, 0.48f, 0, 0.451f, 0, 0.45f}));
-    EXPECT_EQ(std::to_array(glsl::bias8::BIAS_MOMENTS),
+    EXPECT_EQ(std::to_array(glsl::bias4_16::BIAS_MOMENTS), (Four{0, 0.628f, 0, 0.628f}));
+    EXPECT_EQ(std::to_array(glsl::bias6_16::BIAS_MOMENTS), (Six{0, 0.5566f, 0, 0.489f, 0, 0.47869382f}));
+    EXPECT_EQ(std::to_array(glsl::bias8_16::BIAS_MOMENTS),
+              (Eight{0, 0.424749164f, 0, 0.224078027f, 0, 0.153692308f, 0, 0.129004405f}));
+    EXPECT_EQ(std::to_array(glsl::bias4_32::BIAS_MOMENTS), (Four{0, 0.375f, 0, 0.375f}));
+    EXPECT_EQ(std::to_array(glsl::bias6_32::BIAS_MOMENTS), (Six{0, 0.48f, 0, 0.451f, 0, 0.45f}));
+    EXPECT_EQ(std::to_array(glsl::bias8_32::BIAS_MOMENTS),
               (Eight{0, 0.75f, 0, 0.67666666666666664f, 0, 0.63f, 0, 0.60030303030303034f}));
 }
 
 TEST(BiasMoments, WithTheKnownMisprintLieOutside) {
-    auto moments = bias_moments(glsl::bias8::BIAS_MOMENTS);
+    auto moments = bias_moments(glsl::bias8_32::BIAS_MOMENTS);
     EXPECT_GT(least_pivot<8>(moments), 0);
     moments[6] = 0.64;  // for .63, as others have it
     EXPECT_LT(least_pivot<8>(moments), 0);

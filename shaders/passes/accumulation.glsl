@@ -1,0 +1,116 @@
+// accumulation.glsl -- how the first pass adds a fragment's moments to those of its pixel. One of
+//   BLENDING           additive blending: 32 bits only
+//   FRAMEBUFFER_FETCH  reads and writes the colour attachments, in submission order
+//   INTERLOCK          reads and writes images, in submission order (rasterizer ordered views)
+
+#if MOMENT_FLOATS == 4
+#define SECOND_MOMENTS 0
+#else
+#define SECOND_MOMENTS 1
+#endif
+
+#ifdef INTERLOCK
+layout(pixel_interlock_ordered) in;
+#if MOMENT_BITS == 16
+layout(binding = 0, r16f) uniform coherent image2D total_absorbance;
+layout(binding = 1, rgba16) uniform coherent image2D moments_1_to_4;
+#else
+layout(binding = 0, r32f) uniform coherent image2D total_absorbance;
+layout(binding = 1, rgba32f) uniform coherent image2D moments_1_to_4;
+#endif
+#if MOMENT_FLOATS == 6 && MOMENT_BITS == 16
+layout(binding = 2, rg16) uniform coherent image2D moments_5_to_8;
+#elif MOMENT_FLOATS == 6
+layout(binding = 2, rg32f) uniform coherent image2D moments_5_to_8;
+#elif MOMENT_FLOATS == 8 && MOMENT_BITS == 16
+layout(binding = 2, rgba16) uniform coherent image2D moments_5_to_8;
+#elif MOMENT_FLOATS == 8
+layout(binding = 2, rgba32f) uniform coherent image2D moments_5_to_8;
+#endif
+#else
+#ifdef FRAMEBUFFER_FETCH
+#define ATTACHMENT inout
+#else
+#define ATTACHMENT out
+#endif
+layout(location = 0) ATTACHMENT vec4 total_absorbance;
+layout(location = 1) ATTACHMENT vec4 moments_1_to_4;
+#if SECOND_MOMENTS
+layout(location = 2) ATTACHMENT vec4 moments_5_to_8;
+#endif
+#endif
+
+#ifndef BLENDING
+Moments moments_of_texels(float b0, vec4 first, vec4 second)
+{
+    Moments moments;
+    moments.b0 = b0;
+    moments.b[0] = first.x;
+    moments.b[1] = first.y;
+    moments.b[2] = first.z;
+    moments.b[3] = first.w;
+#if MOMENT_FLOATS > 4
+    moments.b[4] = second.x;
+    moments.b[5] = second.y;
+#endif
+#if MOMENT_FLOATS > 6
+    moments.b[6] = second.z;
+    moments.b[7] = second.w;
+#endif
+    return moments;
+}
+#endif
+
+vec4 first_texel(Moments moments)
+{
+    return vec4(moments.b[0], moments.b[1], moments.b[2], moments.b[3]);
+}
+
+vec4 second_texel(Moments moments)
+{
+#if MOMENT_FLOATS == 6
+    return vec4(moments.b[4], moments.b[5], 0.0, 0.0);
+#elif MOMENT_FLOATS == 8
+    return vec4(moments.b[4], moments.b[5], moments.b[6], moments.b[7]);
+#else
+    return vec4(0.0);
+#endif
+}
+
+/// Adds the fragment's moments to those of its pixel. With INTERLOCK between begin- and endInvocationInterlockARB, which
+/// must stand in main.
+void accumulate(Moments fragment)
+{
+#ifdef INTERLOCK
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    float b0 = imageLoad(total_absorbance, pixel).x;
+    vec4 first = imageLoad(moments_1_to_4, pixel);
+#if SECOND_MOMENTS
+    vec4 second = imageLoad(moments_5_to_8, pixel);
+#else
+    vec4 second = vec4(0.0);
+#endif
+    Moments sum = with_fragment(moments_of_texels(b0, first, second), fragment);
+    imageStore(total_absorbance, pixel, vec4(sum.b0));
+    imageStore(moments_1_to_4, pixel, first_texel(sum));
+#if SECOND_MOMENTS
+    imageStore(moments_5_to_8, pixel, second_texel(sum));
+#endif
+#else
+#ifdef FRAMEBUFFER_FETCH
+#if SECOND_MOMENTS
+    vec4 second = moments_5_to_8;
+#else
+    vec4 second = vec4(0.0);
+#endif
+    Moments written = with_fragment(moments_of_texels(total_absorbance.x, moments_1_to_4, second), fragment);
+#else
+    Moments written = fragment;
+#endif
+    total_absorbance = vec4(written.b0, 0.0, 0.0, 0.0);
+    moments_1_to_4 = first_texel(written);
+#if SECOND_MOMENTS
+    moments_5_to_8 = second_texel(written);
+#endif
+#endif
+}

@@ -1,0 +1,133 @@
+// unorm16_storage.glsl -- moments stored in 16 bits each: normalised by b_0 and moved into [0, 1] by an affine transform, so
+// that fragments cannot be blended but are read, added and written in order (supplementary, Section 2). b_0 is a half float.
+//
+// Rounding is done here and not by the texture unit, which then writes what it can hold exactly: the same bits everywhere.
+
+/// x in [0, 1] as the nearest multiple of 1/65535. What a texture unit makes of such a number comes out as it was.
+FN float rounded_to_unorm16(float x)
+{
+    PRECISE float code = floor(clamp(x, 0.0f, 1.0f) * 65535.0f + 0.5f);
+    return code / 65535.0f;
+}
+
+const float HALF_MAXIMUM = 65504.0f;
+const float HALF_LEAST_NORMAL = 6.10351562e-5f;   // 2^-14; below it halves are 2^-24 apart
+
+/// x in [0, infinity) as the nearest half float, at most HALF_MAXIMUM.
+FN float rounded_to_half(float x)
+{
+    PRECISE float bounded = min(x, HALF_MAXIMUM);
+    PRECISE float scaled = 8193.0f * bounded;                 // 2^13 + 1 leaves 11 of 24 bits (Dekker)
+    PRECISE float normal = scaled - (scaled - bounded);
+    PRECISE float subnormal = (bounded + 0.5f) - 0.5f;        // floats in [.5, 1) are 2^-24 apart
+    return bounded < HALF_LEAST_NORMAL ? subnormal : normal;
+}
+
+#ifdef THETA_TRANSFORM
+/// The linear part of Theta*_m; linear, so it may act on moments that are not normalised.
+FN Moments transformed(IN(Moments) moments)
+{
+    Moments result;
+    result.b0 = moments.b0;
+    UNROLL
+    for (int i = 0; i < ROOT_COUNT; ++i)
+    {
+        PRECISE float odd = 0.0f;
+        PRECISE float even = 0.0f;
+        UNROLL
+        for (int j = 0; j < ROOT_COUNT; ++j)
+        {
+            odd = odd + THETA_ODD[i * ROOT_COUNT + j] * moments.b[2 * j];
+            even = even + THETA_EVEN[i * ROOT_COUNT + j] * moments.b[2 * j + 1];
+        }
+        result.b[2 * i] = odd;
+        result.b[2 * i + 1] = even;
+    }
+    return result;
+}
+
+/// Its inverse.
+FN Moments transformed_back(IN(Moments) moments)
+{
+    Moments result;
+    result.b0 = moments.b0;
+    UNROLL
+    for (int i = 0; i < ROOT_COUNT; ++i)
+    {
+        PRECISE float odd = 0.0f;
+        PRECISE float even = 0.0f;
+        UNROLL
+        for (int j = 0; j < ROOT_COUNT; ++j)
+        {
+            odd = odd + THETA_ODD_INVERSE[i * ROOT_COUNT + j] * moments.b[2 * j];
+            even = even + THETA_EVEN_INVERSE[i * ROOT_COUNT + j] * moments.b[2 * j + 1];
+        }
+        result.b[2 * i] = odd;
+        result.b[2 * i + 1] = even;
+    }
+    return result;
+}
+
+/// What Theta*_m adds.
+FN float transform_offset(int i)
+{
+    return i % 2 == 0 ? 0.5f : THETA_EVEN_OFFSET[i / 2];
+}
+#else
+/// b/2 + 1/2 for bases whose moments make good use of [-1, 1] as they are: the linear part.
+FN Moments transformed(IN(Moments) moments)
+{
+    Moments result;
+    result.b0 = moments.b0;
+    UNROLL
+    for (int i = 0; i < MOMENT_FLOATS; ++i) result.b[i] = 0.5f * moments.b[i];
+    return result;
+}
+
+/// Its inverse.
+FN Moments transformed_back(IN(Moments) moments)
+{
+    Moments result;
+    result.b0 = moments.b0;
+    UNROLL
+    for (int i = 0; i < MOMENT_FLOATS; ++i) result.b[i] = 2.0f * moments.b[i];
+    return result;
+}
+
+FN float transform_offset(int i)
+{
+    return 0.5f;
+}
+#endif
+
+/// What a pixel stores after one more fragment: b0 and b[i] in [0, 1]. stored: what it stored before, 0 at first;
+/// fragment: from fragment_moments (supplementary, Section 2, last equation).
+FN Moments with_fragment(IN(Moments) stored, IN(Moments) fragment)
+{
+    Moments added = transformed(fragment);
+    PRECISE float b0 = stored.b0 + fragment.b0;
+    Moments sum;
+    UNROLL
+    for (int i = 0; i < MOMENT_FLOATS; ++i)
+    {
+        PRECISE float before = stored.b0 * (rounded_to_unorm16(stored.b[i]) - transform_offset(i));
+        PRECISE float after = (before + added.b[i]) / max(b0, 1.0e-30f) + transform_offset(i);
+        sum.b[i] = rounded_to_unorm16(after);
+    }
+    sum.b0 = rounded_to_half(b0);
+    return sum;
+}
+
+/// The moments that stored numbers stand for, not normalised.
+FN Moments unpacked_moments(IN(Moments) stored)
+{
+    Moments scaled;
+    scaled.b0 = stored.b0;
+    UNROLL
+    for (int i = 0; i < MOMENT_FLOATS; ++i)
+    {
+        PRECISE float normalised = rounded_to_unorm16(stored.b[i]) - transform_offset(i);
+        scaled.b[i] = stored.b0 * normalised;
+    }
+    return transformed_back(scaled);
+}

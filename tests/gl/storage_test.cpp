@@ -1,0 +1,96 @@
+// storage_test.cpp -- what the first pass stores in textures is what C++ sums up, and what is said where a GL
+// cannot.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/techniques/moment_kernel.hpp"
+#include "tests/gl/gl_fixture.hpp"
+#include "tests/property/moment_rows.hpp"
+
+namespace momentscope::test {
+namespace {
+
+class Storage : public GlTest<testing::TestWithParam<const Technique*>> {
+protected:
+    // How many of the stored numbers differ from those of C++, over every pixel of the teapots.
+    void compare(const ParameterValues& values) {
+        const Technique& technique = *GetParam();
+        const Scene scene = load_scene("teapots", 0.4f);
+        const glm::ivec2 size(320, 180);
+        Renderer renderer;
+        renderer.set_scene(scene);
+        View view = view_of(scene, technique.id, size);
+        view.parameters = values;
+        renderer.render(view);
+        long numbers = 0;
+        long different = 0;
+        long pixels = 0;
+        for (const PixelCapture& capture : renderer.capture_region({0, 0}, size)) {
+            if (capture.ray.fragments.empty()) continue;
+            ASSERT_TRUE(capture.stored.has_value());
+            const MomentVector cpp = sum_moments(capture.ray, technique, resolve(values, technique));
+            different += capture.stored->b0 != cpp.b0 ? 1 : 0;
+            ++numbers;
+            for (std::size_t k = 0; k < static_cast<std::size_t>(technique.kernel->moment_floats); ++k) {
+                float gl = capture.stored->b[k];
+                float own = cpp.b[k];
+                // A texture unit may be off by an ulp in code / 65535, and the shaders round that away.
+                if (technique.kernel->bits == 16)
+                    gl = std::round(gl * 65535.0f), own = std::round(own * 65535.0f);
+                different += gl == own ? 0 : 1;
+                ++numbers;
+            }
+            ++pixels;
+        }
+        fmt::print("{}: {} of {} numbers in {} pixels differ\n", technique.id, different, numbers, pixels);
+        EXPECT_EQ(different, 0);
+        EXPECT_GT(pixels, 30'000);
+    }
+};
+
+TEST_P(Storage, HoldsTheBitsOfCpp) {
+    compare({});
+}
+
+TEST_P(Storage, OfOrderedSumsHoldsThemToo) {
+    if (!GetParam()->uses(ParameterId::accumulation)) return;  // 16 bits are always in order
+    ParameterValues values;
+    values.set(ParameterId::accumulation, 1.0f);
+    compare(values);
+}
+
+INSTANTIATE_TEST_SUITE_P(Techniques, Storage, testing::ValuesIn(moment_based_techniques()),
+                         [](const auto& row) { return test_name(*row.param); });
+
+class WithoutOrder : public GlTest<> {};
+
+TEST_F(WithoutOrder, SixteenBitsSayWhyAndTheLastPictureStays) {
+    const Scene scene = load_scene("planes", 0.4f);
+    Renderer renderer(OrderedAccess::none);
+    renderer.set_scene(scene);
+    renderer.render(view_of(scene, "power4-32", {32, 18}));
+    try {
+        renderer.render(view_of(scene, "power4-16", {32, 18}));
+        ADD_FAILURE() << "drawn without ordered access";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("GL_ARB_fragment_shader_interlock"), std::string::npos);
+        EXPECT_NE(std::string(error.what()).find("32 bits"), std::string::npos) << "what to do";
+    }
+    View ordered = view_of(scene, "power4-32", {32, 18});
+    ordered.parameters.set(ParameterId::accumulation, 1.0f);
+    EXPECT_THROW(renderer.render(ordered), Error);
+    EXPECT_NO_THROW(renderer.render(view_of(scene, "power4-32", {32, 18})));
+}
+
+TEST_F(WithoutOrder, AvailabilityFollowsTheAccess) {
+    for (const Technique& technique : techniques()) {
+        EXPECT_EQ(why_unavailable(technique, OrderedAccess::interlock), "");
+        EXPECT_EQ(why_unavailable(technique, OrderedAccess::framebuffer_fetch), "");
+        const bool sixteen = technique.kernel != nullptr && technique.kernel->bits == 16;
+        EXPECT_EQ(why_unavailable(technique, OrderedAccess::none).empty(), !sixteen) << technique.id;
+    }
+}
+
+}  // namespace
+}  // namespace momentscope::test
