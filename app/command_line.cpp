@@ -75,8 +75,16 @@ void add_commands(CLI::App& app, Options& options, std::string& what) {
     inspect->add_option("-o,--output", options.output, "file to write instead of standard output");
     add_parameter_options(*inspect, options);
 
+    CLI::App* stress = app.add_subcommand("stress", "try techniques under hard conditions and count failures");
+    stress->add_option("--technique", options.techniques, "ids of techniques with moments [all]");
+    stress->add_option("--condition", options.conditions, "ids of conditions (momentscope list conditions) [all]");
+    stress->add_option("--rays", options.rays, "random rays for each technique and condition")->capture_default_str();
+    stress->add_option("--seed", options.seed, "of the random rays")->capture_default_str();
+    stress->add_option("-o,--output", options.output, ".csv, .html or .png (a heat map)");
+    add_parameter_options(*stress, options);
+
     CLI::App* list = app.add_subcommand("list", "print a registry");
-    list->add_option("what", what, "techniques, scenes, parameters or commands (of the window)")->required();
+    list->add_option("what", what, "techniques, scenes, parameters, conditions or commands (of the window)")->required();
     list->add_option("--format", options.format, "table or json [table]");
     app.require_subcommand(0, 1);
     refuse_empty_values(app);
@@ -86,6 +94,7 @@ void add_commands(CLI::App& app, Options& options, std::string& what) {
 void run(const CLI::App& app, const Options& options, const std::string& what) {
     if (app.got_subcommand("render")) return run_render(options);
     if (app.got_subcommand("inspect")) return run_inspect(options);
+    if (app.got_subcommand("stress")) return run_stress_command(options);
     if (app.got_subcommand("list")) return run_list(what, options.format.empty() ? "table" : options.format);
     run_explore(options);
 }

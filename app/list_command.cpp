@@ -5,6 +5,7 @@
 
 #include "app/commands.hpp"
 #include "core/error.hpp"
+#include "core/stress/condition.hpp"
 #include "ui/commands.hpp"
 
 namespace momentscope {
@@ -107,6 +108,13 @@ void run_list(const std::string& what, const std::string& format) {
     } else if (what == "scenes") {
         rows = list_scenes();
         columns = {"id", "description"};
+    } else if (what == "conditions") {
+        for (const Condition& condition : conditions())
+            rows.push_back({{"id", condition.id},
+                            {"group", condition.group},
+                            {"name", condition.name},
+                            {"help", condition.help}});
+        columns = {"id", "group", "help"};
     } else if (what == "parameters") {
         rows = list_parameters();
         columns = {"key", "symbol", "minimum", "maximum", "default", "name"};
@@ -115,7 +123,7 @@ void run_list(const std::string& what, const std::string& format) {
         columns = {"id", "keys", "name"};
     } else {
         throw Error(
-            fmt::format("There is no list '{}'; use techniques, scenes, parameters or commands.", what));
+            fmt::format("There is no list '{}'; use techniques, scenes, parameters, conditions or commands.", what));
     }
     if (format == "json")
         std::puts(rows.dump(2).c_str());

@@ -103,10 +103,16 @@ ParameterValues parse_parameters(const Options& options, ParameterValues values)
     return values;
 }
 
+std::vector<std::string> split_list(const std::vector<std::string>& values) {
+    std::vector<std::string> parts;
+    for (const std::string& list : values)
+        for (const std::string_view part : split(list, ',')) parts.emplace_back(part);
+    return parts;
+}
+
 std::vector<const Technique*> parse_techniques(const Options& options, const char* standard) {
     std::vector<const Technique*> techniques;
-    for (const std::string& list : options.techniques)
-        for (const std::string_view id : split(list, ',')) techniques.push_back(&require_technique(id));
+    for (const std::string& id : split_list(options.techniques)) techniques.push_back(&require_technique(id));
     if (techniques.empty()) techniques.push_back(&require_technique(standard));
     return techniques;
 }

@@ -21,6 +21,11 @@ struct Options {
     std::string format;
     std::string depths;
     std::string samples = "512";
+    std::vector<std::string> conditions;
+    std::string rays = "400";
+    std::string seed = "1";
+    std::string random;
+    std::string max_failures = "0.0001";
     bool headless = false;
     std::string screenshot;
     std::string session;
@@ -42,6 +47,9 @@ glm::ivec2 parse_pixel(const std::string& text, glm::ivec2 size);
 
 /// From 0.5 to 4.
 float parse_scale(const std::string& text);
+
+/// The parts between commas of all the values of a repeated option.
+std::vector<std::string> split_list(const std::vector<std::string>& values);
 
 /// "z1,z2,...", each in [-1, 1].
 std::vector<float> parse_depths(const std::string& text);

@@ -10,6 +10,8 @@ struct Factor
 };
 
 /// LDL^T of the matrix of biased moments, normalised to b_0 = 1, as the recurrence of the monic orthogonal polynomials.
+/// Depths lie in [-1, 1], so that |a_k| <= 1 and h_k <= h_{k-1} for every measure. Where rounding leaves moments that no
+/// measure has, these limits keep the polynomials from overflowing.
 FN Factor factor_moments(IN(BiasedMoments) biased)
 {
     FloatPair entry[ORDER * ORDER];    // entry[i ORDER + j] for i >= j: the rest of H, times scale
@@ -35,7 +37,7 @@ FN Factor factor_moments(IN(BiasedMoments) biased)
         float leading = leading_coefficient(k);
         factor.inverse_h[k] = pivot.inverse_h * (leading * leading);
         float h = pivot.h / (leading * leading);
-        if (k < ROOT_COUNT) factor.ratio[min(k, ROOT_COUNT - 1)] = k == 0 ? 0.0f : h / previous_h;
+        if (k < ROOT_COUNT) factor.ratio[min(k, ROOT_COUNT - 1)] = k == 0 ? 0.0f : min(h / previous_h, 1.0f);
         previous_h = h;
         PRECISE float inverse_pivot = pivot.inverse_h / scale;
         UNROLL
@@ -59,7 +61,7 @@ FN Factor factor_moments(IN(BiasedMoments) biased)
             float down = leading_coefficient(k - 1) / leading_coefficient(k);
             a = a - lower[k * ORDER + max(k - 1, 0)] * down;
         }
-        factor.a[k] = a;
+        factor.a[k] = clamp(a, -1.0f, 1.0f);
     }
     return factor;
 }

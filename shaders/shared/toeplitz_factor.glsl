@@ -12,6 +12,15 @@ struct Factor
 
 struct LowerMatrix { Complex entry[ORDER * ORDER]; };   // entry (i, j) at i ORDER + j for i > j; 1 on the diagonal
 
+/// x, moved to the unit circle if it lies beyond. Verblunsky coefficients of a measure never do; those of moments that no
+/// measure has, because rounding spoilt them, would let the polynomials overflow.
+FN Complex within_unit_disc(IN(Complex) x)
+{
+    PRECISE float length2 = x.re * x.re + x.im * x.im;
+    PRECISE float inverse_length = 1.0f / sqrt(max(length2, 1.0f));
+    return make_complex(x.re * inverse_length, x.im * inverse_length);
+}
+
 /// gamma_k = p_{k+1}(0), from x^i = sum_j L_ij p_j(x) at x = 0.
 FN Factor with_recurrence(IN(Factor) pivots, IN(LowerMatrix) lower)
 {
@@ -31,7 +40,7 @@ FN Factor with_recurrence(IN(Factor) pivots, IN(LowerMatrix) lower)
             sum_im = sum_im - term.im;
         }
         at_zero[i] = make_complex(sum_re, sum_im);
-        factor.gamma[i - 1] = at_zero[i];
+        factor.gamma[i - 1] = within_unit_disc(at_zero[i]);
     }
     return factor;
 }

@@ -1,0 +1,66 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "app/commands.hpp"
+#include "app/progress.hpp"
+#include "app/stress_picture.hpp"
+#include "core/error.hpp"
+#include "core/output_file.hpp"
+#include "core/stress/stress_report.hpp"
+#include "core/techniques/moment_kernel.hpp"
+
+namespace momentscope {
+
+namespace {
+
+constexpr int MOST_RAYS = 1'000'000;
+constexpr int MOST_SEED = 2'000'000'000;
+
+std::string report_text(const std::filesystem::path& path, const std::vector<StressCell>& cells,
+                        const StressOptions& stress) {
+    return path.extension() == ".csv" ? stress_to_csv(cells) : stress_to_html(cells, stress);
+}
+
+std::vector<const Technique*> techniques_with_moments() {
+    std::vector<const Technique*> rows;
+    for (const Technique& technique : techniques())
+        if (technique.kernel != nullptr) rows.push_back(&technique);
+    return rows;
+}
+
+}  // namespace
+
+void run_stress_command(const Options& options) {
+    StressOptions stress;
+    stress.techniques = techniques_with_moments();
+    if (!options.techniques.empty()) stress.techniques = parse_techniques(options, "");
+    for (const Technique* technique : stress.techniques)
+        if (technique->kernel == nullptr)
+            throw Error(fmt::format("'{}' reconstructs nothing that could fail; leave it out.", technique->id));
+    for (const Condition& condition : conditions())
+        if (options.conditions.empty()) stress.conditions.push_back(&condition);
+    for (const std::string& id : split_list(options.conditions)) stress.conditions.push_back(&require_condition(id));
+    stress.values = parse_parameters(options);
+    stress.rays = parse_count(options.rays, "number of rays", 1, MOST_RAYS);
+    stress.seed = static_cast<std::uint32_t>(parse_count(options.seed, "seed", 0, MOST_SEED));
+    const std::filesystem::path path = options.output;
+    const std::string kind = path.extension().string();
+    if (!path.empty() && kind != ".csv" && kind != ".html" && kind != ".png")
+        throw Error(fmt::format("'{}' is neither .csv, .html nor .png.", path.string()));
+    if (!path.empty()) require_writable(path);
+    std::vector<StressCell> cells;
+    {
+        Progress progress("Stress");
+        cells = run_stress(stress, progress.stop(), [&](std::size_t done, std::size_t all) { progress.show(done, all); });
+        progress.require_finished();
+    }
+    if (kind == ".png")
+        write_stress_picture(cells, stress, path);
+    else if (!path.empty())
+        write_text_file(report_text(path, cells, stress), path);
+    std::fputs(stress_to_text(cells).c_str(), stdout);
+}
+
+}  // namespace momentscope

@@ -1,0 +1,77 @@
+#include "app/stress_picture.hpp"
+
+#include <fmt/format.h>
+
+#include "app/gl_context.hpp"
+#include "app/gui_session.hpp"
+#include "core/error.hpp"
+#include "core/image/image.hpp"
+#include "core/stress/stress_report.hpp"
+#include "ui/stress_map.hpp"
+
+namespace momentscope {
+
+namespace {
+
+constexpr float SCALE = 1.25f;
+constexpr glm::ivec2 MOST_SIZE(4096, 2160);
+
+std::string title(const StressOptions& options) {
+    const Parameter& solver = parameter(ParameterId::solver);
+    const Parameter& preset = parameter(ParameterId::preset);
+    return fmt::format(
+        "Share of queries that fail (no number, outside [0, b₀], or T off by more than {}): solver {}, bias preset {}, up to "
+        "{} rays a cell",
+        FAILED_ERROR, parameter_text(solver, options.values[ParameterId::solver]),
+        parameter_text(preset, options.values[ParameterId::preset]), options.rays);
+}
+
+// The colours from 0 to 1.
+void draw_scale(const ui::Ui& ui) {
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    for (const double rate : {0.0, 1e-4, 1e-3, 1e-2, 1e-1}) {
+        const ImVec2 low = ImGui::GetCursorScreenPos();
+        const glm::vec3 color = failure_color(rate);
+        draw->AddRectFilled(low, {low.x + 2 * ui::em(), low.y + ui::em()},
+                            ImGui::ColorConvertFloat4ToU32(ImVec4(color.r, color.g, color.b, 1)), 2);
+        ImGui::Dummy({2 * ui::em(), ui::em()});
+        ImGui::SameLine();
+        ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.text);
+        ImGui::TextUnformatted(rate == 0.0 ? "0" : rate == 0.1 ? "≥ 10%" : rate_text(rate).c_str());
+        ImGui::PopStyleColor();
+        ImGui::SameLine(0, 1.5f * ui::em());
+    }
+    ImGui::NewLine();
+}
+
+}  // namespace
+
+void write_stress_picture(const std::vector<StressCell>& cells, const StressOptions& options,
+                          const std::filesystem::path& path) {
+    const auto context = make_gl_context("osmesa", MOST_SIZE);
+    GuiSession gui(nullptr, SCALE);
+    ui::apply_style(ui::ThemeKind::light, SCALE);
+    ui::Anchors anchors;
+    const ui::Ui ui{ui::palette(ui::ThemeKind::light), anchors};
+    glm::ivec2 size = MOST_SIZE;
+    for (int frame = 0; frame < 2; ++frame) {  // the first one measures the text
+        gui.begin_frame(size);
+        const ImVec2 map = ui::stress_map_size(cells);
+        const float least = ImGui::CalcTextSize(title(options).c_str()).x;
+        size = glm::min(glm::ivec2(static_cast<int>(std::max(map.x, least) + 2 * ui::em()),
+                                   static_cast<int>(map.y + 5.5f * ui::em())),
+                        MOST_SIZE);
+        ImGui::SetNextWindowPos({0, 0});
+        ImGui::SetNextWindowSize({static_cast<float>(size.x), static_cast<float>(size.y)});
+        ImGui::Begin("stress", nullptr, ImGuiWindowFlags_NoDecoration);
+        ImGui::TextUnformatted(title(options).c_str());
+        ui::draw_stress_map(ui, cells);
+        ImGui::Spacing();
+        draw_scale(ui);
+        ImGui::End();
+        gui.end_frame(size);
+    }
+    write_png(read_framebuffer(size), size.x, size.y, path);
+}
+
+}  // namespace momentscope

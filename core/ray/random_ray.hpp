@@ -1,0 +1,37 @@
+// random_ray.hpp -- random view rays, the same on every machine for the same seed.
+#pragma once
+#include <cstdint>
+#include <random>
+
+#include "core/ray/view_ray.hpp"
+
+namespace momentscope {
+
+/// Uniform numbers from a Mersenne twister by exact arithmetic, which the standard's distributions do not promise.
+class RandomNumbers {
+public:
+    explicit RandomNumbers(std::uint32_t seed) : engine_(seed) {}
+
+    /// In [least, most).
+    float uniform(float least, float most) {
+        const float unit = static_cast<float>(engine_() >> 8) * 0x1p-24f;
+        return least + (most - least) * unit;
+    }
+
+    /// In [least, most].
+    int whole(int least, int most) {
+        return least + static_cast<int>(engine_() % static_cast<std::uint32_t>(most - least + 1));
+    }
+
+private:
+    std::mt19937 engine_;
+};
+
+/// `count` fragments, depths uniform in [-1, 1], opacities uniform in [least_opacity, most_opacity): the distribution of the
+/// published trials for opacities from .05 to .95.
+ViewRay random_ray(RandomNumbers& random, int count, float least_opacity = 0.05f, float most_opacity = 0.95f);
+
+/// A fragment without a warp, in a colour that tells it from its neighbours by index.
+Fragment plain_fragment(float depth, float opacity, std::size_t index);
+
+}  // namespace momentscope
