@@ -83,6 +83,17 @@ void add_commands(CLI::App& app, Options& options, std::string& what) {
     stress->add_option("-o,--output", options.output, ".csv, .html or .png (a heat map)");
     add_parameter_options(*stress, options);
 
+    CLI::App* tune = app.add_subcommand("tune", "find the moment bias, θ and β of least error");
+    add_scene_options(*tune, options);
+    CLI::Option* ray = tune->add_option("--ray", options.ray, "JSON file of a view ray, instead of a scene");
+    CLI::Option* random = tune->add_option("--random", options.random, "how many random rays of 2 to 5 fragments, instead of a scene");
+    ray->excludes(tune->get_option("--scene"), random);
+    random->excludes(tune->get_option("--scene"));
+    tune->add_option("--technique", options.techniques, "id of a technique with moments [power8-32]");
+    tune->add_option("--max-failures", options.max_failures, "highest failure rate of a safe bias")->capture_default_str();
+    tune->add_option("--seed", options.seed, "of the random rays")->capture_default_str();
+    add_parameter_options(*tune, options);
+
     CLI::App* list = app.add_subcommand("list", "print a registry");
     list->add_option("what", what, "techniques, scenes, parameters, conditions or commands (of the window)")->required();
     list->add_option("--format", options.format, "table or json [table]");
@@ -95,6 +106,7 @@ void run(const CLI::App& app, const Options& options, const std::string& what) {
     if (app.got_subcommand("render")) return run_render(options);
     if (app.got_subcommand("inspect")) return run_inspect(options);
     if (app.got_subcommand("stress")) return run_stress_command(options);
+    if (app.got_subcommand("tune")) return run_tune_command(options);
     if (app.got_subcommand("list")) return run_list(what, options.format.empty() ? "table" : options.format);
     run_explore(options);
 }

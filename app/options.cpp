@@ -103,6 +103,13 @@ ParameterValues parse_parameters(const Options& options, ParameterValues values)
     return values;
 }
 
+double parse_rate(const std::string& text) {
+    const auto rate = number<double>(text);
+    if (!rate || !(*rate >= 0 && *rate <= 1))
+        throw Error(fmt::format("'{}' is no rate; give a number from 0 to 1, such as 0.0001.", text));
+    return *rate;
+}
+
 std::vector<std::string> split_list(const std::vector<std::string>& values) {
     std::vector<std::string> parts;
     for (const std::string& list : values)

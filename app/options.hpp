@@ -54,6 +54,9 @@ std::vector<std::string> split_list(const std::vector<std::string>& values);
 /// "z1,z2,...", each in [-1, 1].
 std::vector<float> parse_depths(const std::string& text);
 
+/// A rate from 0 to 1.
+double parse_rate(const std::string& text);
+
 /// A whole number from `least` to `most`; `what` names it in the error.
 int parse_count(const std::string& text, const char* what, int least, int most);
 

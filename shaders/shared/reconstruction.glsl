@@ -36,6 +36,54 @@ struct Reconstruction
     float in_front;              // sum of weight * value: the fraction of b0 in front, for beta = 0
 };
 
+struct Masses { float weight[ROOT_COUNT]; };
+
+#if ROOT_COUNT >= 3
+/// Masses whose sum misses `sum`, which the two closest nodes make up for: where nodes all but coincide, rounding decides
+/// how their common mass is split and even how large it seems, while that of the others is certain.
+FN Masses with_certain_sum(IN(Masses) masses, IN(Roots) roots, float sum)
+{
+    PRECISE float total = 0.0f;
+    UNROLL
+    for (int l = 0; l < ROOT_COUNT; ++l) total = total + masses.weight[l];
+    // Squared distance over squared size of each pair, compared as fractions.
+    float least = 1.0e30f;
+    float of_size = 1.0f;
+    float member[ROOT_COUNT];
+    UNROLL
+    for (int l = 0; l < ROOT_COUNT; ++l) member[l] = 0.0f;
+    UNROLL
+    for (int i = 1; i < ROOT_COUNT; ++i)
+    {
+        UNROLL
+        for (int j = 0; j < i; ++j)
+        {
+            float a = min(max(roots.t[i], -1.0e6f), 1.0e6f);
+            float b = min(max(roots.t[j], -1.0e6f), 1.0e6f);
+            PRECISE float distance = (a - b) * (a - b);
+            PRECISE float size = 1.0f + a * a + b * b;
+            PRECISE float scaled_distance = distance * of_size;
+            PRECISE float scaled_least = least * size;
+            bool closer = scaled_distance < scaled_least;
+            least = closer ? distance : least;
+            of_size = closer ? size : of_size;
+            UNROLL
+            for (int l = 0; l < ROOT_COUNT; ++l) member[l] = closer ? (l == i || l == j ? 1.0f : 0.0f) : member[l];
+        }
+    }
+    PRECISE float of_pair = 0.0f;
+    UNROLL
+    for (int l = 0; l < ROOT_COUNT; ++l) of_pair = of_pair + member[l] * masses.weight[l];
+    PRECISE float wanted = max(of_pair + (sum - total), 0.0f);
+    PRECISE float scale = of_pair > 0.0f ? wanted / of_pair : 1.0f;
+    Masses result;
+    UNROLL
+    for (int l = 0; l < ROOT_COUNT; ++l)
+        result.weight[l] = member[l] > 0.0f ? masses.weight[l] * scale : masses.weight[l];
+    return result;
+}
+#endif
+
 /// depth in [-1, 1].
 FN Reconstruction reconstruct(IN(Factor) factor, IN(Basis) basis, float depth)
 {
@@ -44,19 +92,25 @@ FN Reconstruction reconstruct(IN(Factor) factor, IN(Basis) basis, float depth)
     Kernel kernel = kernel_polynomial(query, factor);
     Roots roots = real_roots(kernel.in_t);
     PRECISE float query_weight = 1.0f / kernel.at_query;
+    PRECISE float rest = max(1.0f - query_weight, 0.0f);
+    Masses masses;
+    UNROLL
+    for (int l = 0; l < ROOT_COUNT; ++l) masses.weight[l] = node_weight(roots.t[l], query, factor);
+#if ROOT_COUNT >= 3
+    masses = with_certain_sum(masses, roots, rest);
+#endif
     PRECISE float weight_sum = 0.0f;
     PRECISE float value_sum = 0.0f;
     UNROLL
     for (int l = 0; l < ROOT_COUNT; ++l)
     {
         result.t[l] = roots.t[l];
-        result.weight[l] = node_weight(roots.t[l], query, factor);
+        result.weight[l] = masses.weight[l];
         result.value[l] = node_value(roots.t[l], query, basis);
         weight_sum = weight_sum + result.weight[l];
         value_sum = value_sum + result.weight[l] * result.value[l];
     }
     // All masses sum to 1: what the query does not hold, the nodes share. This absorbs the roots' rounding.
-    PRECISE float rest = max(1.0f - query_weight, 0.0f);
     PRECISE float scale = weight_sum > 0.0f ? rest / weight_sum : 0.0f;
     UNROLL
     for (int l = 0; l < ROOT_COUNT; ++l) result.weight[l] = result.weight[l] * scale;

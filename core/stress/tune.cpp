@@ -1,0 +1,182 @@
+#include "core/stress/tune.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+#include "core/error.hpp"
+#include "core/inspect/exact.hpp"
+#include "core/stress/stress.hpp"
+#include "core/techniques/moment_kernel.hpp"
+
+namespace momentscope {
+
+namespace {
+
+constexpr std::size_t MOST_OWN_DEPTHS = 8;  // of a ray of many fragments, evenly chosen
+
+struct Sums {
+    double squares = 0;
+    long queries = 0, failures = 0;
+};
+
+// Errors of one ray at its own depths, and failures where `alpha` is what is being tried.
+void add_ray(const ViewRay& ray, const Technique& technique, const ResolvedParameters& parameters, bool judge, Sums& sums) {
+    const ReconstructionSettings settings = settings_of(parameters);
+    const MomentVector stored = sum_moments(ray, technique, parameters);
+    const double b0 = total_absorbance(ray);
+    const auto exact = judge ? exact_function(ray, technique, parameters) : std::nullopt;
+    const std::size_t step = std::max<std::size_t>(ray.fragments.size() / MOST_OWN_DEPTHS, 1);
+    for (std::size_t i = 0; i < ray.fragments.size(); i += step) {
+        const float depth = ray.fragments[i].depth;
+        const double truth = true_absorbance(ray, std::span(&depth, 1)).front();
+        const float fraction = technique.kernel->fraction(stored, settings, depth);
+        const double clamped = fraction >= 0 ? std::min(static_cast<double>(fraction), 1.0) : 0.0;
+        const double t = std::exp(-static_cast<double>(stored.b0) * clamped);
+        sums.squares += (t - std::exp(-truth)) * (t - std::exp(-truth));
+        ++sums.queries;
+        if (!judge) continue;
+        bool failed = !(fraction >= -CLAMP_TOLERANCE && fraction <= 1 + CLAMP_TOLERANCE);
+        if (exact) {
+            const ExactFraction e = (*exact)(static_cast<Real>(depth));
+            const double share = static_cast<double>(e.in_front + static_cast<Real>(parameters.beta) * e.query_weight);
+            failed |= std::abs(t - std::exp(-b0 * share)) > FAILED_ERROR;
+        }
+        sums.failures += failed ? 1 : 0;
+    }
+}
+
+class Search {
+public:
+    Search(const std::vector<ViewRay>& rays, const TuneOptions& options, std::stop_token stop,
+           const std::function<void(std::size_t, std::size_t)>& progress, std::size_t trials)
+        : rays_(rays), options_(options), stop_(std::move(stop)), progress_(progress), trials_(trials) {}
+
+    bool stopped() const { return stop_.stop_requested(); }
+
+    Trial measure(ParameterId id, float value, const ParameterValues& values, bool judge) {
+        const ResolvedParameters parameters = resolve(values, *options_.technique);
+        const unsigned threads = std::max(std::thread::hardware_concurrency(), 1U);
+        std::vector<Sums> parts(threads);
+        std::atomic<std::size_t> next = 0;
+        {
+            std::vector<std::jthread> workers;
+            for (unsigned k = 0; k < threads; ++k)
+                workers.emplace_back([&, k] {
+                    for (std::size_t i = next++; i < rays_.size() && !stopped(); i = next++)
+                        add_ray(rays_[i], *options_.technique, parameters, judge, parts[k]);
+                });
+        }
+        Sums all;
+        for (const Sums& part : parts) {
+            all.squares += part.squares;
+            all.queries += part.queries;
+            all.failures += part.failures;
+        }
+        progress_(++done_, trials_);
+        const auto queries = static_cast<double>(std::max(all.queries, 1L));
+        return {id, value, std::sqrt(all.squares / queries), static_cast<double>(all.failures) / queries};
+    }
+
+private:
+    const std::vector<ViewRay>& rays_;
+    const TuneOptions& options_;
+    std::stop_token stop_;
+    const std::function<void(std::size_t, std::size_t)>& progress_;
+    std::size_t trials_;
+    std::size_t done_ = 0;
+};
+
+std::vector<float> candidates(ParameterId id) {
+    std::vector<float> values;
+    if (id == ParameterId::alpha)
+        for (int i = -36; i <= -4; ++i) values.push_back(std::pow(10.0f, static_cast<float>(i) / 4));
+    else if (id == ParameterId::theta)
+        for (int i = 0; i <= 20; ++i) values.push_back(static_cast<float>(i) * 0.05f);
+    else
+        for (int i = 0; i <= 20; ++i) values.push_back(static_cast<float>(i) * 0.05f);
+    return values;
+}
+
+// Summing over threads makes the last digits of an error depend on the machine; a value must win by more than that.
+constexpr double WINS_BY = 1 - 1e-9;
+
+const Trial* best_of(const std::vector<Trial>& trials, ParameterId id, double most_failures) {
+    const Trial* best = nullptr;
+    for (const Trial& trial : trials)
+        if (trial.parameter == id && trial.failure_rate <= most_failures &&
+            (best == nullptr || trial.error < best->error * WINS_BY))
+            best = &trial;
+    return best;
+}
+
+}  // namespace
+
+std::optional<TuneResult> tune(const std::vector<ViewRay>& all_rays, const TuneOptions& options, std::stop_token stop,
+                               const std::function<void(std::size_t done, std::size_t all)>& progress) {
+    if (options.technique->kernel == nullptr)
+        throw Error(fmt::format("'{}' has no parameters to tune; choose a technique with moments.", options.technique->id));
+    std::vector<ViewRay> rays;
+    std::ranges::copy_if(all_rays, std::back_inserter(rays), [](const ViewRay& ray) { return !ray.fragments.empty(); });
+    if (rays.empty()) throw Error("No ray has a transparent fragment, so there is nothing to tune; choose another scene or ray.");
+    std::vector<ParameterId> ids = {ParameterId::alpha};
+    if (options.technique->uses(ParameterId::theta)) ids.push_back(ParameterId::theta);
+    ids.push_back(ParameterId::beta);
+    std::size_t trials = 2;
+    for (const ParameterId id : ids) trials += candidates(id).size();
+    Search search(rays, options, stop, progress, trials);
+    TuneResult result;
+    result.values = options.values;
+    result.error_before = search.measure(ParameterId::alpha, 0, options.values, false).error;
+    for (const ParameterId id : ids) {
+        for (const float value : candidates(id)) {
+            ParameterValues values = result.values;
+            values.set(id, value);
+            result.trials.push_back(search.measure(id, value, values, id == ParameterId::alpha));
+            if (search.stopped()) return std::nullopt;
+        }
+        const Trial* best = best_of(result.trials, id, id == ParameterId::alpha ? options.most_failures : 1.0);
+        if (best == nullptr) {  // no bias is safe: the one that fails least
+            result.safe = false;
+            best = &*std::ranges::min_element(result.trials, {}, &Trial::failure_rate);
+        }
+        result.values.set(id, best->value);
+    }
+    const Trial last = search.measure(ParameterId::alpha, *result.values[ParameterId::alpha], result.values, true);
+    if (search.stopped()) return std::nullopt;
+    result.error = last.error;
+    result.failure_rate = last.failure_rate;
+    return result;
+}
+
+std::optional<std::vector<OverdrawTrial>> tune_by_overdraw(
+    const TuneOptions& options, int count, std::uint32_t seed, std::stop_token stop,
+    const std::function<void(std::size_t done, std::size_t all)>& progress) {
+    std::vector<OverdrawTrial> trials;
+    constexpr int DOUBLINGS = 8;
+    for (int k = 1; k <= DOUBLINGS; ++k) {
+        const int fragments = 1 << k;
+        RandomNumbers random(seed + static_cast<std::uint32_t>(k));
+        const float each = 1 - std::exp(-4.0f / static_cast<float>(fragments));
+        std::vector<ViewRay> rays;
+        for (int i = 0; i < count; ++i) rays.push_back(random_ray(random, fragments, 0.2f * each, std::min(1.8f * each, 0.99f)));
+        auto result = tune(rays, options, stop, [&](std::size_t done, std::size_t all) {
+            progress(static_cast<std::size_t>(k - 1) * all + done, DOUBLINGS * all);
+        });
+        if (!result) return std::nullopt;
+        trials.push_back({fragments, std::move(*result)});
+    }
+    return trials;
+}
+
+std::vector<ViewRay> tuning_rays(int count, std::uint32_t seed) {
+    RandomNumbers random(seed);
+    std::vector<ViewRay> rays;
+    for (int i = 0; i < count; ++i) rays.push_back(random_ray(random, random.whole(2, 5)));
+    return rays;
+}
+
+}  // namespace momentscope

@@ -1,0 +1,55 @@
+// tune.hpp -- the moment bias, wrapping zone and overestimation weight of least error for given rays.
+#pragma once
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/parameters.hpp"
+#include "core/ray/random_ray.hpp"
+#include "core/techniques/technique.hpp"
+
+namespace momentscope {
+
+/// One value that was tried, and what all rays made of it.
+struct Trial {
+    ParameterId parameter;
+    float value = 0;
+    double error = 0;         // root mean square of T - true T at the fragments' own depths
+    double failure_rate = 0;  // of queries, as in stress.hpp
+};
+
+struct TuneOptions {
+    const Technique* technique = nullptr;
+    ParameterValues values;             // where the search begins; the solver is taken from here
+    double most_failures = 1e-4;        // a moment bias with a higher failure rate is not safe
+};
+
+struct TuneResult {
+    ParameterValues values;
+    double error = 0, failure_rate = 0;  // with them
+    double error_before = 0;             // with TuneOptions::values
+    bool safe = true;                    // false: no moment bias kept the failure rate below most_failures
+    std::vector<Trial> trials;           // in the order in which they were made
+};
+
+/// Tries moment biases from 1e-9 to 0.1, four to a decade, at the given beta; then, with the best safe one, theta (where the
+/// technique has it) and beta. Rays without fragments are left out; throws Error when none is left, and when the technique
+/// has no moments. nullopt after a stop.
+std::optional<TuneResult> tune(const std::vector<ViewRay>& rays, const TuneOptions& options, std::stop_token stop,
+                               const std::function<void(std::size_t done, std::size_t all)>& progress);
+
+/// The best safe moment bias by overdraw: rays of 2, 4, ... 256 thin fragments.
+struct OverdrawTrial {
+    int fragments;
+    TuneResult result;
+};
+std::optional<std::vector<OverdrawTrial>> tune_by_overdraw(
+    const TuneOptions& options, int rays, std::uint32_t seed, std::stop_token stop,
+    const std::function<void(std::size_t done, std::size_t all)>& progress);
+
+/// `count` random rays of 2 to 5 fragments, the range in which moments decide.
+std::vector<ViewRay> tuning_rays(int count, std::uint32_t seed);
+
+}  // namespace momentscope
