@@ -71,6 +71,7 @@ void add_commands(CLI::App& app, Options& options, std::string& what) {
                         "ids of techniques, separated by commas or repeated");
     inspect->add_option("--samples", options.samples, "how many depths from -1 to 1")->capture_default_str();
     inspect->add_option("--depths", options.depths, "depths instead of --samples, as -0.5,0,0.25");
+    inspect->add_flag("--steps", options.steps, "print the steps of the reconstruction at --depths [0] instead of curves");
     inspect->add_option("--format", options.format, "json, csv or table [json]");
     inspect->add_option("-o,--output", options.output, "file to write instead of standard output");
     add_parameter_options(*inspect, options);

@@ -84,9 +84,9 @@ public:
     void run() {
         while (glfwWindowShouldClose(context_->window()) == GLFW_FALSE) {
             draw();
-            if (need_.due(explorer_) && !explorer_.busy()) {
+            if (need_.due(explorer_) && !explorer_.busy() && !explorer_.works()) {
                 glfwPollEvents();
-            } else if (explorer_.busy()) {
+            } else if (explorer_.busy() || explorer_.works()) {
                 glfwWaitEventsTimeout(0.05);
             } else {
                 glfwWaitEvents();

@@ -42,7 +42,7 @@ void HeadlessWindow::settle() {
 void HeadlessWindow::idle() {
     while (need_.due(explorer_)) {
         draw();
-        if (explorer_.busy()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        if (explorer_.busy() || explorer_.works()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
 }
 

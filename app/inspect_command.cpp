@@ -6,6 +6,7 @@
 #include "app/gl_context.hpp"
 #include "core/error.hpp"
 #include "core/inspect/curve_output.hpp"
+#include "core/inspect/steps.hpp"
 #include "core/output_file.hpp"
 #include "core/ray/ray_json.hpp"
 #include "core/render/renderer.hpp"
@@ -30,6 +31,16 @@ ViewRay capture_scene_pixel(const Options& options, const ParameterValues& param
     return renderer.capture_pixel(pixel.value_or(picked_pixel(scene, size))).ray;
 }
 
+std::string text_of_steps(const std::vector<Curve>& curves, const std::vector<float>& depths) {
+    std::string text;
+    for (const Curve& curve : curves) {
+        if (curve.technique->kernel == nullptr)
+            throw Error(fmt::format("'{}' has no steps: it reconstructs nothing.", curve.technique->id));
+        for (const float depth : depths) text += steps_to_text(reconstruction_steps(curve, depth));
+    }
+    return text;
+}
+
 }  // namespace
 
 void run_inspect(const Options& options) {
@@ -38,7 +49,10 @@ void run_inspect(const Options& options) {
         throw Error(fmt::format("There is no format '{}'; use json, csv or table.", format));
     const ParameterValues parameters = parse_parameters(options);
     const auto techniques = parse_techniques(options, "power6-32");
-    const std::vector<float> depths = options.depths.empty()
+    if (options.steps && !options.format.empty())
+        throw Error("The steps are text; leave --format out.");
+    const std::vector<float> depths = options.steps && options.depths.empty() ? std::vector<float>{0}
+                                      : options.depths.empty()
                                           ? even_depths(static_cast<std::size_t>(parse_count(
                                                 options.samples, "number of samples", 2, MAX_SAMPLES)))
                                           : parse_depths(options.depths);
@@ -49,7 +63,8 @@ void run_inspect(const Options& options) {
     curves.reserve(techniques.size());
     for (const Technique* technique : techniques)
         curves.push_back(sample_curve(ray, *technique, parameters, depths));
-    const std::string text = format == "json"  ? curves_to_json(ray, curves)
+    const std::string text = options.steps      ? text_of_steps(curves, depths)
+                             : format == "json"  ? curves_to_json(ray, curves)
                              : format == "csv" ? curves_to_csv(curves)
                                                : curves_to_table(ray, curves);
     if (options.output.empty())

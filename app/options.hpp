@@ -25,7 +25,8 @@ struct Options {
     std::string rays = "400";
     std::string seed = "1";
     std::string random;
-    std::string max_failures = "0.0001";
+    std::string max_failures = "0.001";
+    bool steps = false;
     bool headless = false;
     std::string screenshot;
     std::string session;

@@ -44,7 +44,8 @@ void print_trials(const TuneResult& result) {
         for (const Trial& trial : result.trials) {
             if (trial.parameter != id) continue;
             const Parameter& row = parameter(id);
-            if (first) fmt::print("\n{} --{}\n{:>12}  rms error of T{}\n", row.name, row.key, "value", id == ParameterId::alpha ? "  failures" : "");
+            if (first) fmt::print("\n{} --{}\n{:>12}  rms error of T{}{}\n", row.name, row.key, "value", id == ParameterId::alpha ? "  failures" : "",
+                                  id == ParameterId::alpha ? "  (at beta = 0)" : "");
             first = false;
             fmt::print("{:>12.3g}  {:<14.4g}{}{}\n", trial.value, trial.error,
                        id == ParameterId::alpha ? fmt::format("  {:<9}", percent(trial.failure_rate)) : "",
@@ -64,7 +65,7 @@ void print_result(const Technique& technique, const TuneResult& result) {
 }
 
 void print_overdraw(const std::vector<OverdrawTrial>& trials) {
-    fmt::print("\nBest safe moment bias by overdraw (thin fragments, {} rays each)\n{:>10}{:>12}{:>12}{:>11}\n", OVERDRAW_RAYS,
+    fmt::print("\nMoment bias by overdraw (thin fragments in two layers, up to {} rays each)\n{:>10}{:>12}{:>12}{:>11}\n", OVERDRAW_RAYS,
                "fragments", "alpha", "rms error", "failures");
     for (const OverdrawTrial& trial : trials)
         fmt::print("{:>10}{:>12.2g}{:>12.3g}{:>11}\n", trial.fragments, *trial.result.values[ParameterId::alpha],

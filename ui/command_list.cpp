@@ -122,8 +122,8 @@ void add_view(List& list) {
 }
 
 void add_tabs_and_theme(List& list) {
-    for (const Panel panel : {Panel::controls, Panel::fragments, Panel::technique}) {
-        const auto index = static_cast<std::size_t>(panel);
+    for (std::size_t index = 0; index < PANEL_NAMES.size(); ++index) {
+        const auto panel = static_cast<Panel>(index);
         list.push_back(choice(
             fmt::format("view.panel{}", index + 1), fmt::format("Tab: {}", PANEL_NAMES[index]),
             {fmt::format("Ctrl+{}", index + 1)}, "Opens this tab below the plot.",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/render/transparency.hpp"
 #include "core/scene/scenes.hpp"
 #include "ui/parameter_controls.hpp"
 #include "ui/side_panels.hpp"
@@ -37,16 +38,19 @@ void draw_scene_combo(const Ui& ui, ExplorerState& state) {
     ImGui::EndCombo();
 }
 
-void draw_technique_combo(const Ui& ui, ExplorerState& state) {
+void draw_technique_combo(const Ui& ui, OrderedAccess access, ExplorerState& state) {
     const bool open = ImGui::BeginCombo("##technique", technique_label(*state.technique).c_str(),
                                         ImGuiComboFlags_HeightLarge);
     ui.mark("controls.technique");
     tooltip("The technique that draws the picture and the orange curve; 1 to 9 choose one.", "--technique");
     if (!open) return;
     for (const Technique& row : techniques()) {
+        const std::string why_not = why_unavailable(row, access);
+        ImGui::BeginDisabled(!why_not.empty());
         if (ImGui::Selectable(technique_label(row).c_str(), &row == state.technique)) state.technique = &row;
+        ImGui::EndDisabled();
         ui.mark(fmt::format("controls.technique.{}", row.id));
-        tooltip(row.description, row.source);
+        tooltip(why_not.empty() ? row.description : fmt::format("Not available here. {}", why_not), row.source);
     }
     ImGui::EndCombo();
 }
@@ -77,12 +81,12 @@ void draw_compared_combo(const Ui& ui, ExplorerState& state) {
 
 }  // namespace
 
-void draw_control_panel(const Ui& ui, ExplorerState& state, std::optional<ParameterId>& to_type,
+void draw_control_panel(const Ui& ui, OrderedAccess access, ExplorerState& state, std::optional<ParameterId>& to_type,
                         std::string& message) {
     label("scene");
     draw_scene_combo(ui, state);
     label("technique");
-    draw_technique_combo(ui, state);
+    draw_technique_combo(ui, access, state);
     label("also plot");
     draw_compared_combo(ui, state);
     ImGui::Spacing();

@@ -9,14 +9,17 @@
 
 #include "core/gl/gl_info.hpp"
 #include "core/render/renderer.hpp"
+#include "core/stress/tune.hpp"
 #include "ui/command_palette.hpp"
 #include "ui/file_dialog.hpp"
 #include "ui/history.hpp"
 #include "ui/measurement.hpp"
 #include "ui/pinned_plots.hpp"
 #include "ui/plot_panel.hpp"
+#include "ui/ray_editor.hpp"
 #include "ui/scene_loader.hpp"
 #include "ui/scene_panel.hpp"
+#include "ui/stress_panel.hpp"
 
 namespace momentscope::ui {
 
@@ -45,7 +48,10 @@ public:
     void frame();
 
     /// Does what is shown lag behind the state, so that another frame is needed without any input?
-    bool wants_frame() const { return !(state_ == shown_state_) || busy(); }
+    bool wants_frame() const { return !(state_ == shown_state_) || busy() || works(); }
+
+    /// Does work go on beside the window? Frames are then needed to show how far it is.
+    bool works() const { return stress_panel_.busy() || tuning_.busy(); }
 
     /// Is a scene being read? Frames are then only needed to show how long.
     bool busy() const { return loader_.busy(); }
@@ -116,6 +122,8 @@ private:
     void draw_tabs(const Ui& ui);
     void draw_status(const Ui& ui);
     void draw_loading(const Ui& ui);
+    void draw_tuning(const Ui& ui);
+    void start_tuning();
     void draw_files(const Ui& ui);
     void use_file(const FileDialog::Choice& choice);
     void export_to(const FileDialog::Choice& choice);
@@ -146,6 +154,9 @@ private:
     FileDialog files_;
     FilePurpose file_purpose_ = FilePurpose::open_session;
     CommandPalette palette_;
+    RayEditor ray_editor_;
+    StressPanel stress_panel_;
+    BackgroundWork<std::optional<TuneResult>> tuning_;
     bool help_ = false;
     bool escape_is_taken_ = false;  // by a dialog or a text field that it closes
     std::optional<ParameterId> to_type_;

@@ -7,6 +7,7 @@
 #include "ui/explorer.hpp"
 #include "ui/lessons.hpp"
 #include "ui/side_panels.hpp"
+#include "ui/steps_panel.hpp"
 
 namespace momentscope::ui {
 
@@ -206,7 +207,10 @@ void Explorer::draw_right_side(const Ui& ui, ImVec2 size) {
 void Explorer::draw_tabs(const Ui& ui) {
     constexpr const char* HELP[] = {"Scene, technique and parameters.",
                                     "The pixel's history: every fragment with its T.",
-                                    "What the technique is and costs."};
+                                    "What the technique is and costs.",
+                                    "The reconstruction at the query depth, step by step.",
+                                    "Move, add and colour fragments by hand.",
+                                    "Where techniques break: all of them under hard conditions."};
     for (std::size_t i = 0; i < PANEL_NAMES.size(); ++i) {
         if (i > 0) ImGui::SameLine(0, 0.2f * em());
         if (toggle_button(PANEL_NAMES[i], state_.panel == static_cast<Panel>(i)))
@@ -217,13 +221,23 @@ void Explorer::draw_tabs(const Ui& ui) {
     ImGui::BeginChild("panel");
     switch (state_.panel) {
         case Panel::controls:
-            draw_control_panel(ui, state_, to_type_, message_);
+            draw_control_panel(ui, renderer_.ordered_access(), state_, to_type_, message_);
+            draw_tuning(ui);
             break;
         case Panel::fragments:
             draw_fragment_panel(ui, measurement_, state_);
             break;
         case Panel::technique:
             draw_technique_panel(ui, measurement_, state_);
+            break;
+        case Panel::steps:
+            draw_steps_panel(ui, measurement_);
+            break;
+        case Panel::editor:
+            ray_editor_.draw(ui, measurement_, state_, message_);
+            break;
+        case Panel::stress:
+            stress_panel_.draw(ui, state_, message_);
             break;
     }
     ImGui::EndChild();

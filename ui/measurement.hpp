@@ -6,6 +6,7 @@
 #include "core/inspect/canonical.hpp"
 #include "core/inspect/curve.hpp"
 #include "core/inspect/pixel_history.hpp"
+#include "core/inspect/steps.hpp"
 #include "core/render/renderer.hpp"
 #include "ui/state.hpp"
 

@@ -41,9 +41,10 @@ struct PlotState {
 };
 
 /// The tabs below the plot.
-enum class Panel { controls, fragments, technique };
+enum class Panel { controls, fragments, technique, steps, editor, stress };
 
-constexpr std::array<const char*, 3> PANEL_NAMES = {"Controls", "Fragments", "Technique"};
+constexpr std::array<const char*, 6> PANEL_NAMES = {"Controls", "Fragments",  "Technique",
+                                                    "Steps",    "Ray editor", "Stress"};
 
 /// A view ray from a file. States share it, since a history holds many of them and a ray may be large; equal
 /// if it has the same content.

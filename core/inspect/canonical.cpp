@@ -14,15 +14,14 @@ bool knows(std::string_view basis) {
     return basis == "power" || basis == "chebyshev" || basis == "trigonometric";
 }
 
-// Undoes the change of variable in which a basis finds its roots (see shaders/shared/<basis>_moments.glsl).
+}  // namespace
+
 float node_depth(float t, float query, const Curve& curve) {
     if (std::string_view(curve.technique->basis) != "trigonometric") return query + 1.0f / t;
     const float phase_per_depth = PI - 0.5f * curve.parameters.theta;
     const float phase = (query + 1) * phase_per_depth + 2 * std::atan2(1.0f, t);
     return std::fmod(phase, 2 * PI) / phase_per_depth - 1;
 }
-
-}  // namespace
 
 float end_of_circle(float wrapping_zone_angle) {
     return 2 * PI / (PI - 0.5f * wrapping_zone_angle) - 1;

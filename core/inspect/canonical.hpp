@@ -25,6 +25,10 @@ struct CanonicalRepresentation {
 /// trigonometric. query in [-1, 1].
 CanonicalRepresentation canonical_representation(const Curve& curve, float query);
 
+/// The depth of a node whose place is t in the variable in which the curve's basis finds its roots
+/// (shaders/shared/<basis>_moments.glsl). On the circle from -1 to end_of_circle.
+float node_depth(float t, float query, const Curve& curve);
+
 /// The depth at which the circle of trigonometric moments ends: beyond 1 lies the wrapping zone (Eq. 5).
 float end_of_circle(float wrapping_zone_angle);
 

@@ -96,6 +96,21 @@ void add_overdraw(std::vector<Condition>& rows) {
                         })});
 }
 
+void add_layers(std::vector<Condition>& rows) {
+    for (const int count : {10, 100, 1000})
+        rows.push_back({fmt::format("layers-{}", count), fmt::format("{}", count), "in 2 layers",
+                        fmt::format("{} thin fragments in two layers of 1 % of the depth range: nearly two surfaces.", count),
+                        count, of_ray([count](RandomNumbers& random, const Technique&) {
+                            const float each = 1 - std::exp(-4.0f / static_cast<float>(count));
+                            ViewRay ray = random_ray(random, count, 0.2f * each, 1.8f * each);
+                            const float layers[] = {random.uniform(-0.99f, 0.0f), random.uniform(0.0f, 0.99f)};
+                            for (Fragment& fragment : ray.fragments)
+                                fragment.depth = fragment.view_depth =
+                                    layers[random.whole(0, 1)] + random.uniform(-0.01f, 0.01f);
+                            return ray;
+                        })});
+}
+
 // Surfaces spread evenly over the logarithm of view depth, as in a landscape.
 ViewRay landscape(RandomNumbers& random, float factor, bool logarithmic) {
     ViewRay ray = random_ray(random, 5);
@@ -159,6 +174,7 @@ std::vector<Condition> make_rows() {
     add_positions(rows);
     add_opacities(rows);
     add_overdraw(rows);
+    add_layers(rows);
     add_ranges(rows);
     add_wrapping_zones(rows);
     add_biases(rows);

@@ -104,12 +104,22 @@ std::vector<float> candidates(ParameterId id) {
 // Summing over threads makes the last digits of an error depend on the machine; a value must win by more than that.
 constexpr double WINS_BY = 1 - 1e-9;
 
-const Trial* best_of(const std::vector<Trial>& trials, ParameterId id, double most_failures) {
+const Trial* least_error(const std::vector<Trial>& trials, ParameterId id, double most_failures) {
     const Trial* best = nullptr;
     for (const Trial& trial : trials)
         if (trial.parameter == id && trial.failure_rate <= most_failures &&
             (best == nullptr || trial.error < best->error * WINS_BY))
             best = &trial;
+    return best;
+}
+
+// Of the safe biases the largest that costs next to nothing.
+const Trial* best_bias(const std::vector<Trial>& trials, double most_failures) {
+    const Trial* best = least_error(trials, ParameterId::alpha, most_failures);
+    if (best == nullptr) return nullptr;
+    const double enough = best->error * ENOUGH;
+    for (const Trial& trial : trials)
+        if (trial.failure_rate <= most_failures && trial.error <= enough && trial.value > best->value) best = &trial;
     return best;
 }
 
@@ -135,10 +145,12 @@ std::optional<TuneResult> tune(const std::vector<ViewRay>& all_rays, const TuneO
         for (const float value : candidates(id)) {
             ParameterValues values = result.values;
             values.set(id, value);
+            if (id == ParameterId::alpha) values.set(ParameterId::beta, 0.0f);
             result.trials.push_back(search.measure(id, value, values, id == ParameterId::alpha));
             if (search.stopped()) return std::nullopt;
         }
-        const Trial* best = best_of(result.trials, id, id == ParameterId::alpha ? options.most_failures : 1.0);
+        const Trial* best = id == ParameterId::alpha ? best_bias(result.trials, options.most_failures)
+                                                     : least_error(result.trials, id, 1.0);
         if (best == nullptr) {  // no bias is safe: the one that fails least
             result.safe = false;
             best = &*std::ranges::min_element(result.trials, {}, &Trial::failure_rate);
@@ -156,13 +168,20 @@ std::optional<std::vector<OverdrawTrial>> tune_by_overdraw(
     const TuneOptions& options, int count, std::uint32_t seed, std::stop_token stop,
     const std::function<void(std::size_t done, std::size_t all)>& progress) {
     std::vector<OverdrawTrial> trials;
-    constexpr int DOUBLINGS = 8;
+    constexpr int DOUBLINGS = 10;
     for (int k = 1; k <= DOUBLINGS; ++k) {
         const int fragments = 1 << k;
         RandomNumbers random(seed + static_cast<std::uint32_t>(k));
         const float each = 1 - std::exp(-4.0f / static_cast<float>(fragments));
         std::vector<ViewRay> rays;
-        for (int i = 0; i < count; ++i) rays.push_back(random_ray(random, fragments, 0.2f * each, std::min(1.8f * each, 0.99f)));
+        // The more fragments, the fewer rays: each step takes about as long.
+        for (int i = 0; i < std::max(count * 16 / std::max(fragments, 16), 20); ++i) {
+            ViewRay ray = random_ray(random, fragments, 0.2f * each, std::min(1.8f * each, 0.99f));
+            const float layers[] = {random.uniform(-0.99f, 0.0f), random.uniform(0.0f, 0.99f)};
+            for (Fragment& fragment : ray.fragments)
+                fragment.depth = fragment.view_depth = layers[random.whole(0, 1)] + random.uniform(-0.01f, 0.01f);
+            rays.push_back(std::move(ray));
+        }
         auto result = tune(rays, options, stop, [&](std::size_t done, std::size_t all) {
             progress(static_cast<std::size_t>(k - 1) * all + done, DOUBLINGS * all);
         });

@@ -37,6 +37,7 @@ struct AbsorbanceCurves {
 /// solver.
 struct ReconstructionSteps {
     MomentVector biased;  // normalised, b0 = 1
+    std::array<float, MAX_NODES + 1> pivots{};  // h_k, normalised
     int floored_pivots = 0;
     float query_weight = 0;                     // w_0
     std::array<float, MAX_NODES + 1> kernel{};  // at_query, then the monic coefficients in t

@@ -54,6 +54,17 @@ TEST_P(Robustness, RandomRaysAtOwnAndRandomDepths) {
     report("random rays");
 }
 
+TEST_P(Robustness, RandomRaysWithTheRobustBias) {
+    ParameterValues values;
+    values.set(ParameterId::preset, 1.0f);
+    std::mt19937 random(4);
+    for (int i = ray_count(1'000'000); i > 0; --i) {
+        const ViewRay ray = random_ray(random);
+        check_ray(ray, own_depths(ray), values);
+    }
+    report("random rays, robust bias");
+}
+
 TEST_P(Robustness, SingleFragmentsEverywhere) {
     for (int i = 0; i <= 200'000; ++i) {
         ViewRay ray;

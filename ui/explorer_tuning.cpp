@@ -1,0 +1,64 @@
+// explorer_tuning.cpp -- the button that looks for the best parameters beside the window.
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "core/techniques/moment_kernel.hpp"
+#include "ui/explorer.hpp"
+
+namespace momentscope::ui {
+
+namespace {
+
+constexpr glm::ivec2 TUNED_SIZE(64, 36);  // enough pixels to see a scene evenly
+
+}  // namespace
+
+void Explorer::start_tuning() {
+    std::vector<ViewRay> rays;
+    if (state_.ray) {
+        rays.push_back(*state_.ray);
+    } else {
+        Renderer small;
+        small.set_scene(scene_);
+        small.render({camera(), TUNED_SIZE, &require_technique("sorted"), state_.parameters});
+        for (PixelCapture& capture : small.capture_region({0, 0}, TUNED_SIZE)) rays.push_back(std::move(capture.ray));
+        shown_view_.technique = nullptr;  // what the other renderer bound is not what this one expects
+    }
+    const TuneOptions options = {.technique = state_.technique, .values = state_.parameters};
+    tuning_.start([rays = std::move(rays), options](std::stop_token stop, const auto& report) {
+        return tune(rays, options, stop, report);
+    });
+}
+
+void Explorer::draw_tuning(const Ui& ui) {
+    try {
+        if (auto result = tuning_.take(); result && *result) {
+            const TuneResult& tuned = **result;
+            state_.parameters = tuned.values;
+            message_ = fmt::format("Tuned: error of T {:.4f} instead of {:.4f}{}. Ctrl+Z brings the old values back.", tuned.error,
+                                   tuned.error_before,
+                                   tuned.safe ? "" : ", though no moment bias kept failures below one in a thousand");
+        }
+        if (state_.technique->kernel == nullptr) return;
+        ImGui::Spacing();
+        if (!tuning_.busy()) {
+            if (ImGui::Button("tune α, θ, β")) start_tuning();
+            ui.mark("controls.tune");
+            tooltip("Looks for the moment bias, wrapping zone angle and overestimation weight of least error against the truth, over "
+                    "the pixels of this scene or for this ray, as the paper advises finding them by hand.",
+                    "momentscope tune");
+            return;
+        }
+    } catch (const Error& error) {
+        message_ = error.what();
+        return;
+    }
+    ImGui::ProgressBar(tuning_.share(), {12 * em(), 0});
+    ui.mark("controls.tune.progress");
+    ImGui::SameLine();
+    if (ImGui::Button("cancel##tune")) tuning_.cancel();
+    ui.mark("controls.tune.cancel");
+    tooltip("Ends the search and keeps the parameters.");
+}
+
+}  // namespace momentscope::ui

@@ -1,0 +1,248 @@
+#include "ui/ray_editor.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "core/image/image.hpp"
+#include "core/inspect/pixel_color.hpp"
+#include "core/ray/random_ray.hpp"
+#include "core/ray/ray_json.hpp"
+#include "core/ray/ray_presets.hpp"
+#include "ui/plot_axes.hpp"
+
+namespace momentscope::ui {
+
+namespace {
+
+constexpr std::size_t MOST_HANDLES = 2000;  // more would cover each other
+constexpr float MOST_OPACITY = 0.9999f;
+const glm::vec3 BACKGROUND(0.2f);  // what lies behind the ray, linear
+
+ImVec4 display_color(const glm::vec3& linear) {
+    return {srgb_from_linear(linear.r), srgb_from_linear(linear.g), srgb_from_linear(linear.b), 1};
+}
+
+void place(Fragment& fragment, float depth, const DepthWarp& warp) {
+    // Through the view depth, as the shaders get there, so that a saved ray comes back the same.
+    fragment.view_depth = warp.logarithmic ? to_view_depth(depth, warp) : depth;
+    fragment.depth = warp.logarithmic ? to_depth(fragment.view_depth, warp) : depth;
+}
+
+void draw_sources(const Ui& ui, const Measurement& m, ExplorerState& state) {
+    ImGui::SetNextItemWidth(10 * em());
+    const bool open = ImGui::BeginCombo("##preset", "start from ...", ImGuiComboFlags_HeightLarge);
+    ui.mark("editor.preset");
+    tooltip("Puts a ray to experiment with in place of this one; Ctrl+Z brings it back.");
+    if (open) {
+        for (const RayPreset& preset : ray_presets()) {
+            if (ImGui::Selectable(preset.name)) edit_ray(state, preset.make());
+            ui.mark(fmt::format("editor.preset.{}", preset.id));
+            tooltip(preset.help);
+        }
+        ImGui::EndCombo();
+    }
+    ImGui::SameLine();
+    if (state.ray) {
+        if (ImGui::Button("back to the scene")) leave_ray(state);
+        ui.mark("editor.leave");
+        tooltip("Leaves the ray for the scene and its picked pixel.");
+    } else {
+        if (ImGui::Button("edit this ray")) edit_ray(state, m.capture.ray);
+        ui.mark("editor.detach");
+        tooltip("Takes the picked pixel's ray off the scene, so that its fragments can be moved.");
+    }
+}
+
+void draw_clipboard(const Ui& ui, const Measurement& m, ExplorerState& state, std::string& message) {
+    ImGui::SameLine();
+    if (ImGui::Button("copy")) {
+        ImGui::SetClipboardText(ray_to_json(m.capture.ray).dump(1).c_str());
+        message = "The ray was copied as JSON.";
+    }
+    ui.mark("editor.copy");
+    tooltip("Copies the ray as JSON.");
+    ImGui::SameLine();
+    if (ImGui::Button("paste")) {
+        const char* text = ImGui::GetClipboardText();
+        try {
+            edit_ray(state, ray_from_json(text == nullptr ? "" : text));
+        } catch (const Error& error) {
+            message = error.what();
+        }
+    }
+    ui.mark("editor.paste");
+    tooltip("Puts the ray in the clipboard, as JSON, in place of this one.", "File > Open view ray reads one from a file.");
+}
+
+void draw_swatches(const Ui& ui, const Measurement& m, const ExplorerState& state) {
+    const PixelColors colors = pixel_colors(m.capture.ray, m.history, BACKGROUND, m.curve.parameters.renormalize);
+    const auto swatch = [&](const char* name, const glm::vec3& color) {
+        ImGui::ColorButton(name, display_color(color), ImGuiColorEditFlags_NoTooltip, {2.2f * em(), 1.2f * em()});
+        ImGui::SameLine();
+        ImGui::Text("%s (%.3f, %.3f, %.3f)", name, static_cast<double>(color.r), static_cast<double>(color.g),
+                    static_cast<double>(color.b));
+    };
+    swatch("truth", colors.truth);
+    ui.mark("editor.truth");
+    tooltip("The pixel's colour, composited front to back over grey; linear RGB.");
+    ImGui::SameLine(0, 1.5f * em());
+    swatch(state.technique->id, colors.technique);
+    ui.mark("editor.technique");
+    tooltip("The pixel's colour as the technique weighs its fragments; linear RGB.");
+}
+
+void draw_marked(const Ui& ui, ExplorerState& state) {
+    if (!state.ray) return;
+    if (!state.marked || *state.marked >= state.ray->fragments.size()) {
+        ImGui::TextDisabled("Double-click adds a fragment; drag one sideways for its depth, up and down for its opacity.");
+        return;
+    }
+    Fragment fragment = state.ray->fragments[*state.marked];
+    bool changed = false;
+    float depth = fragment.depth;
+    ImGui::SetNextItemWidth(8 * em());
+    if (ImGui::DragFloat("##depth", &depth, 0.002f, -1, 1, "z = %.4f", ImGuiSliderFlags_AlwaysClamp)) {
+        place(fragment, depth, state.ray->warp);
+        changed = true;
+    }
+    ui.mark("editor.depth");
+    tooltip("Depth of the marked fragment, warped to [−1, 1]. Drag, or double-click to type.");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(8 * em());
+    changed |= ImGui::DragFloat("##opacity", &fragment.opacity, 0.002f, 0, 1, "α_l = %.4f", ImGuiSliderFlags_AlwaysClamp);
+    ui.mark("editor.opacity");
+    tooltip("Opacity α_l of the marked fragment. Drag, or double-click to type.");
+    ImGui::SameLine();
+    changed |= ImGui::ColorEdit3("##color", &fragment.color.r, ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs);
+    ui.mark("editor.color");
+    tooltip("Its colour, linear RGB.");
+    ImGui::SameLine();
+    if (ImGui::Button("delete")) return delete_marked(state);
+    ui.mark("editor.delete");
+    tooltip("Takes the marked fragment out of the ray.", "Delete");
+    if (!changed) return;
+    ViewRay ray = *state.ray;
+    ray.fragments[*state.marked] = fragment;
+    state.ray = std::move(ray);
+}
+
+}  // namespace
+
+void edit_ray(ExplorerState& state, ViewRay ray) {
+    state.ray = std::move(ray);
+    state.marked.reset();
+    state.plot.query.reset();
+    state.plot.depth.reset();
+    state.plot.value.reset();
+    state.panel = Panel::editor;
+}
+
+void leave_ray(ExplorerState& state) {
+    state.ray.reset();
+    state.marked.reset();
+    state.plot.depth.reset();
+    state.plot.value.reset();
+}
+
+void delete_marked(ExplorerState& state) {
+    if (!state.ray || !state.marked || *state.marked >= state.ray->fragments.size()) return;
+    ViewRay ray = *state.ray;
+    ray.fragments.erase(ray.fragments.begin() + static_cast<std::ptrdiff_t>(*state.marked));
+    state.ray = std::move(ray);
+    state.marked.reset();
+}
+
+void RayEditor::draw_canvas(const Ui& ui, const Measurement& m, ExplorerState& state) {
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 size = {std::max(room.x, 1.0f), std::max(room.y - 0.3f * em(), 5 * em())};
+    ImGui::InvisibleButton("canvas", size);
+    ui.mark("editor.canvas");
+    const float pad = 0.9f * em();
+    const Rect area = {{low.x + 2.2f * em(), low.y + pad}, {low.x + size.x - pad, low.y + size.y - 1.4f * em()}};
+    if (area.empty()) return;
+    ui.anchors["editor.area"] = area;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const auto x_of = [&](float depth) { return area.low.x + 0.5f * (depth + 1) * (area.high.x - area.low.x); };
+    const auto y_of = [&](float opacity) { return area.high.y - opacity * (area.high.y - area.low.y); };
+    const float mouse_depth = std::clamp(2 * (mouse.x - area.low.x) / (area.high.x - area.low.x) - 1, -1.0f, 1.0f);
+    const float mouse_opacity = std::clamp((area.high.y - mouse.y) / (area.high.y - area.low.y), 0.0f, MOST_OPACITY);
+    const ViewRay& shown = state.ray ? *state.ray : m.capture.ray;
+    std::optional<std::size_t> near;
+    float least = 0.8f * em();
+    for (std::size_t i = 0; i < std::min(shown.fragments.size(), MOST_HANDLES); ++i) {
+        const Fragment& fragment = shown.fragments[i];
+        const float distance = std::hypot(x_of(fragment.depth) - mouse.x, y_of(fragment.opacity) - mouse.y);
+        if (distance >= least) continue;
+        least = distance;
+        near = i;
+    }
+    ViewRay edited;
+    bool changed = false;
+    const auto begin_edit = [&] {
+        edited = shown;
+        changed = true;
+    };
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && !near) {
+        begin_edit();
+        Fragment added = plain_fragment(0, mouse_opacity, edited.fragments.size());
+        place(added, mouse_depth, edited.warp);
+        edited.fragments.push_back(added);
+        held_ = edited.fragments.size() - 1;
+    } else if (ImGui::IsItemActivated()) {
+        held_ = near;
+        state.marked = near;
+        if (near) state.plot.query.reset();
+    } else if (ImGui::IsItemActive() && held_ && *held_ < shown.fragments.size() &&
+               ImGui::IsMouseDragging(ImGuiMouseButton_Left, 0.15f * em())) {
+        begin_edit();
+        place(edited.fragments[*held_], mouse_depth, edited.warp);
+        edited.fragments[*held_].opacity = mouse_opacity;
+    }
+    if (changed) {
+        const std::optional<std::size_t> mark = held_;
+        if (!state.ray) edit_ray(state, std::move(edited));  // the first touch takes the ray off the scene
+        else state.ray = std::move(edited);
+        state.marked = mark;
+    }
+    if (!ImGui::IsItemActive() && !changed) held_.reset();
+    const ViewRay& ray = state.ray ? *state.ray : m.capture.ray;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(area.low, area.high, ui.colors.plot_background, 3);
+    for (const float opacity : {0.0f, 0.5f, 1.0f}) {
+        list.AddLine({area.low.x, y_of(opacity)}, {area.high.x, y_of(opacity)}, ui.colors.grid);
+        draw_text(list, {area.low.x - 0.3f * em(), y_of(opacity)}, {1, 0.5f}, opacity == 0.5f ? ".5" : fmt::format("{:.0f}", opacity),
+                  ui.colors.text);
+    }
+    for (const float depth : {-1.0f, -0.5f, 0.0f, 0.5f, 1.0f}) {
+        list.AddLine({x_of(depth), area.low.y}, {x_of(depth), area.high.y}, ui.colors.grid);
+        draw_text(list, {x_of(depth), area.high.y + 0.15f * em()}, {0.5f, 0}, fmt::format("{:g}", depth), ui.colors.text);
+    }
+    draw_text(list, {area.low.x + 0.3f * em(), area.low.y + 0.1f * em()}, {0, 0}, "opacity α_l over warped depth z", ui.colors.axis);
+    for (std::size_t i = std::min(ray.fragments.size(), MOST_HANDLES); i-- > 0;) {
+        const Fragment& fragment = ray.fragments[i];
+        const ImVec2 at = {x_of(fragment.depth), y_of(fragment.opacity)};
+        list.AddLine({at.x, area.high.y}, at, ui.colors.axis, 0.1f * em());
+        list.AddCircleFilled(at, 0.45f * em(), ImGui::ColorConvertFloat4ToU32(display_color(fragment.color)));
+        const bool marked = state.marked == i;
+        list.AddCircle(at, (marked ? 0.6f : 0.45f) * em(), marked ? ui.colors.mark : ui.colors.text, 0, (marked ? 0.16f : 0.07f) * em());
+        ui.anchors[fmt::format("editor.fragment.{}", i + 1)] = {{at.x - 2, at.y - 2}, {at.x + 2, at.y + 2}};
+    }
+    if (ray.fragments.empty())
+        draw_text(list, {0.5f * (area.low.x + area.high.x), 0.5f * (area.low.y + area.high.y)}, {0.5f, 0.5f},
+                  "Double-click here adds a fragment.", ui.colors.text);
+}
+
+void RayEditor::draw(const Ui& ui, const Measurement& m, ExplorerState& state, std::string& message) {
+    draw_sources(ui, m, state);
+    draw_clipboard(ui, m, state, message);
+    draw_swatches(ui, m, state);
+    draw_marked(ui, state);
+    draw_canvas(ui, m, state);
+}
+
+}  // namespace momentscope::ui

@@ -1,0 +1,32 @@
+// stress_panel.hpp -- the tab that tries techniques under hard conditions.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/stress/stress.hpp"
+#include "ui/background_work.hpp"
+#include "ui/state.hpp"
+#include "ui/ui.hpp"
+
+namespace momentscope::ui {
+
+class StressPanel {
+public:
+    /// Opens a clicked cell's worst ray in the editor.
+    void draw(const Ui& ui, ExplorerState& state, std::string& message);
+
+    bool busy() const { return work_.busy(); }
+    const std::vector<StressCell>& cells() const { return cells_; }
+
+private:
+    void start(const ExplorerState& state);
+    void draw_progress(const Ui& ui);
+    void open_worst(const StressCell& cell, ExplorerState& state, std::string& message);
+
+    int rays_ = 100;
+    std::vector<StressCell> cells_;
+    std::string title_;  // of the cells
+    BackgroundWork<std::vector<StressCell>> work_;
+};
+
+}  // namespace momentscope::ui
