@@ -71,15 +71,19 @@ void add_commands(CLI::App& app, Options& options, std::string& what) {
                         "ids of techniques, separated by commas or repeated");
     inspect->add_option("--samples", options.samples, "how many depths from -1 to 1")->capture_default_str();
     inspect->add_option("--depths", options.depths, "depths instead of --samples, as -0.5,0,0.25");
-    inspect->add_flag("--steps", options.steps, "print the steps of the reconstruction at --depths [0] instead of curves");
+    inspect->add_flag("--steps", options.steps,
+                      "print the steps of the reconstruction at --depths [0] instead of curves");
     inspect->add_option("--format", options.format, "json, csv or table [json]");
     inspect->add_option("-o,--output", options.output, "file to write instead of standard output");
     add_parameter_options(*inspect, options);
 
-    CLI::App* stress = app.add_subcommand("stress", "try techniques under hard conditions and count failures");
+    CLI::App* stress =
+        app.add_subcommand("stress", "try techniques under hard conditions and count failures");
     stress->add_option("--technique", options.techniques, "ids of techniques with moments [all]");
-    stress->add_option("--condition", options.conditions, "ids of conditions (momentscope list conditions) [all]");
-    stress->add_option("--rays", options.rays, "random rays for each technique and condition")->capture_default_str();
+    stress->add_option("--condition", options.conditions,
+                       "ids of conditions (momentscope list conditions) [all]");
+    stress->add_option("--rays", options.rays, "random rays for each technique and condition")
+        ->capture_default_str();
     stress->add_option("--seed", options.seed, "of the random rays")->capture_default_str();
     stress->add_option("-o,--output", options.output, ".csv, .html or .png (a heat map)");
     add_parameter_options(*stress, options);
@@ -87,16 +91,19 @@ void add_commands(CLI::App& app, Options& options, std::string& what) {
     CLI::App* tune = app.add_subcommand("tune", "find the moment bias, θ and β of least error");
     add_scene_options(*tune, options);
     CLI::Option* ray = tune->add_option("--ray", options.ray, "JSON file of a view ray, instead of a scene");
-    CLI::Option* random = tune->add_option("--random", options.random, "how many random rays of 2 to 5 fragments, instead of a scene");
+    CLI::Option* random = tune->add_option("--random", options.random,
+                                           "how many random rays of 2 to 5 fragments, instead of a scene");
     ray->excludes(tune->get_option("--scene"), random);
     random->excludes(tune->get_option("--scene"));
     tune->add_option("--technique", options.techniques, "id of a technique with moments [power8-32]");
-    tune->add_option("--max-failures", options.max_failures, "highest failure rate of a safe bias")->capture_default_str();
+    tune->add_option("--max-failures", options.max_failures, "highest failure rate of a safe bias")
+        ->capture_default_str();
     tune->add_option("--seed", options.seed, "of the random rays")->capture_default_str();
     add_parameter_options(*tune, options);
 
     CLI::App* list = app.add_subcommand("list", "print a registry");
-    list->add_option("what", what, "techniques, scenes, parameters, conditions or commands (of the window)")->required();
+    list->add_option("what", what, "techniques, scenes, parameters, conditions or commands (of the window)")
+        ->required();
     list->add_option("--format", options.format, "table or json [table]");
     app.require_subcommand(0, 1);
     refuse_empty_values(app);

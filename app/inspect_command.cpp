@@ -49,8 +49,7 @@ void run_inspect(const Options& options) {
         throw Error(fmt::format("There is no format '{}'; use json, csv or table.", format));
     const ParameterValues parameters = parse_parameters(options);
     const auto techniques = parse_techniques(options, "power6-32");
-    if (options.steps && !options.format.empty())
-        throw Error("The steps are text; leave --format out.");
+    if (options.steps && !options.format.empty()) throw Error("The steps are text; leave --format out.");
     const std::vector<float> depths = options.steps && options.depths.empty() ? std::vector<float>{0}
                                       : options.depths.empty()
                                           ? even_depths(static_cast<std::size_t>(parse_count(
@@ -64,9 +63,9 @@ void run_inspect(const Options& options) {
     for (const Technique* technique : techniques)
         curves.push_back(sample_curve(ray, *technique, parameters, depths));
     const std::string text = options.steps      ? text_of_steps(curves, depths)
-                             : format == "json"  ? curves_to_json(ray, curves)
-                             : format == "csv" ? curves_to_csv(curves)
-                                               : curves_to_table(ray, curves);
+                             : format == "json" ? curves_to_json(ray, curves)
+                             : format == "csv"  ? curves_to_csv(curves)
+                                                : curves_to_table(ray, curves);
     if (options.output.empty())
         std::fputs(text.c_str(), stdout);
     else

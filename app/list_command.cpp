@@ -122,8 +122,8 @@ void run_list(const std::string& what, const std::string& format) {
         rows = list_commands();
         columns = {"id", "keys", "name"};
     } else {
-        throw Error(
-            fmt::format("There is no list '{}'; use techniques, scenes, parameters, conditions or commands.", what));
+        throw Error(fmt::format(
+            "There is no list '{}'; use techniques, scenes, parameters, conditions or commands.", what));
     }
     if (format == "json")
         std::puts(rows.dump(2).c_str());

@@ -25,7 +25,9 @@ void interrupt(int) {
 }  // namespace
 
 Progress::Progress(std::string what)
-    : what_(std::move(what)), begin_(std::chrono::steady_clock::now()), terminal_(isatty(STDERR_FILENO) != 0) {
+    : what_(std::move(what)),
+      begin_(std::chrono::steady_clock::now()),
+      terminal_(isatty(STDERR_FILENO) != 0) {
     interrupted = false;
     std::signal(SIGINT, interrupt);
 }
@@ -42,8 +44,11 @@ void Progress::show(std::size_t done, std::size_t all) {
     if (!terminal_ || percent == shown_percent_) return;
     shown_percent_ = percent;
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
-    const double left = elapsed.count() * static_cast<double>(all - done) / static_cast<double>(std::max<std::size_t>(done, 1));
-    std::fputs(fmt::format("\r{}: {} of {}, {:.0f} s left (Ctrl+C ends it)\033[K", what_, done, all, left).c_str(), stderr);
+    const double left = elapsed.count() * static_cast<double>(all - done) /
+                        static_cast<double>(std::max<std::size_t>(done, 1));
+    std::fputs(
+        fmt::format("\r{}: {} of {}, {:.0f} s left (Ctrl+C ends it)\033[K", what_, done, all, left).c_str(),
+        stderr);
 }
 
 void Progress::require_finished() const {

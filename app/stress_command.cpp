@@ -38,10 +38,12 @@ void run_stress_command(const Options& options) {
     if (!options.techniques.empty()) stress.techniques = parse_techniques(options, "");
     for (const Technique* technique : stress.techniques)
         if (technique->kernel == nullptr)
-            throw Error(fmt::format("'{}' reconstructs nothing that could fail; leave it out.", technique->id));
+            throw Error(
+                fmt::format("'{}' reconstructs nothing that could fail; leave it out.", technique->id));
     for (const Condition& condition : conditions())
         if (options.conditions.empty()) stress.conditions.push_back(&condition);
-    for (const std::string& id : split_list(options.conditions)) stress.conditions.push_back(&require_condition(id));
+    for (const std::string& id : split_list(options.conditions))
+        stress.conditions.push_back(&require_condition(id));
     stress.values = parse_parameters(options);
     stress.rays = parse_count(options.rays, "number of rays", 1, MOST_RAYS);
     stress.seed = static_cast<std::uint32_t>(parse_count(options.seed, "seed", 0, MOST_SEED));
@@ -53,7 +55,8 @@ void run_stress_command(const Options& options) {
     std::vector<StressCell> cells;
     {
         Progress progress("Stress");
-        cells = run_stress(stress, progress.stop(), [&](std::size_t done, std::size_t all) { progress.show(done, all); });
+        cells = run_stress(stress, progress.stop(),
+                           [&](std::size_t done, std::size_t all) { progress.show(done, all); });
         progress.require_finished();
     }
     if (kind == ".png")

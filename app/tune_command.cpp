@@ -29,7 +29,8 @@ std::vector<ViewRay> scene_rays(const Options& options, const TuneOptions& tunin
     renderer.set_scene(scene);
     renderer.render({scene.camera, size, &require_technique("sorted"), tuning.values});
     std::vector<ViewRay> rays;
-    for (PixelCapture& capture : renderer.capture_region({0, 0}, size)) rays.push_back(std::move(capture.ray));
+    for (PixelCapture& capture : renderer.capture_region({0, 0}, size))
+        rays.push_back(std::move(capture.ray));
     return rays;
 }
 
@@ -37,39 +38,50 @@ std::string percent(double rate) {
     return rate > 0 ? fmt::format("{:.2g} %", 100 * rate) : "0 %";
 }
 
-void print_trials(const TuneResult& result) {
+const char* preset_name(const Technique& technique, const Trial& trial) {
+    if (trial.parameter != ParameterId::alpha) return "";
+    if (trial.value == technique.recommended_bias) return "  (Table 1)";
+    return trial.value == technique.robust_bias ? "  (preset robust)" : "";
+}
+
+void print_trials(const Technique& technique, const TuneResult& result) {
     for (const ParameterId id : {ParameterId::alpha, ParameterId::theta, ParameterId::beta}) {
         const auto chosen = result.values[id];
         bool first = true;
         for (const Trial& trial : result.trials) {
             if (trial.parameter != id) continue;
             const Parameter& row = parameter(id);
-            if (first) fmt::print("\n{} --{}\n{:>12}  rms error of T{}{}\n", row.name, row.key, "value", id == ParameterId::alpha ? "  failures" : "",
-                                  id == ParameterId::alpha ? "  (at beta = 0)" : "");
+            if (first)
+                fmt::print("\n{} --{}\n{:>12}  rms error of T{}{}\n", row.name, row.key, "value",
+                           id == ParameterId::alpha ? "  failures" : "",
+                           id == ParameterId::alpha ? "  (at beta = 0)" : "");
             first = false;
-            fmt::print("{:>12.3g}  {:<14.4g}{}{}\n", trial.value, trial.error,
+            fmt::print("{:>12.3g}  {:<14.4g}{}{}{}\n", trial.value, trial.error,
                        id == ParameterId::alpha ? fmt::format("  {:<9}", percent(trial.failure_rate)) : "",
-                       trial.value == chosen ? "  <- chosen" : "");
+                       preset_name(technique, trial), trial.value == chosen ? "  <- chosen" : "");
         }
     }
 }
 
 void print_result(const Technique& technique, const TuneResult& result) {
     if (!result.safe)
-        fmt::print("\nNo moment bias keeps the failure rate below the bound; this one fails least ({}).\n", percent(result.failure_rate));
+        fmt::print("\nNo moment bias keeps the failure rate below the bound; this one fails least ({}).\n",
+                   percent(result.failure_rate));
     std::string options;
     for (const ParameterId id : {ParameterId::alpha, ParameterId::theta, ParameterId::beta})
         if (technique.uses(id)) options += fmt::format(" --{} {:.3g}", parameter(id).key, *result.values[id]);
-    fmt::print("\n{}: --technique {}{}\nrms error of T {:.4g}, before {:.4g}; failures {}\n", technique.name, technique.id, options,
-               result.error, result.error_before, percent(result.failure_rate));
+    fmt::print("\n{}: --technique {}{}\nrms error of T {:.4g}, before {:.4g}; failures {}\n", technique.name,
+               technique.id, options, result.error, result.error_before, percent(result.failure_rate));
 }
 
-void print_overdraw(const std::vector<OverdrawTrial>& trials) {
-    fmt::print("\nMoment bias by overdraw (thin fragments in two layers, up to {} rays each)\n{:>10}{:>12}{:>12}{:>11}\n", OVERDRAW_RAYS,
-               "fragments", "alpha", "rms error", "failures");
-    for (const OverdrawTrial& trial : trials)
-        fmt::print("{:>10}{:>12.2g}{:>12.3g}{:>11}\n", trial.fragments, *trial.result.values[ParameterId::alpha],
-                   trial.result.error, percent(trial.result.failure_rate));
+void print_overdraw(const std::vector<OverdrawTrial>& trials, double most_failures) {
+    fmt::print(
+        "\nSmallest safe moment bias by overdraw (thin fragments in two layers, up to {} rays each)\n{:>10}{:>12}\n",
+        OVERDRAW_RAYS, "fragments", "alpha");
+    for (const OverdrawTrial& trial : trials) {
+        const auto least = least_safe_bias(trial.result, most_failures);
+        fmt::print("{:>10}{:>12}\n", trial.fragments, least ? fmt::format("{:.2g}", *least) : "none");
+    }
 }
 
 }  // namespace
@@ -80,7 +92,8 @@ void run_tune_command(const Options& options) {
     if (chosen.size() != 1) throw Error("tune takes one technique at a time; give --technique one id.");
     tuning.technique = chosen.front();
     if (tuning.technique->kernel == nullptr)
-        throw Error(fmt::format("'{}' has no parameters to tune; choose a technique with moments.", tuning.technique->id));
+        throw Error(fmt::format("'{}' has no parameters to tune; choose a technique with moments.",
+                                tuning.technique->id));
     tuning.values = parse_parameters(options);
     tuning.most_failures = parse_rate(options.max_failures);
     const auto seed = static_cast<std::uint32_t>(parse_count(options.seed, "seed", 0, MOST_SEED));
@@ -101,8 +114,8 @@ void run_tune_command(const Options& options) {
             by_overdraw = tune_by_overdraw(tuning, OVERDRAW_RAYS, seed, progress.stop(), show);
         progress.require_finished();
     }
-    print_trials(*result);
-    if (by_overdraw) print_overdraw(*by_overdraw);
+    print_trials(*tuning.technique, *result);
+    if (by_overdraw) print_overdraw(*by_overdraw, tuning.most_failures);
     print_result(*tuning.technique, *result);
 }
 

@@ -8,6 +8,7 @@
 #include "ui/camera_moves.hpp"
 #include "ui/explorer.hpp"
 #include "ui/lessons.hpp"
+#include "ui/ray_editor.hpp"
 #include "ui/series.hpp"
 
 namespace momentscope::ui {
@@ -46,7 +47,7 @@ Command choice(std::string id, std::string name, Keys keys, std::string help,
             std::move(chosen)};
 }
 
-// Of the scene's picture, which a view ray from a file does not have.
+// Of the scene's picture, which a view ray of its own does not have.
 Command of_picture(std::string id, std::string name, Keys keys, std::string help,
                    std::function<void(Explorer&)> run) {
     return {std::move(id), std::move(name), std::move(keys), std::move(help), std::move(run), has_picture};
@@ -81,6 +82,12 @@ void add_edit(List& list) {
                     "Makes a change again that was taken back.",
                     [](Explorer& e) { e.redo(); },
                     [](const Explorer& e) { return e.can_redo(); }});
+    list.push_back({"edit.delete_fragment",
+                    "Delete fragment",
+                    {"Delete"},
+                    "Takes the marked fragment out of a view ray of its own.",
+                    [](Explorer& e) { delete_marked(e.state()); },
+                    [](const Explorer& e) { return e.state().ray && e.state().marked.has_value(); }});
     list.push_back(plain("edit.reset_parameters", "Reset parameters", {"R"},
                          "All parameters as at the start.", [](Explorer& e) { e.state().parameters = {}; }));
     for (const Parameter& row : parameters()) {

@@ -25,7 +25,7 @@ std::string technique_label(const Technique& row) {
 }
 
 void draw_scene_combo(const Ui& ui, ExplorerState& state) {
-    const std::string shown = state.ray ? "view ray from a file" : state.scene;
+    const std::string shown = state.ray ? "a view ray of its own" : state.scene;
     const bool open = ImGui::BeginCombo("##scene", shown.c_str());
     ui.mark("controls.scene");
     tooltip("The scene. Mesh files are opened with File > Open mesh.", "--scene");
@@ -50,7 +50,8 @@ void draw_technique_combo(const Ui& ui, OrderedAccess access, ExplorerState& sta
         if (ImGui::Selectable(technique_label(row).c_str(), &row == state.technique)) state.technique = &row;
         ImGui::EndDisabled();
         ui.mark(fmt::format("controls.technique.{}", row.id));
-        tooltip(why_not.empty() ? row.description : fmt::format("Not available here. {}", why_not), row.source);
+        tooltip(why_not.empty() ? row.description : fmt::format("Not available here. {}", why_not),
+                row.source);
     }
     ImGui::EndCombo();
 }
@@ -81,8 +82,8 @@ void draw_compared_combo(const Ui& ui, ExplorerState& state) {
 
 }  // namespace
 
-void draw_control_panel(const Ui& ui, OrderedAccess access, ExplorerState& state, std::optional<ParameterId>& to_type,
-                        std::string& message) {
+void draw_control_panel(const Ui& ui, OrderedAccess access, ExplorerState& state,
+                        std::optional<ParameterId>& to_type, std::string& message) {
     label("scene");
     draw_scene_combo(ui, state);
     label("technique");

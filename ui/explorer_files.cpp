@@ -100,7 +100,7 @@ void Explorer::export_to(const FileDialog::Choice& choice) {
         frames_to_export_ = 2;  // this frame still shows the dialog
         return;                 // who writes it says so
     } else if (kind.starts_with("picture")) {
-        if (state_.ray) throw Error("A view ray from a file has no picture; choose a scene first.");
+        if (state_.ray) throw Error("A view ray of its own has no picture; choose a scene first.");
         write_image(renderer_.read_picture(), choice.path);
     } else if (kind == "curves_csv") {
         write_text_file(curves_to_csv(curves), choice.path);

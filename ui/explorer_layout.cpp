@@ -262,7 +262,7 @@ void Explorer::draw_status(const Ui& ui) {
     }
     if (measurement_.curve.technique == nullptr)
         return ImGui::TextUnformatted("The first scene is being read.");
-    std::string status = state_.ray ? std::string("view ray from a file")
+    std::string status = state_.ray ? std::string("view ray of its own")
                                     : fmt::format("pixel {}, {}", measurement_.pixel.x, measurement_.pixel.y);
     status += fmt::format("   {} fragments   absorbance {:.4g}", measurement_.capture.ray.fragments.size(),
                           measurement_.curve.total_absorbance);

@@ -21,7 +21,8 @@ void Explorer::start_tuning() {
         Renderer small;
         small.set_scene(scene_);
         small.render({camera(), TUNED_SIZE, &require_technique("sorted"), state_.parameters});
-        for (PixelCapture& capture : small.capture_region({0, 0}, TUNED_SIZE)) rays.push_back(std::move(capture.ray));
+        for (PixelCapture& capture : small.capture_region({0, 0}, TUNED_SIZE))
+            rays.push_back(std::move(capture.ray));
         shown_view_.technique = nullptr;  // what the other renderer bound is not what this one expects
     }
     const TuneOptions options = {.technique = state_.technique, .values = state_.parameters};
@@ -35,18 +36,20 @@ void Explorer::draw_tuning(const Ui& ui) {
         if (auto result = tuning_.take(); result && *result) {
             const TuneResult& tuned = **result;
             state_.parameters = tuned.values;
-            message_ = fmt::format("Tuned: error of T {:.4f} instead of {:.4f}{}. Ctrl+Z brings the old values back.", tuned.error,
-                                   tuned.error_before,
-                                   tuned.safe ? "" : ", though no moment bias kept failures below one in a thousand");
+            message_ = fmt::format(
+                "Tuned: error of T {:.4f} instead of {:.4f}{}. Ctrl+Z brings the old values back.",
+                tuned.error, tuned.error_before,
+                tuned.safe ? "" : ", though no moment bias kept failures below one in a thousand");
         }
         if (state_.technique->kernel == nullptr) return;
         ImGui::Spacing();
         if (!tuning_.busy()) {
             if (ImGui::Button("tune α, θ, β")) start_tuning();
             ui.mark("controls.tune");
-            tooltip("Looks for the moment bias, wrapping zone angle and overestimation weight of least error against the truth, over "
-                    "the pixels of this scene or for this ray, as the paper advises finding them by hand.",
-                    "momentscope tune");
+            tooltip(
+                "Looks for the moment bias, wrapping zone angle and overestimation weight of least error against the truth, over "
+                "the pixels of this scene or for this ray, as the paper advises finding them by hand.",
+                "momentscope tune");
             return;
         }
     } catch (const Error& error) {

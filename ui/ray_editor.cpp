@@ -75,13 +75,16 @@ void draw_clipboard(const Ui& ui, const Measurement& m, ExplorerState& state, st
         }
     }
     ui.mark("editor.paste");
-    tooltip("Puts the ray in the clipboard, as JSON, in place of this one.", "File > Open view ray reads one from a file.");
+    tooltip("Puts the ray in the clipboard, as JSON, in place of this one.",
+            "File > Open view ray reads one from a file.");
 }
 
 void draw_swatches(const Ui& ui, const Measurement& m, const ExplorerState& state) {
-    const PixelColors colors = pixel_colors(m.capture.ray, m.history, BACKGROUND, m.curve.parameters.renormalize);
+    const PixelColors colors =
+        pixel_colors(m.capture.ray, m.history, BACKGROUND, m.curve.parameters.renormalize);
     const auto swatch = [&](const char* name, const glm::vec3& color) {
-        ImGui::ColorButton(name, display_color(color), ImGuiColorEditFlags_NoTooltip, {2.2f * em(), 1.2f * em()});
+        ImGui::ColorButton(name, display_color(color), ImGuiColorEditFlags_NoTooltip,
+                           {2.2f * em(), 1.2f * em()});
         ImGui::SameLine();
         ImGui::Text("%s (%.3f, %.3f, %.3f)", name, static_cast<double>(color.r), static_cast<double>(color.g),
                     static_cast<double>(color.b));
@@ -98,7 +101,8 @@ void draw_swatches(const Ui& ui, const Measurement& m, const ExplorerState& stat
 void draw_marked(const Ui& ui, ExplorerState& state) {
     if (!state.ray) return;
     if (!state.marked || *state.marked >= state.ray->fragments.size()) {
-        ImGui::TextDisabled("Double-click adds a fragment; drag one sideways for its depth, up and down for its opacity.");
+        ImGui::AlignTextToFramePadding();  // as high as the controls that stand here otherwise
+        ImGui::TextDisabled("Double-click adds a fragment; drag sideways for depth, up for opacity.");
         return;
     }
     Fragment fragment = state.ray->fragments[*state.marked];
@@ -113,11 +117,13 @@ void draw_marked(const Ui& ui, ExplorerState& state) {
     tooltip("Depth of the marked fragment, warped to [−1, 1]. Drag, or double-click to type.");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(8 * em());
-    changed |= ImGui::DragFloat("##opacity", &fragment.opacity, 0.002f, 0, 1, "α_l = %.4f", ImGuiSliderFlags_AlwaysClamp);
+    changed |= ImGui::DragFloat("##opacity", &fragment.opacity, 0.002f, 0, 1, "α_l = %.4f",
+                                ImGuiSliderFlags_AlwaysClamp);
     ui.mark("editor.opacity");
     tooltip("Opacity α_l of the marked fragment. Drag, or double-click to type.");
     ImGui::SameLine();
-    changed |= ImGui::ColorEdit3("##color", &fragment.color.r, ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs);
+    changed |= ImGui::ColorEdit3("##color", &fragment.color.r,
+                                 ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs);
     ui.mark("editor.color");
     tooltip("Its colour, linear RGB.");
     ImGui::SameLine();
@@ -163,14 +169,19 @@ void RayEditor::draw_canvas(const Ui& ui, const Measurement& m, ExplorerState& s
     ImGui::InvisibleButton("canvas", size);
     ui.mark("editor.canvas");
     const float pad = 0.9f * em();
-    const Rect area = {{low.x + 2.2f * em(), low.y + pad}, {low.x + size.x - pad, low.y + size.y - 1.4f * em()}};
+    const Rect area = {{low.x + 2.2f * em(), low.y + pad},
+                       {low.x + size.x - pad, low.y + size.y - 1.4f * em()}};
     if (area.empty()) return;
     ui.anchors["editor.area"] = area;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
-    const auto x_of = [&](float depth) { return area.low.x + 0.5f * (depth + 1) * (area.high.x - area.low.x); };
+    const auto x_of = [&](float depth) {
+        return area.low.x + 0.5f * (depth + 1) * (area.high.x - area.low.x);
+    };
     const auto y_of = [&](float opacity) { return area.high.y - opacity * (area.high.y - area.low.y); };
-    const float mouse_depth = std::clamp(2 * (mouse.x - area.low.x) / (area.high.x - area.low.x) - 1, -1.0f, 1.0f);
-    const float mouse_opacity = std::clamp((area.high.y - mouse.y) / (area.high.y - area.low.y), 0.0f, MOST_OPACITY);
+    const float mouse_depth =
+        std::clamp(2 * (mouse.x - area.low.x) / (area.high.x - area.low.x) - 1, -1.0f, 1.0f);
+    const float mouse_opacity =
+        std::clamp((area.high.y - mouse.y) / (area.high.y - area.low.y), 0.0f, MOST_OPACITY);
     const ViewRay& shown = state.ray ? *state.ray : m.capture.ray;
     std::optional<std::size_t> near;
     float least = 0.8f * em();
@@ -205,8 +216,10 @@ void RayEditor::draw_canvas(const Ui& ui, const Measurement& m, ExplorerState& s
     }
     if (changed) {
         const std::optional<std::size_t> mark = held_;
-        if (!state.ray) edit_ray(state, std::move(edited));  // the first touch takes the ray off the scene
-        else state.ray = std::move(edited);
+        if (!state.ray)
+            edit_ray(state, std::move(edited));  // the first touch takes the ray off the scene
+        else
+            state.ray = std::move(edited);
         state.marked = mark;
     }
     if (!ImGui::IsItemActive() && !changed) held_.reset();
@@ -215,21 +228,24 @@ void RayEditor::draw_canvas(const Ui& ui, const Measurement& m, ExplorerState& s
     list.AddRectFilled(area.low, area.high, ui.colors.plot_background, 3);
     for (const float opacity : {0.0f, 0.5f, 1.0f}) {
         list.AddLine({area.low.x, y_of(opacity)}, {area.high.x, y_of(opacity)}, ui.colors.grid);
-        draw_text(list, {area.low.x - 0.3f * em(), y_of(opacity)}, {1, 0.5f}, opacity == 0.5f ? ".5" : fmt::format("{:.0f}", opacity),
-                  ui.colors.text);
+        draw_text(list, {area.low.x - 0.3f * em(), y_of(opacity)}, {1, 0.5f},
+                  opacity == 0.5f ? ".5" : fmt::format("{:.0f}", opacity), ui.colors.text);
     }
     for (const float depth : {-1.0f, -0.5f, 0.0f, 0.5f, 1.0f}) {
         list.AddLine({x_of(depth), area.low.y}, {x_of(depth), area.high.y}, ui.colors.grid);
-        draw_text(list, {x_of(depth), area.high.y + 0.15f * em()}, {0.5f, 0}, fmt::format("{:g}", depth), ui.colors.text);
+        draw_text(list, {x_of(depth), area.high.y + 0.15f * em()}, {0.5f, 0}, fmt::format("{:g}", depth),
+                  ui.colors.text);
     }
-    draw_text(list, {area.low.x + 0.3f * em(), area.low.y + 0.1f * em()}, {0, 0}, "opacity α_l over warped depth z", ui.colors.axis);
+    draw_text(list, {area.low.x + 0.3f * em(), area.low.y + 0.1f * em()}, {0, 0},
+              "opacity α_l over warped depth z", ui.colors.axis);
     for (std::size_t i = std::min(ray.fragments.size(), MOST_HANDLES); i-- > 0;) {
         const Fragment& fragment = ray.fragments[i];
         const ImVec2 at = {x_of(fragment.depth), y_of(fragment.opacity)};
         list.AddLine({at.x, area.high.y}, at, ui.colors.axis, 0.1f * em());
         list.AddCircleFilled(at, 0.45f * em(), ImGui::ColorConvertFloat4ToU32(display_color(fragment.color)));
         const bool marked = state.marked == i;
-        list.AddCircle(at, (marked ? 0.6f : 0.45f) * em(), marked ? ui.colors.mark : ui.colors.text, 0, (marked ? 0.16f : 0.07f) * em());
+        list.AddCircle(at, (marked ? 0.6f : 0.45f) * em(), marked ? ui.colors.mark : ui.colors.text, 0,
+                       (marked ? 0.16f : 0.07f) * em());
         ui.anchors[fmt::format("editor.fragment.{}", i + 1)] = {{at.x - 2, at.y - 2}, {at.x + 2, at.y + 2}};
     }
     if (ray.fragments.empty())

@@ -221,7 +221,7 @@ void ScenePanel::draw_picture(const Ui& ui, const Measurement& m, const ScenePic
         list.AddRectFilled(area.low, area.high, ui.colors.plot_background);
         list.AddText(
             {area.low.x + pad, area.low.y + pad}, ui.colors.text,
-            "A view ray from a file: it has a function, but no picture.\nChoose a scene to see one.");
+            "A view ray of its own: it has a function, but no picture.\nThe ray editor leads back to the scene.");
         return;
     }
     if (picture.texture == 0) return list.AddRectFilled(area.low, area.high, ui.colors.plot_background);

@@ -21,8 +21,7 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 
 constexpr std::uintmax_t MAX_SESSION_BYTES = MAX_RAY_FILE_BYTES + (1U << 20);  // a ray is the only large part
-constexpr const char* PANELS[] = {"controls", "fragments", "technique",
-                                   "steps",    "editor",    "stress"};
+constexpr const char* PANELS[] = {"controls", "fragments", "technique", "steps", "editor", "stress"};
 constexpr const char* QUANTITIES[] = {"absorbance", "transmittance"};
 constexpr const char* AXES[] = {"warped", "view"};
 constexpr const char* THEMES[] = {"dark", "light"};

@@ -23,7 +23,8 @@ ImU32 blend(ImU32 from, ImU32 to, float share) {
 // Entries from -1 to 1: one hue each, stronger for greater ones, none for 0.
 ImU32 entry_color(const Ui& ui, double value) {
     const auto share = static_cast<float>(std::sqrt(std::min(std::abs(value), 1.0)));
-    return blend(ui.colors.plot_background, value < 0 ? ui.colors.reconstruction : ui.colors.bounds, 0.85f * share);
+    return blend(ui.colors.plot_background, value < 0 ? ui.colors.reconstruction : ui.colors.bounds,
+                 0.85f * share);
 }
 
 std::string entry_text(const ComplexNumber& entry, bool complex) {
@@ -41,10 +42,12 @@ void draw_matrix(const Ui& ui, const char* name, const MomentMatrix& matrix, boo
     for (std::size_t i = 0; i < matrix.order; ++i)
         for (std::size_t j = 0; j < matrix.order; ++j) {
             const ComplexNumber& entry = matrix.entry[i * matrix.order + j];
-            const ImVec2 corner = {low.x + width * static_cast<float>(j), low.y + height * static_cast<float>(i)};
-            list.AddRectFilled(corner, {corner.x + width - 1, corner.y + height - 1}, entry_color(ui, entry.re), 2);
-            draw_text(list, {corner.x + 0.5f * width, corner.y + 0.5f * height}, {0.5f, 0.5f}, entry_text(entry, complex),
-                      ui.colors.text);
+            const ImVec2 corner = {low.x + width * static_cast<float>(j),
+                                   low.y + height * static_cast<float>(i)};
+            list.AddRectFilled(corner, {corner.x + width - 1, corner.y + height - 1},
+                               entry_color(ui, entry.re), 2);
+            draw_text(list, {corner.x + 0.5f * width, corner.y + 0.5f * height}, {0.5f, 0.5f},
+                      entry_text(entry, complex), ui.colors.text);
         }
     const auto order = static_cast<float>(matrix.order);
     ImGui::Dummy({width * order, height * order});
@@ -52,12 +55,13 @@ void draw_matrix(const Ui& ui, const char* name, const MomentMatrix& matrix, boo
     if (definite)
         ImGui::Text("smallest eigenvalue %.2e, condition %.1e", matrix.smallest_eigenvalue, matrix.condition);
     else
-        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ui.colors.warning), "smallest eigenvalue %.2e: not positive definite",
-                           matrix.smallest_eigenvalue);
+        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ui.colors.warning),
+                           "smallest eigenvalue %.2e: not positive definite", matrix.smallest_eigenvalue);
     ImGui::EndGroup();
 }
 
-// The kernel polynomial over depth on the line: (z - z_f)^n K, which has the same roots and is finite everywhere.
+// The kernel polynomial over depth on the line: (z - z_f)^n K, which has the same roots and is finite
+// everywhere.
 void draw_kernel(const Ui& ui, const Steps& steps) {
     const ImVec2 size = {std::min(ImGui::GetContentRegionAvail().x, 34 * em()), 7 * em()};
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -72,7 +76,8 @@ void draw_kernel(const Ui& ui, const Steps& steps) {
     for (int i = 0; i < SAMPLES; ++i) {
         const double s = depth_of(i) - static_cast<double>(steps.query);
         double value = 0;  // s^n p(1/s)
-        for (std::size_t k = steps.kernel.size(); k-- > 1;) value = value * s + static_cast<double>(steps.kernel[k]);
+        for (std::size_t k = steps.kernel.size(); k-- > 1;)
+            value = value * s + static_cast<double>(steps.kernel[k]);
         values[static_cast<std::size_t>(i)] = value * s + 1;
         most = std::max(most, std::abs(values[static_cast<std::size_t>(i)]));
     }
@@ -83,20 +88,27 @@ void draw_kernel(const Ui& ui, const Steps& steps) {
     };
     const auto x_of = [&](double depth) { return low.x + static_cast<float>((depth + 1.25) / 2.5) * size.x; };
     list.AddLine({low.x, y_of(0)}, {high.x, y_of(0)}, ui.colors.axis);
-    for (const double end : {-1.0, 1.0}) list.AddLine({x_of(end), low.y}, {x_of(end), high.y}, ui.colors.grid);
+    for (const double end : {-1.0, 1.0})
+        list.AddLine({x_of(end), low.y}, {x_of(end), high.y}, ui.colors.grid);
     std::vector<ImVec2> line;
-    for (int i = 0; i < SAMPLES; ++i) line.push_back({x_of(depth_of(i)), y_of(values[static_cast<std::size_t>(i)])});
+    for (int i = 0; i < SAMPLES; ++i)
+        line.push_back({x_of(depth_of(i)), y_of(values[static_cast<std::size_t>(i)])});
     list.AddPolyline(line.data(), static_cast<int>(line.size()), ui.colors.reconstruction, 0, 0.13f * em());
     list.PushClipRect(low, high, true);
     for (const StepNode& node : steps.nodes)
-        if (std::abs(node.depth) < 1.25f) list.AddCircleFilled({x_of(static_cast<double>(node.depth)), y_of(0)}, 0.3f * em(), ui.colors.stems);
-    list.AddLine({x_of(static_cast<double>(steps.query)), low.y}, {x_of(static_cast<double>(steps.query)), high.y}, ui.colors.truth);
-    draw_text(list, {x_of(static_cast<double>(steps.query)) + 0.3f * em(), low.y + 0.2f * em()}, {0, 0}, "z_f", ui.colors.text);
+        if (std::abs(node.depth) < 1.25f)
+            list.AddCircleFilled({x_of(static_cast<double>(node.depth)), y_of(0)}, 0.3f * em(),
+                                 ui.colors.stems);
+    list.AddLine({x_of(static_cast<double>(steps.query)), low.y},
+                 {x_of(static_cast<double>(steps.query)), high.y}, ui.colors.truth);
+    draw_text(list, {x_of(static_cast<double>(steps.query)) + 0.3f * em(), low.y + 0.2f * em()}, {0, 0},
+              "z_f", ui.colors.text);
     list.PopClipRect();
     ImGui::Dummy(size);
     ui.mark("steps.kernel");
-    tooltip("The kernel polynomial over depth, with the dots where it vanishes: nodes of the canonical representation. Drawn "
-            "as its n-th root, so that small bumps show.");
+    tooltip(
+        "The kernel polynomial over depth, with the dots where it vanishes: nodes of the canonical representation. Drawn "
+        "as its n-th root, so that small bumps show.");
 }
 
 // Nodes on the unit circle, the wrapping zone as an arc.
@@ -106,7 +118,8 @@ void draw_circle(const Ui& ui, const Steps& steps) {
     const ImVec2 middle = {low.x + radius + 2.5f * em(), low.y + radius + 1.2f * em()};
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const auto at = [&](double phase, float r) {
-        return ImVec2(middle.x + r * static_cast<float>(std::cos(phase)), middle.y - r * static_cast<float>(std::sin(phase)));
+        return ImVec2(middle.x + r * static_cast<float>(std::cos(phase)),
+                      middle.y - r * static_cast<float>(std::sin(phase)));
     };
     constexpr double PI = 3.14159265358979;
     const double end = 2 * PI - static_cast<double>(steps.parameters.theta);
@@ -119,7 +132,8 @@ void draw_circle(const Ui& ui, const Steps& steps) {
     const double per_depth = PI - 0.5 * static_cast<double>(steps.parameters.theta);
     const double query = (static_cast<double>(steps.query) + 1) * per_depth;
     const auto dot = [&](double phase, float weight, ImU32 color, const std::string& name) {
-        list.AddCircleFilled(at(phase, radius), (0.2f + 0.5f * std::sqrt(std::max(weight, 0.0f))) * em(), color);
+        list.AddCircleFilled(at(phase, radius), (0.2f + 0.5f * std::sqrt(std::max(weight, 0.0f))) * em(),
+                             color);
         draw_text(list, at(phase, radius + 1.3f * em()), {0.5f, 0.5f}, name, ui.colors.text);
     };
     for (std::size_t l = 0; l < steps.nodes.size(); ++l)
@@ -127,8 +141,9 @@ void draw_circle(const Ui& ui, const Steps& steps) {
     dot(query, steps.query_weight, ui.colors.truth, "x(z_f)");
     ImGui::Dummy({2 * radius + 5 * em(), 2 * radius + 2.4f * em()});
     ui.mark("steps.circle");
-    tooltip("Depths on the unit circle: the near end at the right, then counter-clockwise. The thick arc is the wrapping zone. Dots "
-            "are the nodes, larger for greater masses.");
+    tooltip(
+        "Depths on the unit circle: the near end at the right, then counter-clockwise. The thick arc is the wrapping zone. Dots "
+        "are the nodes, larger for greater masses.");
 }
 
 void draw_figures(const Ui& ui, const Steps& steps, const std::string& title, bool circle) {
@@ -136,7 +151,8 @@ void draw_figures(const Ui& ui, const Steps& steps, const std::string& title, bo
     if (matrix) {
         draw_matrix(ui, "before bias", steps.before, circle);
         const float needed = ImGui::GetItemRectSize().x + 2 * em();
-        if (ImGui::GetItemRectMax().x + needed < ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x)
+        if (ImGui::GetItemRectMax().x + needed <
+            ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x)
             ImGui::SameLine(0, 2 * em());
         draw_matrix(ui, "after bias", steps.after, circle);
     }
@@ -148,7 +164,8 @@ void draw_figures(const Ui& ui, const Steps& steps, const std::string& title, bo
 
 void draw_steps_panel(const Ui& ui, const Measurement& m) {
     if (m.curve.technique->kernel == nullptr) {
-        ImGui::TextWrapped("%s has no steps: it reconstructs nothing. Choose a technique with moments.", m.curve.technique->name);
+        ImGui::TextWrapped("%s has no steps: it reconstructs nothing. Choose a technique with moments.",
+                           m.curve.technique->name);
         return;
     }
     const Steps steps = reconstruction_steps(m.curve, m.canonical.query);
@@ -157,8 +174,9 @@ void draw_steps_panel(const Ui& ui, const Measurement& m) {
         return;
     }
     if (steps.parameters.textbook)
-        ImGui::TextWrapped("These are the steps of the robust solver. The picture is drawn by the textbook's, which takes the same "
-                           "way with fewer precautions.");
+        ImGui::TextWrapped(
+            "These are the steps of the robust solver. The picture is drawn by the textbook's, which takes the same "
+            "way with fewer precautions.");
     const bool circle = std::string_view(m.curve.technique->basis) == "trigonometric";
     for (const StepText& step : step_texts(steps)) {
         ImGui::PushFont(bold_font());

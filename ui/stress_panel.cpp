@@ -15,9 +15,11 @@ void StressPanel::start(const ExplorerState& state) {
     options.values = state.parameters;
     options.rays = rays_;
     const auto text = [&](ParameterId id) { return parameter_text(parameter(id), options.values[id]); };
-    title_ = fmt::format("solver {}, bias preset {}, β = {}, up to {} rays a cell: share of queries that fail",
-                         text(ParameterId::solver), text(ParameterId::preset), text(ParameterId::beta), rays_);
-    work_.start([options](std::stop_token stop, const auto& report) { return run_stress(options, stop, report); });
+    title_ =
+        fmt::format("solver {}, bias preset {}, β = {}, up to {} rays a cell: share of queries that fail",
+                    text(ParameterId::solver), text(ParameterId::preset), text(ParameterId::beta), rays_);
+    work_.start(
+        [options](std::stop_token stop, const auto& report) { return run_stress(options, stop, report); });
 }
 
 void StressPanel::draw_progress(const Ui& ui) {
@@ -31,8 +33,9 @@ void StressPanel::draw_progress(const Ui& ui) {
 
 void StressPanel::open_worst(const StressCell& cell, ExplorerState& state, std::string& message) {
     if (cell.worst_case.ray.fragments.size() > 2000) {
-        message = fmt::format("The worst ray of that cell has {} fragments, too many to edit; click another cell.",
-                              cell.worst_case.ray.fragments.size());
+        message =
+            fmt::format("The worst ray of that cell has {} fragments, too many to edit; click another cell.",
+                        cell.worst_case.ray.fragments.size());
         return;
     }
     state.technique = cell.technique;
@@ -42,26 +45,32 @@ void StressPanel::open_worst(const StressCell& cell, ExplorerState& state, std::
 }
 
 void StressPanel::draw(const Ui& ui, ExplorerState& state, std::string& message) {
-    if (std::optional<std::vector<StressCell>> cells = work_.take(); cells && !cells->empty()) cells_ = *std::move(cells);
+    if (std::optional<std::vector<StressCell>> cells = work_.take(); cells && !cells->empty())
+        cells_ = *std::move(cells);
     if (work_.busy()) {
         draw_progress(ui);
     } else {
         if (ImGui::Button("run")) start(state);
         ui.mark("stress.run");
-        tooltip("Tries every technique under every condition with the current solver, bias and β, and counts failures.");
+        tooltip(
+            "Tries every technique under every condition with the current solver, bias and β, and counts failures.");
         ImGui::SameLine();
         ImGui::SetNextItemWidth(9 * em());
-        ImGui::SliderInt("##rays", &rays_, 10, 1000, "%d rays a cell", ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+        ImGui::SliderInt("##rays", &rays_, 10, 1000, "%d rays a cell",
+                         ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
         ui.mark("stress.rays");
         tooltip("Random rays for each technique and condition: more find rarer failures.");
     }
     if (cells_.empty()) {
-        ImGui::TextWrapped("Techniques times conditions as a map of failures: no number, a result outside [0, b₀], or T off by more "
-                           "than .02 from the exact result at the same moment bias. Press run; a click in the map opens the worst "
-                           "ray of a cell in the editor.");
+        ImGui::TextWrapped(
+            "Techniques times conditions as a map of failures: no number, a result outside [0, b₀], or T off by more "
+            "than .02 from the exact result at the same moment bias. Press run; a click in the map opens the worst "
+            "ray of a cell in the editor.");
         return;
     }
-    ImGui::TextDisabled("%s", title_.c_str());
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    ImGui::TextWrapped("%s", title_.c_str());
+    ImGui::PopStyleColor();
     ImGui::BeginChild("map", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar);
     const auto clicked = draw_stress_map(ui, cells_);
     ImGui::EndChild();

@@ -4,13 +4,14 @@
 
 namespace momentscope {
 
-PixelColors pixel_colors(const ViewRay& ray, const std::vector<PixelHistoryRow>& rows, const glm::vec3& background,
-                         bool renormalize) {
+PixelColors pixel_colors(const ViewRay& ray, const std::vector<PixelHistoryRow>& rows,
+                         const glm::vec3& background, bool renormalize) {
     PixelColors colors;
     float transmittance = 1;
     float absorbance = 0;
     glm::vec4 weighted(0);
-    for (const PixelHistoryRow& row : rows) {  // front to back, so that ties are composited one after the other
+    for (const PixelHistoryRow& row :
+         rows) {  // front to back, so that ties are composited one after the other
         const Fragment& fragment = ray.fragments[row.fragment];
         colors.truth += transmittance * fragment.opacity * fragment.color;
         transmittance *= 1 - fragment.opacity;

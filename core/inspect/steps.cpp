@@ -27,7 +27,8 @@ std::complex<double> matrix_entry(const Technique& technique, const MomentVector
     if (basis != "trigonometric") return moment(i + j);
     if (i == j) return 1.0;
     const auto k = static_cast<std::size_t>(2 * (std::abs(i - j) - 1));
-    const std::complex<double> b(static_cast<double>(normalised.b[k]), static_cast<double>(normalised.b[k + 1]));
+    const std::complex<double> b(static_cast<double>(normalised.b[k]),
+                                 static_cast<double>(normalised.b[k + 1]));
     return i > j ? b : std::conj(b);
 }
 
@@ -41,7 +42,8 @@ MomentMatrix matrix_of(const Technique& technique, const MomentVector& normalise
             matrix(i, j) = matrix_entry(technique, normalised, i, j);
             result.entry.push_back({matrix(i, j).real(), matrix(i, j).imag()});
         }
-    const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
+    const Eigen::VectorXd values =
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
     result.smallest_eigenvalue = values(0);
     result.condition = values(order - 1) / values(0);
     return result;
@@ -49,20 +51,24 @@ MomentMatrix matrix_of(const Technique& technique, const MomentVector& normalise
 
 MomentVector normalised(const MomentVector& moments, int floats) {
     MomentVector result{1, {}};
-    for (std::size_t i = 0; i < static_cast<std::size_t>(floats); ++i) result.b[i] = moments.b[i] / moments.b0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(floats); ++i)
+        result.b[i] = moments.b[i] / moments.b0;
     return result;
 }
 
 std::string list(std::string_view format, const auto& values, std::size_t count) {
     std::string text;
-    for (std::size_t i = 0; i < count; ++i) text += fmt::format("{}{}", i == 0 ? "" : ", ", fmt::format(fmt::runtime(format), values[i]));
+    for (std::size_t i = 0; i < count; ++i)
+        text += fmt::format("{}{}", i == 0 ? "" : ", ", fmt::format(fmt::runtime(format), values[i]));
     return text;
 }
 
 std::string matrix_numbers(const char* name, const MomentMatrix& matrix) {
-    const std::string condition =
-        matrix.smallest_eigenvalue > 0 ? fmt::format("{:.2e}", matrix.condition) : std::string("none: it is not positive definite");
-    return fmt::format("{}: smallest eigenvalue {:.3e}, condition {}", name, matrix.smallest_eigenvalue, condition);
+    const std::string condition = matrix.smallest_eigenvalue > 0
+                                      ? fmt::format("{:.2e}", matrix.condition)
+                                      : std::string("none: it is not positive definite");
+    return fmt::format("{}: smallest eigenvalue {:.3e}, condition {}", name, matrix.smallest_eigenvalue,
+                       condition);
 }
 
 }  // namespace
@@ -72,7 +78,8 @@ Steps reconstruction_steps(const Curve& curve, float query) {
     result.technique = curve.technique;
     result.parameters = curve.parameters;
     result.query = query;
-    if (curve.technique == nullptr || curve.technique->kernel == nullptr || !(curve.moments.b0 > 0)) return result;
+    if (curve.technique == nullptr || curve.technique->kernel == nullptr || !(curve.moments.b0 > 0))
+        return result;
     const MomentKernel& kernel = *curve.technique->kernel;
     const auto nodes = static_cast<std::size_t>(kernel.node_count);
     const ReconstructionSteps steps = kernel.steps(curve.moments, settings_of(curve.parameters), query);
@@ -88,7 +95,8 @@ Steps reconstruction_steps(const Curve& curve, float query) {
     const double per_depth = PI - 0.5 * static_cast<double>(curve.parameters.theta);
     for (std::size_t l = 0; l < nodes; ++l) {
         const float depth = node_depth(steps.t[l], query, curve);
-        result.nodes.push_back({steps.t[l], depth, (static_cast<double>(depth) + 1) * per_depth, steps.weight[l], steps.value[l]});
+        result.nodes.push_back({steps.t[l], depth, (static_cast<double>(depth) + 1) * per_depth,
+                                steps.weight[l], steps.value[l]});
     }
     result.query_weight = steps.query_weight;
     result.in_front = steps.in_front;
@@ -100,7 +108,8 @@ Steps reconstruction_steps(const Curve& curve, float query) {
 
 double kernel_at(const Steps& steps, double t) {
     double value = 1;
-    for (std::size_t i = 1; i < steps.kernel.size(); ++i) value = value * t + static_cast<double>(steps.kernel[i]);
+    for (std::size_t i = 1; i < steps.kernel.size(); ++i)
+        value = value * t + static_cast<double>(steps.kernel[i]);
     return value;
 }
 
@@ -112,64 +121,83 @@ std::vector<StepText> step_texts(const Steps& s) {
     const char* matrix = circle ? "Toeplitz matrix" : chebyshev ? "Gram matrix" : "Hankel matrix";
     const char* entry = circle ? "b_{i−j}" : chebyshev ? "(b_{i+j} + b_{|i−j|}) / 2" : "b_{i+j}";
     std::vector<StepText> texts;
-    texts.push_back({"1  Normalise",
-                     fmt::format("Divide what the pixel stores by its total absorbance b₀ = {:.6g}, so that it describes a "
-                                 "distribution of mass 1 (Section 3.1).",
-                                 s.stored.b0),
-                     fmt::format("b/b₀ = 1, {}", list("{:.6f}", s.normalised.b, floats))});
-    texts.push_back({"2  Bias",
-                     fmt::format("Pull the moments a little, α = {:.2e}, towards those of a harmless distribution, "
-                                 "(1 − α) b + α b*, to make up for rounding (supplementary, Section 1).",
-                                 s.parameters.alpha),
-                     fmt::format("b = 1, {}", list("{:.6f}", s.biased.b, floats))});
-    texts.push_back({fmt::format("3  {}", matrix),
-                     fmt::format("Entry i, j is {}. With as few surfaces as rows, rounding decides its smallest eigenvalue; bias "
-                                 "keeps it above zero (Algorithm {}).",
-                                 entry, circle ? 2 : 1),
-                     matrix_numbers("before bias", s.before) + "\n" + matrix_numbers("after bias", s.after)});
-    texts.push_back({"4  Factor",
-                     "Cholesky's elimination leaves the pivots h_k, the norms of the orthogonal polynomials p_k: the smaller "
-                     "the last one, the surer the moments know where the surfaces are (docs/equations.md).",
-                     fmt::format("h = {}{}", list("{:.4e}", s.pivots, s.pivots.size()),
-                                 s.floored_pivots > 0 ? fmt::format("; {} raised to the floor 6e-8", s.floored_pivots) : "")});
-    texts.push_back({"5  Kernel polynomial",
-                     circle ? "K(z_f, z) = Σ p_k(z_f) p_k(z)/h_k, the q of Algorithm 2, in t = cot((φ − φ_f)/2), which is "
-                              "infinite at the query itself."
-                            : "K(z_f, z) = Σ p_k(z_f) p_k(z)/h_k, the q of Algorithm 1, in t = 1/(z − z_f), which is infinite at "
-                              "the query itself.",
-                     fmt::format("1/w₀ = {:.6g}; coefficients below the leading 1: {}", s.kernel[0],
-                                 list("{:.5g}", std::vector<float>(s.kernel.begin() + 1, s.kernel.end()), s.kernel.size() - 1))});
+    texts.push_back(
+        {"1  Normalise",
+         fmt::format(
+             "Divide what the pixel stores by its total absorbance b₀ = {:.6g}, so that it describes a "
+             "distribution of mass 1 (Section 3.1).",
+             s.stored.b0),
+         fmt::format("b/b₀ = 1, {}", list("{:.6f}", s.normalised.b, floats))});
+    texts.push_back(
+        {"2  Bias",
+         fmt::format("Pull the moments a little, α = {:.2e}, towards those of a harmless distribution, "
+                     "(1 − α) b + α b*, to make up for rounding (supplementary, Section 1).",
+                     s.parameters.alpha),
+         fmt::format("b = 1, {}", list("{:.6f}", s.biased.b, floats))});
+    texts.push_back(
+        {fmt::format("3  {}", matrix),
+         fmt::format(
+             "Entry i, j is {}. With as few surfaces as rows, rounding decides its smallest eigenvalue; bias "
+             "keeps it above zero (Algorithm {}).",
+             entry, circle ? 2 : 1),
+         matrix_numbers("before bias", s.before) + "\n" + matrix_numbers("after bias", s.after)});
+    texts.push_back(
+        {"4  Factor",
+         "Cholesky's elimination leaves the pivots h_k, the norms of the orthogonal polynomials p_k: the smaller "
+         "the last one, the surer the moments know where the surfaces are (docs/equations.md).",
+         fmt::format(
+             "h = {}{}", list("{:.4e}", s.pivots, s.pivots.size()),
+             s.floored_pivots > 0 ? fmt::format("; {} raised to the floor 6e-8", s.floored_pivots) : "")});
+    texts.push_back(
+        {"5  Kernel polynomial",
+         circle
+             ? "K(z_f, z) = Σ p_k(z_f) p_k(z)/h_k, the q of Algorithm 2, in t = cot((φ − φ_f)/2), which is "
+               "infinite at the query itself."
+             : "K(z_f, z) = Σ p_k(z_f) p_k(z)/h_k, the q of Algorithm 1, in t = 1/(z − z_f), which is infinite at "
+               "the query itself.",
+         fmt::format(
+             "1/w₀ = {:.6g}; coefficients below the leading 1: {}", s.kernel[0],
+             list("{:.5g}", std::vector<float>(s.kernel.begin() + 1, s.kernel.end()), s.kernel.size() - 1))});
     std::string roots;
     for (const StepNode& node : s.nodes)
         roots += fmt::format("{}t = {:<12.5g} z = {:<10.5g}{}", roots.empty() ? "" : "\n", node.t, node.depth,
                              circle ? fmt::format(" φ = {:.4f}", node.phase) : "");
-    texts.push_back({"6  Roots",
-                     fmt::format("Its roots are the other places where the sparsest distribution with these moments has mass{} "
-                                 "(Algorithm {}).",
-                                 circle ? fmt::format("; beyond φ = 2π − θ = {:.4f} lies the wrapping zone",
-                                                      2 * PI - static_cast<double>(s.parameters.theta))
-                                        : "",
-                                 circle ? 2 : 1),
-                     roots});
+    texts.push_back(
+        {"6  Roots",
+         fmt::format(
+             "Its roots are the other places where the sparsest distribution with these moments has mass{} "
+             "(Algorithm {}).",
+             circle ? fmt::format("; beyond φ = 2π − θ = {:.4f} lies the wrapping zone",
+                                  2 * PI - static_cast<double>(s.parameters.theta))
+                    : "",
+             circle ? 2 : 1),
+         roots});
     std::string weights = fmt::format("w₀ = {:.6f} at the query z_f = {:.5g}", s.query_weight, s.query);
-    for (const StepNode& node : s.nodes) weights += fmt::format("\nw = {:.6f} at z = {:<10.5g} v = {:.4f}", node.weight, node.depth, node.value);
-    texts.push_back({"7  Weights and values",
-                     circle ? "Each mass is 1/K at its node. v is 1 in front of the query, 0 behind, and a ramp of ψ in the "
-                              "wrapping zone (Equation 6)."
-                            : "Each mass is 1/K at its node. v is 1 in front of the query and 0 behind (Equation 4).",
-                     weights});
-    texts.push_back({"8  Result",
-                     fmt::format("The masses in front, plus the share β = {:.3g} of the mass at the query. w₀ b₀ = {:.5g} is the gap "
-                                 "between {}.",
-                                 s.parameters.beta, s.query_weight * s.stored.b0,
-                                 s.technique->has_bounds ? "the bounds" : "β = 0 and β = 1"),
-                     fmt::format("Σ w v = {:.6f}, + β w₀ = {:.6f}\nA = b₀ × that = {:.9g}\nT = exp(−A) = {:.9g}", s.in_front,
-                                 s.fraction, s.absorbance, s.transmittance)});
+    for (const StepNode& node : s.nodes)
+        weights +=
+            fmt::format("\nw = {:.6f} at z = {:<10.5g} v = {:.4f}", node.weight, node.depth, node.value);
+    texts.push_back(
+        {"7  Weights and values",
+         circle
+             ? "Each mass is 1/K at its node. v is 1 in front of the query, 0 behind, and a ramp of ψ in the "
+               "wrapping zone (Equation 6)."
+             : "Each mass is 1/K at its node. v is 1 in front of the query and 0 behind (Equation 4).",
+         weights});
+    texts.push_back(
+        {"8  Result",
+         fmt::format(
+             "The masses in front, plus the share β = {:.3g} of the mass at the query. w₀ b₀ = {:.5g} is the gap "
+             "between {}.",
+             s.parameters.beta, s.query_weight * s.stored.b0,
+             s.technique->has_bounds ? "the bounds" : "β = 0 and β = 1"),
+         fmt::format("Σ w v = {:.6f}, + β w₀ = {:.6f}\nA = b₀ × that = {:.9g}\nT = exp(−A) = {:.9g}",
+                     s.in_front, s.fraction, s.absorbance, s.transmittance)});
     return texts;
 }
 
 std::string steps_to_text(const Steps& steps) {
-    if (steps.technique != nullptr && steps.empty) return fmt::format("{}: nothing to reconstruct here.\n", steps.technique->id);
+    if (steps.technique != nullptr && steps.empty)
+        return fmt::format("{}: nothing to reconstruct here.\n", steps.technique->id);
     std::string text = fmt::format("{}, query depth {:.6g}\n", steps.technique->id, steps.query);
     for (const StepText& step : step_texts(steps)) {
         text += fmt::format("\n{}\n    {}\n", step.title, step.sentence);

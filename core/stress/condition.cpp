@@ -21,20 +21,25 @@ int nodes_of(const Technique& technique) {
 
 // A condition that only says which ray.
 Make of_ray(std::function<ViewRay(RandomNumbers&, const Technique&)> ray) {
-    return [ray = std::move(ray)](RandomNumbers& random, const Technique& technique, const ParameterValues& base) {
+    return [ray = std::move(ray)](RandomNumbers& random, const Technique& technique,
+                                  const ParameterValues& base) {
         return StressCase{ray(random, technique), base};
     };
 }
 
 void add_counts(std::vector<Condition>& rows) {
     const auto count = [&](const char* id, const char* name, const char* help, auto fragments) {
-        rows.push_back({id, name, "fragments", help, 4, of_ray([fragments](RandomNumbers& random, const Technique& t) {
-                            return random_ray(random, fragments(t));
-                        })});
+        rows.push_back(
+            {id, name, "fragments", help, 4, of_ray([fragments](RandomNumbers& random, const Technique& t) {
+                 return random_ray(random, fragments(t));
+             })});
     };
-    count("one", "1", "One fragment: the moment matrix is singular but for the bias.", [](const Technique&) { return 1; });
-    count("two", "2", "Two fragments: singular for more than four moments.", [](const Technique&) { return 2; });
-    count("nodes", "n", "As many fragments as moments determine: m/2 of power moments, m of trigonometric ones.",
+    count("one", "1", "One fragment: the moment matrix is singular but for the bias.",
+          [](const Technique&) { return 1; });
+    count("two", "2", "Two fragments: singular for more than four moments.",
+          [](const Technique&) { return 2; });
+    count("nodes", "n",
+          "As many fragments as moments determine: m/2 of power moments, m of trigonometric ones.",
           [](const Technique& t) { return nodes_of(t); });
     count("nodes+1", "n+1", "One fragment more, which is still exact at the fragments' own depths.",
           [](const Technique& t) { return nodes_of(t) + 1; });
@@ -43,7 +48,8 @@ void add_counts(std::vector<Condition>& rows) {
 void add_gaps(std::vector<Condition>& rows) {
     for (int exponent = 1; exponent <= 7; ++exponent) {
         const float gap = std::pow(10.0f, -static_cast<float>(exponent));
-        rows.push_back({fmt::format("gap-1e-{}", exponent), fmt::format("1e-{}", exponent), "two surfaces apart by",
+        rows.push_back({fmt::format("gap-1e-{}", exponent), fmt::format("1e-{}", exponent),
+                        "two surfaces apart by",
                         fmt::format("Two surfaces at a distance of {:g} of the depth range [-1, 1].", gap), 2,
                         of_ray([gap](RandomNumbers& random, const Technique&) {
                             const float z = random.uniform(-1, 1 - gap);
@@ -56,8 +62,8 @@ void add_gaps(std::vector<Condition>& rows) {
 }
 
 void add_positions(std::vector<Condition>& rows) {
-    rows.push_back({"ties", "ties", "depths", "Six fragments at two or three depths, each shared by several.", 6,
-                    of_ray([](RandomNumbers& random, const Technique&) {
+    rows.push_back({"ties", "ties", "depths", "Six fragments at two or three depths, each shared by several.",
+                    6, of_ray([](RandomNumbers& random, const Technique&) {
                         ViewRay ray = random_ray(random, 6);
                         const int depths = random.whole(2, 3);
                         for (std::size_t i = 0; i < 6; ++i)
@@ -75,9 +81,8 @@ void add_positions(std::vector<Condition>& rows) {
 }
 
 void add_opacities(std::vector<Condition>& rows) {
-    for (const auto& [id, opacity] :
-         {std::pair("opacity-1/255", 1.0f / 255), std::pair("opacity-.5", 0.5f), std::pair("opacity-.999", 0.999f),
-          std::pair("opacity-.9999", 0.9999f)})
+    for (const auto& [id, opacity] : {std::pair("opacity-1/255", 1.0f / 255), std::pair("opacity-.5", 0.5f),
+                                      std::pair("opacity-.999", 0.999f), std::pair("opacity-.9999", 0.9999f)})
         rows.push_back({id, std::string(id).substr(8), "opacity",
                         fmt::format("Four fragments of opacity {:.4g} at random depths.", opacity), 4,
                         of_ray([opacity = opacity](RandomNumbers& random, const Technique&) {
@@ -88,9 +93,10 @@ void add_opacities(std::vector<Condition>& rows) {
 void add_overdraw(std::vector<Condition>& rows) {
     for (const int count : {10, 100, 1000, 10'000})
         rows.push_back({fmt::format("overdraw-{}", count), fmt::format("{}", count), "overdraw",
-                        fmt::format("{} thin fragments at random depths, submitted in random order.", count), count,
-                        of_ray([count](RandomNumbers& random, const Technique&) {
-                            // Together about as opaque as a few surfaces, or nothing behind them would be seen.
+                        fmt::format("{} thin fragments at random depths, submitted in random order.", count),
+                        count, of_ray([count](RandomNumbers& random, const Technique&) {
+                            // Together about as opaque as a few surfaces, or nothing behind them would be
+                            // seen.
                             const float each = 1 - std::exp(-4.0f / static_cast<float>(count));
                             return random_ray(random, count, 0.2f * each, 1.8f * each);
                         })});
@@ -98,17 +104,19 @@ void add_overdraw(std::vector<Condition>& rows) {
 
 void add_layers(std::vector<Condition>& rows) {
     for (const int count : {10, 100, 1000})
-        rows.push_back({fmt::format("layers-{}", count), fmt::format("{}", count), "in 2 layers",
-                        fmt::format("{} thin fragments in two layers of 1 % of the depth range: nearly two surfaces.", count),
-                        count, of_ray([count](RandomNumbers& random, const Technique&) {
-                            const float each = 1 - std::exp(-4.0f / static_cast<float>(count));
-                            ViewRay ray = random_ray(random, count, 0.2f * each, 1.8f * each);
-                            const float layers[] = {random.uniform(-0.99f, 0.0f), random.uniform(0.0f, 0.99f)};
-                            for (Fragment& fragment : ray.fragments)
-                                fragment.depth = fragment.view_depth =
-                                    layers[random.whole(0, 1)] + random.uniform(-0.01f, 0.01f);
-                            return ray;
-                        })});
+        rows.push_back(
+            {fmt::format("layers-{}", count), fmt::format("{}", count), "in 2 layers",
+             fmt::format("{} thin fragments in two layers of 1 % of the depth range: nearly two surfaces.",
+                         count),
+             count, of_ray([count](RandomNumbers& random, const Technique&) {
+                 const float each = 1 - std::exp(-4.0f / static_cast<float>(count));
+                 ViewRay ray = random_ray(random, count, 0.2f * each, 1.8f * each);
+                 const float layers[] = {random.uniform(-0.99f, 0.0f), random.uniform(0.0f, 0.99f)};
+                 for (Fragment& fragment : ray.fragments)
+                     fragment.depth = fragment.view_depth =
+                         layers[random.whole(0, 1)] + random.uniform(-0.01f, 0.01f);
+                 return ray;
+             })});
 }
 
 // Surfaces spread evenly over the logarithm of view depth, as in a landscape.
@@ -127,44 +135,45 @@ void add_ranges(std::vector<Condition>& rows) {
     for (const bool logarithmic : {true, false})
         for (int exponent = 1; exponent <= 6; ++exponent) {
             const float factor = std::pow(10.0f, static_cast<float>(exponent));
-            rows.push_back({fmt::format("{}-1e{}", logarithmic ? "log" : "linear", exponent),
-                            fmt::format("1e{}", exponent),
-                            logarithmic ? "depth range, warped" : "depth range, linear",
-                            fmt::format("Five surfaces between the view depths 1 and {:g}, {} logarithmic warp.", factor,
-                                        logarithmic ? "with the" : "without the"),
-                            5, of_ray([factor, logarithmic](RandomNumbers& random, const Technique&) {
-                                return landscape(random, factor, logarithmic);
-                            })});
+            rows.push_back(
+                {fmt::format("{}-1e{}", logarithmic ? "log" : "linear", exponent),
+                 fmt::format("1e{}", exponent), logarithmic ? "depth range, warped" : "depth range, linear",
+                 fmt::format("Five surfaces between the view depths 1 and {:g}, {} logarithmic warp.", factor,
+                             logarithmic ? "with the" : "without the"),
+                 5, of_ray([factor, logarithmic](RandomNumbers& random, const Technique&) {
+                     return landscape(random, factor, logarithmic);
+                 })});
         }
 }
 
 void add_wrapping_zones(std::vector<Condition>& rows) {
     for (const float theta : {0.0f, 0.1f, 0.314159f, 1.0f})
-        rows.push_back({fmt::format("theta-{:.2g}", theta), fmt::format("{:.2g}", theta), "θ, fragments beside the zone",
-                        fmt::format("Four fragments within 5 % of the ends of the depth range, θ = {:.2g}.", theta), 4,
-                        [theta](RandomNumbers& random, const Technique&, const ParameterValues& base) {
-                            StressCase result{random_ray(random, 4), base};
-                            for (std::size_t i = 0; i < 4; ++i) {
-                                const float near = random.uniform(0.95f, 1.0f);
-                                Fragment& fragment = result.ray.fragments[i];
-                                fragment.depth = fragment.view_depth = i % 2 == 0 ? near : -near;
-                            }
-                            result.values.set(ParameterId::theta, theta);
-                            return result;
-                        }});
+        rows.push_back(
+            {fmt::format("theta-{:.2g}", theta), fmt::format("{:.2g}", theta), "θ, fragments beside the zone",
+             fmt::format("Four fragments within 5 % of the ends of the depth range, θ = {:.2g}.", theta), 4,
+             [theta](RandomNumbers& random, const Technique&, const ParameterValues& base) {
+                 StressCase result{random_ray(random, 4), base};
+                 for (std::size_t i = 0; i < 4; ++i) {
+                     const float near = random.uniform(0.95f, 1.0f);
+                     Fragment& fragment = result.ray.fragments[i];
+                     fragment.depth = fragment.view_depth = i % 2 == 0 ? near : -near;
+                 }
+                 result.values.set(ParameterId::theta, theta);
+                 return result;
+             }});
 }
 
 void add_biases(std::vector<Condition>& rows) {
     for (const float factor : {0.0f, 0.001f, 0.01f, 0.1f, 1.0f, 10.0f, 100.0f})
-        rows.push_back({fmt::format("alpha-{:g}", factor), fmt::format("{:g}", factor), "α times Table 1",
-                        fmt::format("Two to five fragments with {:g} times the moment bias of Table 1.", factor), 4,
-                        [factor](RandomNumbers& random, const Technique& technique, const ParameterValues& base) {
-                            StressCase result{random_ray(random, random.whole(2, 5)), base};
-                            const float most = parameter(ParameterId::alpha).maximum;
-                            result.values.set(ParameterId::alpha,
-                                              std::min(factor * technique.recommended_bias, most));
-                            return result;
-                        }});
+        rows.push_back(
+            {fmt::format("alpha-{:g}", factor), fmt::format("{:g}", factor), "α times Table 1",
+             fmt::format("Two to five fragments with {:g} times the moment bias of Table 1.", factor), 4,
+             [factor](RandomNumbers& random, const Technique& technique, const ParameterValues& base) {
+                 StressCase result{random_ray(random, random.whole(2, 5)), base};
+                 const float most = parameter(ParameterId::alpha).maximum;
+                 result.values.set(ParameterId::alpha, std::min(factor * technique.recommended_bias, most));
+                 return result;
+             }});
 }
 
 std::vector<Condition> make_rows() {

@@ -24,7 +24,8 @@ struct Condition {
     std::string group;  // neighbouring columns that vary one thing
     std::string help;   // a sentence: what it tries
     int fragments;      // about how many a ray has: what it costs
-    std::function<StressCase(RandomNumbers& random, const Technique& technique, const ParameterValues& base)> make;
+    std::function<StressCase(RandomNumbers& random, const Technique& technique, const ParameterValues& base)>
+        make;
 };
 
 /// All conditions, group by group; ids are unique.

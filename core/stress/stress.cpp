@@ -17,8 +17,8 @@ constexpr int RANDOM_DEPTHS = 2;
 constexpr std::size_t MOST_OWN_DEPTHS = 8;
 constexpr double VISIBLE = 1.0 / 255;
 
-// The exact result at the same alpha. Where the matrix is singular, moments leave one distribution alone: the truth, with
-// beta of a mass at the query depth itself.
+// The exact result at the same alpha. Where the matrix is singular, moments leave one distribution alone: the
+// truth, with beta of a mass at the query depth itself.
 double exact_absorbance(const std::optional<ExactFunction>& exact, const ViewRay& ray, double b0, float beta,
                         float depth) {
     if (exact) {
@@ -77,7 +77,8 @@ public:
         for (std::size_t i = 0; i < depths.size(); ++i) {
             const float fraction = kernel.fraction(stored, settings, depths[i]);
             const double t = transmittance_of_fraction(fraction, stored.b0);
-            const double t_exact = std::exp(-exact_absorbance(exact, tried.ray, b0, parameters.beta, depths[i]));
+            const double t_exact =
+                std::exp(-exact_absorbance(exact, tried.ray, b0, parameters.beta, depths[i]));
             count_outcome(fraction, t, t_exact, tried);
             count_bounds(kernel, stored, settings, depths[i], truth[i] / b0);
             if (i < own_count) from_truth_.push_back(std::abs(t - std::exp(-truth[i])));
@@ -94,7 +95,9 @@ public:
 
     StressCell finish() {
         const auto mean = [](const std::vector<double>& values) {
-            return values.empty() ? 0 : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+            return values.empty() ? 0
+                                  : std::accumulate(values.begin(), values.end(), 0.0) /
+                                        static_cast<double>(values.size());
         };
         std::ranges::sort(errors_);
         cell_.mean = mean(errors_);
@@ -106,7 +109,8 @@ public:
 
 private:
     static double transmittance_of_fraction(float fraction, float b0) {
-        const double clamped = fraction >= 0 ? std::min(static_cast<double>(fraction), 1.0) : 0.0;  // NaN is 0, as on GPUs
+        const double clamped =
+            fraction >= 0 ? std::min(static_cast<double>(fraction), 1.0) : 0.0;  // NaN is 0, as on GPUs
         return std::exp(-static_cast<double>(b0) * clamped);
     }
 
@@ -183,13 +187,15 @@ std::vector<StressCell> run_stress(const StressOptions& options, std::stop_token
     std::atomic<std::size_t> done = 0;
     const auto work = [&] {
         for (std::size_t i = next++; i < cells.size() && !stop.stop_requested(); i = next++) {
-            cells[i] = stress_cell(*options.techniques[i / columns], *options.conditions[i % columns], options);
+            cells[i] =
+                stress_cell(*options.techniques[i / columns], *options.conditions[i % columns], options);
             progress(++done, cells.size());
         }
     };
     {
         std::vector<std::jthread> threads;
-        for (unsigned i = 0; i < std::max(std::thread::hardware_concurrency(), 1U); ++i) threads.emplace_back(work);
+        for (unsigned i = 0; i < std::max(std::thread::hardware_concurrency(), 1U); ++i)
+            threads.emplace_back(work);
     }
     if (stop.stop_requested()) cells.clear();
     return cells;

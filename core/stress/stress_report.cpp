@@ -71,9 +71,9 @@ std::string heading(const std::vector<StressCell>& cells, std::size_t columns) {
 
 glm::vec3 failure_color(double rate) {
     // Stops of lightness 25, 60, 85, 55 and 30 %: blue, teal, yellow, orange, dark red.
-    static constexpr std::array<glm::vec3, 5> STOPS = {glm::vec3(0.10f, 0.22f, 0.42f), glm::vec3(0.25f, 0.60f, 0.62f),
-                                                       glm::vec3(0.96f, 0.86f, 0.40f), glm::vec3(0.88f, 0.45f, 0.14f),
-                                                       glm::vec3(0.55f, 0.06f, 0.10f)};
+    static constexpr std::array<glm::vec3, 5> STOPS = {
+        glm::vec3(0.10f, 0.22f, 0.42f), glm::vec3(0.25f, 0.60f, 0.62f), glm::vec3(0.96f, 0.86f, 0.40f),
+        glm::vec3(0.88f, 0.45f, 0.14f), glm::vec3(0.55f, 0.06f, 0.10f)};
     if (!(rate > 0)) return STOPS[0];
     // One in ten thousand is the second stop, every decade another one.
     const double place = std::clamp(std::log10(rate) + 5.0, 1.0, 4.0);
@@ -99,8 +99,8 @@ std::string cell_sentence(const StressCell& cell) {
         "{}.",
         cell.failures(), cell.queries, cell.not_numbers, cell.outside, cell.off, FAILED_ERROR, cell.mean,
         cell.percentile_99, cell.worst, cell.mean_from_truth, share(cell.floored, cell.rays),
-        share(cell.clamped, cell.queries), share(cell.order_dependent, cell.rays), share(cell.non_monotone, cell.rays),
-        share(cell.truth_outside, cell.queries));
+        share(cell.clamped, cell.queries), share(cell.order_dependent, cell.rays),
+        share(cell.non_monotone, cell.rays), share(cell.truth_outside, cell.queries));
 }
 
 std::string stress_to_csv(const std::vector<StressCell>& cells) {
@@ -108,10 +108,11 @@ std::string stress_to_csv(const std::vector<StressCell>& cells) {
         "technique,condition,rays,queries,not_numbers,outside,off,failure_rate,floored,clamped,non_monotone,"
         "truth_outside,order_dependent,mean,percentile_99,worst,mean_from_truth,worst_ray\n";
     for (const StressCell& c : cells)
-        text += fmt::format("{},{},{},{},{},{},{},{:.6g},{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{}\n", c.technique->id,
-                            c.condition->id, c.rays, c.queries, c.not_numbers, c.outside, c.off, c.failure_rate(),
-                            c.floored, c.clamped, c.non_monotone, c.truth_outside, c.order_dependent, c.mean,
-                            c.percentile_99, c.worst, c.mean_from_truth, csv_quoted(ray_text(c.worst_case.ray)));
+        text += fmt::format("{},{},{},{},{},{},{},{:.6g},{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{}\n",
+                            c.technique->id, c.condition->id, c.rays, c.queries, c.not_numbers, c.outside,
+                            c.off, c.failure_rate(), c.floored, c.clamped, c.non_monotone, c.truth_outside,
+                            c.order_dependent, c.mean, c.percentile_99, c.worst, c.mean_from_truth,
+                            csv_quoted(ray_text(c.worst_case.ray)));
     return text;
 }
 
@@ -122,17 +123,19 @@ std::string stress_to_html(const std::vector<StressCell>& cells, const StressOpt
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const StressCell& cell = cells[i];
         if (i % columns == 0)
-            map += fmt::format("<tr><th class=technique title=\"{}\">{}</th>", escaped(cell.technique->name), cell.technique->id);
+            map += fmt::format("<tr><th class=technique title=\"{}\">{}</th>", escaped(cell.technique->name),
+                               cell.technique->id);
         const glm::vec3 color = failure_color(cell.failure_rate());
         const bool dark = 0.3f * color.r + 0.6f * color.g + 0.1f * color.b < 0.5f;
-        map += fmt::format("<td style=\"background:{};color:{}\" title=\"{}\"><a href=\"#c{}\">{}</a></td>", css_color(color),
-                           dark ? "#fff" : "#111", escaped(cell_sentence(cell)), i, rate_text(cell.failure_rate()));
+        map += fmt::format("<td style=\"background:{};color:{}\" title=\"{}\"><a href=\"#c{}\">{}</a></td>",
+                           css_color(color), dark ? "#fff" : "#111", escaped(cell_sentence(cell)), i,
+                           rate_text(cell.failure_rate()));
         if (i % columns == columns - 1) map += "</tr>\n";
         if (cell.failures() == 0) continue;
-        details += fmt::format("<li id=c{}><b>{}, {} {}</b>: {} {}<br><code>{}</code></li>\n", i, cell.technique->id,
-                               escaped(cell.condition->group), escaped(cell.condition->name),
-                               escaped(cell.condition->help), escaped(cell_sentence(cell)),
-                               escaped(ray_text(cell.worst_case.ray)));
+        details += fmt::format("<li id=c{}><b>{}, {} {}</b>: {} {}<br><code>{}</code></li>\n", i,
+                               cell.technique->id, escaped(cell.condition->group),
+                               escaped(cell.condition->name), escaped(cell.condition->help),
+                               escaped(cell_sentence(cell)), escaped(ray_text(cell.worst_case.ray)));
     }
     const Parameter& solver = parameter(ParameterId::solver);
     const Parameter& preset = parameter(ParameterId::preset);
@@ -148,8 +151,8 @@ std::string stress_to_html(const std::vector<StressCell>& cells, const StressOpt
 }
 
 std::string stress_to_text(const std::vector<StressCell>& cells) {
-    std::string text = fmt::format("{:<11}{:>10}{:>10}{:>10}{:>10}{:>11}{:>11}  {}\n", "technique", "queries", "NaN",
-                                   "outside", "off", "mean", "worst", "worst conditions");
+    std::string text = fmt::format("{:<11}{:>10}{:>10}{:>10}{:>10}{:>11}{:>11}  {}\n", "technique", "queries",
+                                   "NaN", "outside", "off", "mean", "worst", "worst conditions");
     for (std::size_t begin = 0; begin < cells.size();) {
         std::size_t end = begin;
         StressCell sum;
@@ -167,10 +170,12 @@ std::string stress_to_text(const std::vector<StressCell>& cells) {
         std::ranges::sort(failing, std::greater(), &StressCell::failure_rate);
         std::string worst;
         for (std::size_t i = 0; i < std::min<std::size_t>(failing.size(), 3); ++i)
-            worst += fmt::format("{}{} {}", i == 0 ? "" : ", ", failing[i]->condition->id, rate_text(failing[i]->failure_rate()));
-        text += fmt::format("{:<11}{:>10}{:>10}{:>10}{:>10}{:>11.1e}{:>11.1e}  {}\n", cells[begin].technique->id, sum.queries,
-                            sum.not_numbers, sum.outside, sum.off, sum.mean / static_cast<double>(std::max(sum.queries, 1L)),
-                            sum.worst, worst.empty() ? "none fails" : worst);
+            worst += fmt::format("{}{} {}", i == 0 ? "" : ", ", failing[i]->condition->id,
+                                 rate_text(failing[i]->failure_rate()));
+        text += fmt::format("{:<11}{:>10}{:>10}{:>10}{:>10}{:>11.1e}{:>11.1e}  {}\n",
+                            cells[begin].technique->id, sum.queries, sum.not_numbers, sum.outside, sum.off,
+                            sum.mean / static_cast<double>(std::max(sum.queries, 1L)), sum.worst,
+                            worst.empty() ? "none fails" : worst);
         begin = end;
     }
     return text;

@@ -16,8 +16,8 @@ std::string stress_to_html(const std::vector<StressCell>& cells, const StressOpt
 /// A summary: one line per technique with its failures, and its worst conditions.
 std::string stress_to_text(const std::vector<StressCell>& cells);
 
-/// sRGB of a failure rate: from dark blue for 0 through yellow to red above one in ten, told apart by the colour-blind by
-/// their lightness too.
+/// sRGB of a failure rate: from dark blue for 0 through yellow to red above one in ten, told apart by the
+/// colour-blind by their lightness too.
 glm::vec3 failure_color(double rate);
 
 /// "0", "3.1e-4", "12 %": as short as a cell of the map.

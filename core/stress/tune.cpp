@@ -24,7 +24,8 @@ struct Sums {
 };
 
 // Errors of one ray at its own depths, and failures where `alpha` is what is being tried.
-void add_ray(const ViewRay& ray, const Technique& technique, const ResolvedParameters& parameters, bool judge, Sums& sums) {
+void add_ray(const ViewRay& ray, const Technique& technique, const ResolvedParameters& parameters, bool judge,
+             Sums& sums) {
     const ReconstructionSettings settings = settings_of(parameters);
     const MomentVector stored = sum_moments(ray, technique, parameters);
     const double b0 = total_absorbance(ray);
@@ -42,7 +43,8 @@ void add_ray(const ViewRay& ray, const Technique& technique, const ResolvedParam
         bool failed = !(fraction >= -CLAMP_TOLERANCE && fraction <= 1 + CLAMP_TOLERANCE);
         if (exact) {
             const ExactFraction e = (*exact)(static_cast<Real>(depth));
-            const double share = static_cast<double>(e.in_front + static_cast<Real>(parameters.beta) * e.query_weight);
+            const double share =
+                static_cast<double>(e.in_front + static_cast<Real>(parameters.beta) * e.query_weight);
             failed |= std::abs(t - std::exp(-b0 * share)) > FAILED_ERROR;
         }
         sums.failures += failed ? 1 : 0;
@@ -90,18 +92,22 @@ private:
     std::size_t done_ = 0;
 };
 
-std::vector<float> candidates(ParameterId id) {
+std::vector<float> candidates(ParameterId id, const Technique& technique) {
     std::vector<float> values;
-    if (id == ParameterId::alpha)
-        for (int i = -36; i <= -4; ++i) values.push_back(std::pow(10.0f, static_cast<float>(i) / 4));
-    else if (id == ParameterId::theta)
+    if (id != ParameterId::alpha) {
         for (int i = 0; i <= 20; ++i) values.push_back(static_cast<float>(i) * 0.05f);
-    else
-        for (int i = 0; i <= 20; ++i) values.push_back(static_cast<float>(i) * 0.05f);
+        return values;
+    }
+    for (int i = -36; i <= -4; ++i) values.push_back(std::pow(10.0f, static_cast<float>(i) / 4));
+    values.insert(values.end(),
+                  {technique.recommended_bias, technique.robust_bias});  // the presets, to compare with
+    std::ranges::sort(values);
+    values.erase(std::unique(values.begin(), values.end()), values.end());
     return values;
 }
 
-// Summing over threads makes the last digits of an error depend on the machine; a value must win by more than that.
+// Summing over threads makes the last digits of an error depend on the machine; a value must win by more than
+// that.
 constexpr double WINS_BY = 1 - 1e-9;
 
 const Trial* least_error(const std::vector<Trial>& trials, ParameterId id, double most_failures) {
@@ -119,30 +125,36 @@ const Trial* best_bias(const std::vector<Trial>& trials, double most_failures) {
     if (best == nullptr) return nullptr;
     const double enough = best->error * ENOUGH;
     for (const Trial& trial : trials)
-        if (trial.failure_rate <= most_failures && trial.error <= enough && trial.value > best->value) best = &trial;
+        if (trial.failure_rate <= most_failures && trial.error <= enough && trial.value > best->value)
+            best = &trial;
     return best;
 }
 
 }  // namespace
 
-std::optional<TuneResult> tune(const std::vector<ViewRay>& all_rays, const TuneOptions& options, std::stop_token stop,
+std::optional<TuneResult> tune(const std::vector<ViewRay>& all_rays, const TuneOptions& options,
+                               std::stop_token stop,
                                const std::function<void(std::size_t done, std::size_t all)>& progress) {
     if (options.technique->kernel == nullptr)
-        throw Error(fmt::format("'{}' has no parameters to tune; choose a technique with moments.", options.technique->id));
+        throw Error(fmt::format("'{}' has no parameters to tune; choose a technique with moments.",
+                                options.technique->id));
     std::vector<ViewRay> rays;
-    std::ranges::copy_if(all_rays, std::back_inserter(rays), [](const ViewRay& ray) { return !ray.fragments.empty(); });
-    if (rays.empty()) throw Error("No ray has a transparent fragment, so there is nothing to tune; choose another scene or ray.");
+    std::ranges::copy_if(all_rays, std::back_inserter(rays),
+                         [](const ViewRay& ray) { return !ray.fragments.empty(); });
+    if (rays.empty())
+        throw Error(
+            "No ray has a transparent fragment, so there is nothing to tune; choose another scene or ray.");
     std::vector<ParameterId> ids = {ParameterId::alpha};
     if (options.technique->uses(ParameterId::theta)) ids.push_back(ParameterId::theta);
     ids.push_back(ParameterId::beta);
     std::size_t trials = 2;
-    for (const ParameterId id : ids) trials += candidates(id).size();
+    for (const ParameterId id : ids) trials += candidates(id, *options.technique).size();
     Search search(rays, options, stop, progress, trials);
     TuneResult result;
     result.values = options.values;
     result.error_before = search.measure(ParameterId::alpha, 0, options.values, false).error;
     for (const ParameterId id : ids) {
-        for (const float value : candidates(id)) {
+        for (const float value : candidates(id, *options.technique)) {
             ParameterValues values = result.values;
             values.set(id, value);
             if (id == ParameterId::alpha) values.set(ParameterId::beta, 0.0f);
@@ -157,11 +169,24 @@ std::optional<TuneResult> tune(const std::vector<ViewRay>& all_rays, const TuneO
         }
         result.values.set(id, best->value);
     }
-    const Trial last = search.measure(ParameterId::alpha, *result.values[ParameterId::alpha], result.values, true);
+    const Trial last =
+        search.measure(ParameterId::alpha, *result.values[ParameterId::alpha], result.values, true);
     if (search.stopped()) return std::nullopt;
     result.error = last.error;
     result.failure_rate = last.failure_rate;
     return result;
+}
+
+std::optional<float> least_safe_bias(const TuneResult& result, double most_failures) {
+    std::optional<float> least;
+    for (const Trial& trial : result.trials) {  // biases ascend
+        if (trial.parameter != ParameterId::alpha) continue;
+        if (trial.failure_rate > most_failures)
+            least.reset();
+        else if (!least)
+            least = trial.value;
+    }
+    return least;
 }
 
 std::optional<std::vector<OverdrawTrial>> tune_by_overdraw(
@@ -179,7 +204,8 @@ std::optional<std::vector<OverdrawTrial>> tune_by_overdraw(
             ViewRay ray = random_ray(random, fragments, 0.2f * each, std::min(1.8f * each, 0.99f));
             const float layers[] = {random.uniform(-0.99f, 0.0f), random.uniform(0.0f, 0.99f)};
             for (Fragment& fragment : ray.fragments)
-                fragment.depth = fragment.view_depth = layers[random.whole(0, 1)] + random.uniform(-0.01f, 0.01f);
+                fragment.depth = fragment.view_depth =
+                    layers[random.whole(0, 1)] + random.uniform(-0.01f, 0.01f);
             rays.push_back(std::move(ray));
         }
         auto result = tune(rays, options, stop, [&](std::size_t done, std::size_t all) {

@@ -12,8 +12,8 @@
 
 namespace momentscope {
 
-/// One value that was tried, and what all rays made of it. Moment biases are judged at beta = 0, where no fragment occludes
-/// itself: at other beta this outweighs what bias does.
+/// One value that was tried, and what all rays made of it. Moment biases are judged at beta = 0, where no
+/// fragment occludes itself: at other beta this outweighs what bias does.
 struct Trial {
     ParameterId parameter;
     float value = 0;
@@ -23,8 +23,8 @@ struct Trial {
 
 struct TuneOptions {
     const Technique* technique = nullptr;
-    ParameterValues values;             // where the search begins; the solver is taken from here
-    double most_failures = 1e-3;        // a moment bias with a higher failure rate is not safe
+    ParameterValues values;       // where the search begins; the solver is taken from here
+    double most_failures = 1e-3;  // a moment bias with a higher failure rate is not safe
 };
 
 struct TuneResult {
@@ -35,17 +35,22 @@ struct TuneResult {
     std::vector<Trial> trials;           // in the order in which they were made
 };
 
-/// Tries moment biases from 1e-9 to 0.1, four to a decade, and takes the largest safe one within ENOUGH of the least error,
-/// because what bias costs nothing keeps a scene's hardest pixels safe; then tries theta (where the technique has it) and
-/// beta. Rays without fragments are left out; throws Error when none is left, and when the technique
-/// has no moments. nullopt after a stop.
-std::optional<TuneResult> tune(const std::vector<ViewRay>& rays, const TuneOptions& options, std::stop_token stop,
+/// Tries moment biases from 1e-9 to 0.1, four to a decade, and those of the presets, and takes the largest
+/// safe one within ENOUGH of the least error, because what bias costs nothing keeps a scene's hardest pixels
+/// safe; then tries theta (where the technique has it) and beta. Rays without fragments are left out; throws
+/// Error when none is left, and when the technique has no moments. nullopt after a stop.
+std::optional<TuneResult> tune(const std::vector<ViewRay>& rays, const TuneOptions& options,
+                               std::stop_token stop,
                                const std::function<void(std::size_t done, std::size_t all)>& progress);
+
+/// The smallest moment bias from which on all that were tried are safe; nullopt when not even the greatest
+/// is.
+std::optional<float> least_safe_bias(const TuneResult& result, double most_failures);
 
 constexpr double ENOUGH = 1.01;  // times the least error of a safe bias
 
-/// The moment bias by overdraw: rays of 2, 4, ... 1024 thin fragments in two layers, where the matrix of moments is nearly
-/// singular however many they are. Up to `rays` of them for each count.
+/// The moment bias by overdraw: rays of 2, 4, ... 1024 thin fragments in two layers, where the matrix of
+/// moments is nearly singular however many they are. Up to `rays` of them for each count.
 struct OverdrawTrial {
     int fragments;
     TuneResult result;

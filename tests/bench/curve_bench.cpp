@@ -1,7 +1,13 @@
-// curve_bench.cpp -- what the plot costs: curves of 512 depths with both bounds, from moments to absorbance.
+// curve_bench.cpp -- what the plot costs: curves of 512 depths with both bounds, from moments to absorbance,
+// as wide as the CPU allows; and the same depths one after the other by either solver, as published code is
+// called. One core.
 #include <benchmark/benchmark.h>
 
+#include <fmt/format.h>
+
+#include <map>
 #include <random>
+#include <string>
 
 #include "core/inspect/curve.hpp"
 
@@ -46,6 +52,44 @@ void run(benchmark::State& state, const std::vector<Work>& all) {
     state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * SAMPLES * all.size()));
 }
 
+// One call per depth, with everything that a fragment's second pass does.
+void run_scalar(benchmark::State& state, Work work, bool textbook) {
+    work.parameters.textbook = textbook;
+    const ReconstructionSettings settings = settings_of(work.parameters);
+    const std::vector<float> depths = even_depths(SAMPLES);
+    for (auto _ : state)
+        for (const float depth : depths)
+            benchmark::DoNotOptimize(work.technique->kernel->fraction(work.moments, settings, depth));
+    state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * SAMPLES));
+}
+
+// Nanoseconds per reconstruction, and how many times slower the textbook is than the vectorised curve.
+class Table : public benchmark::ConsoleReporter {
+public:
+    void ReportRuns(const std::vector<Run>& runs) override {
+        ConsoleReporter::ReportRuns(runs);
+        for (const Run& run : runs)
+            nanoseconds_[run.benchmark_name()] = 1e9 / run.counters.at("items_per_second");
+    }
+    void Finalize() override {
+        fmt::print("\nns per reconstruction, one core\n{:<11}{:>12}{:>16}{:>18}{:>22}\n", "technique",
+                   "vectorised", "scalar, robust", "scalar, textbook", "textbook/vectorised");
+        for (const Technique& technique : techniques()) {
+            const auto wide = nanoseconds_.find(technique.id);
+            const auto robust = nanoseconds_.find(fmt::format("{} scalar", technique.id));
+            const auto textbook = nanoseconds_.find(fmt::format("{} textbook", technique.id));
+            if (wide == nanoseconds_.end() || robust == nanoseconds_.end()) continue;
+            const bool has = textbook != nanoseconds_.end();
+            fmt::print("{:<11}{:>12.1f}{:>16.1f}{:>18}{:>22}\n", technique.id, wide->second, robust->second,
+                       has ? fmt::format("{:.1f}", textbook->second) : "-",
+                       has ? fmt::format("{:.1f}", textbook->second / wide->second) : "-");
+        }
+    }
+
+private:
+    std::map<std::string, double> nanoseconds_;
+};
+
 }  // namespace
 }  // namespace momentscope
 
@@ -60,6 +104,15 @@ int main(int argc, char** argv) {
     benchmark::RegisterBenchmark("all techniques", [all](benchmark::State& state) {
         run(state, all);
     })->Unit(benchmark::kMicrosecond);
+    for (const Work& work : all) {
+        const std::string id = work.technique->id;
+        benchmark::RegisterBenchmark((id + " scalar").c_str(),
+                                     [work](benchmark::State& state) { run_scalar(state, work, false); });
+        if (work.technique->kernel->has_textbook)
+            benchmark::RegisterBenchmark((id + " textbook").c_str(),
+                                         [work](benchmark::State& state) { run_scalar(state, work, true); });
+    }
     benchmark::Initialize(&argc, argv);
-    benchmark::RunSpecifiedBenchmarks();
+    Table table;
+    benchmark::RunSpecifiedBenchmarks(&table);
 }

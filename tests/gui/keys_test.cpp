@@ -68,6 +68,13 @@ const std::map<std::string, Check>& checks() {
         {"view.panel1", panel(ui::Panel::controls)},
         {"view.panel2", panel(ui::Panel::fragments)},
         {"view.panel3", panel(ui::Panel::technique)},
+        {"view.panel4", panel(ui::Panel::steps)},
+        {"view.panel5", panel(ui::Panel::editor)},
+        {"view.panel6", panel(ui::Panel::stress)},
+        {"edit.delete_fragment",
+         [](const Pressed& p) {
+             EXPECT_EQ(p.now.state().ray->fragments.size() + 1, p.before.ray->fragments.size());
+         }},
         {"view.theme", [](const Pressed& p) { EXPECT_NE(p.now.state().theme, p.before.theme); }},
         {"pixel.left", moved({-1, 0})},
         {"pixel.right", moved({1, 0})},
@@ -154,6 +161,11 @@ TEST_P(KeyTest, DoesWhatTheListSays) {
     if (id == "edit.redo") play("key Ctrl+Z");
     if (id == "pixel.previous_fragment") play("key N");
     if (id == "view.panel1") play("key Ctrl+2");
+    if (id == "edit.delete_fragment") {
+        play("click @tab.5\nclick @editor.detach");
+        explorer().state().marked = 1;
+        settle();
+    }
     const Pressed pressed = {state(), explorer(), measurement().pixel};
     if (id == "view.truth") {
         play("hold " + key);
