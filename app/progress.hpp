@@ -7,8 +7,8 @@
 
 namespace momentscope {
 
-/// While it lives, Ctrl+C asks its token to stop instead of ending the program, and `show` keeps one line on standard error
-/// up to date, where that is a terminal.
+/// While it lives, Ctrl+C asks its token to stop instead of ending the program, and `show` keeps one line on
+/// standard error up to date, where that is a terminal.
 class Progress {
 public:
     explicit Progress(std::string what);

@@ -1,7 +1,7 @@
 // background_work.hpp -- stress and tune beside the window: a thread each, with progress and cancel.
 #pragma once
-#include <atomic>
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <functional>
 #include <future>
@@ -38,11 +38,14 @@ public:
     bool busy() const { return result_.valid(); }
     void cancel() { stop_.request_stop(); }
     bool cancelled() const { return stop_.stop_requested(); }
-    float share() const { return static_cast<float>(done_.load()) / static_cast<float>(std::max<std::size_t>(all_.load(), 1)); }
+    float share() const {
+        return static_cast<float>(done_.load()) / static_cast<float>(std::max<std::size_t>(all_.load(), 1));
+    }
 
     /// The result when it is there, nullopt before. Throws what the work threw.
     std::optional<Result> take() {
-        if (!busy() || result_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
+        if (!busy() || result_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+            return std::nullopt;
         return result_.get();
     }
 

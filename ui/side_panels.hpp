@@ -10,8 +10,8 @@ namespace momentscope::ui {
 
 /// Scene, technique, compared techniques and one control per parameter of the registry. `to_type`: the
 /// parameter whose control becomes a text field now; taken. Techniques that the GL cannot draw are greyed.
-void draw_control_panel(const Ui& ui, OrderedAccess access, ExplorerState& state, std::optional<ParameterId>& to_type,
-                        std::string& message);
+void draw_control_panel(const Ui& ui, OrderedAccess access, ExplorerState& state,
+                        std::optional<ParameterId>& to_type, std::string& message);
 
 /// The pixel's history: one row per fragment from front to back. Clicking a row marks it in the plot.
 void draw_fragment_panel(const Ui& ui, const Measurement& measurement, ExplorerState& state);

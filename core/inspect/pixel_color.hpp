@@ -12,7 +12,7 @@ struct PixelColors {
 };
 
 /// From a ray and its history, rows from front to back.
-PixelColors pixel_colors(const ViewRay& ray, const std::vector<PixelHistoryRow>& rows, const glm::vec3& background,
-                         bool renormalize);
+PixelColors pixel_colors(const ViewRay& ray, const std::vector<PixelHistoryRow>& rows,
+                         const glm::vec3& background, bool renormalize);
 
 }  // namespace momentscope

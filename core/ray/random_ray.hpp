@@ -7,7 +7,8 @@
 
 namespace momentscope {
 
-/// Uniform numbers from a Mersenne twister by exact arithmetic, which the standard's distributions do not promise.
+/// Uniform numbers from a Mersenne twister by exact arithmetic, which the standard's distributions do not
+/// promise.
 class RandomNumbers {
 public:
     explicit RandomNumbers(std::uint32_t seed) : engine_(seed) {}
@@ -27,8 +28,8 @@ private:
     std::mt19937 engine_;
 };
 
-/// `count` fragments, depths uniform in [-1, 1], opacities uniform in [least_opacity, most_opacity): the distribution of the
-/// published trials for opacities from .05 to .95.
+/// `count` fragments, depths uniform in [-1, 1], opacities uniform in [least_opacity, most_opacity): the
+/// distribution of the published trials for opacities from .05 to .95.
 ViewRay random_ray(RandomNumbers& random, int count, float least_opacity = 0.05f, float most_opacity = 0.95f);
 
 /// A fragment without a warp, in a colour that tells it from its neighbours by index.

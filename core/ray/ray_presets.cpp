@@ -36,16 +36,28 @@ ViewRay random_ten() {
 
 constexpr std::array<RayPreset, 8> PRESETS = {{
     {"one", "1 surface", "One surface: every moment-based technique knows it exactly, but for bias.",
-     [] { return ray_of({{-0.2f, 0.6f}}); }},
+     [] {
+         return ray_of({{-0.2f, 0.6f}});
+     }},
     {"two", "2 surfaces", "Two surfaces, as many as four moments can tell apart.",
-     [] { return ray_of({{-0.4f, 0.5f}, {0.4f, 0.7f}}); }},
+     [] {
+         return ray_of({{-0.4f, 0.5f}, {0.4f, 0.7f}});
+     }},
     {"three", "3 surfaces", "Three surfaces, as in Figure 3a.",
-     [] { return ray_of({{-0.6f, 0.5f}, {0.0f, 0.5f}, {0.55f, 0.6f}}); }},
+     [] {
+         return ray_of({{-0.6f, 0.5f}, {0.0f, 0.5f}, {0.55f, 0.6f}});
+     }},
     {"four", "4 surfaces", "Four surfaces, as in Figure 3b.",
-     [] { return ray_of({{-0.7f, 0.4f}, {-0.25f, 0.5f}, {0.25f, 0.5f}, {0.7f, 0.6f}}); }},
-    {"cloud", "cloud and surfaces", "A cloud of thin fragments between three surfaces, as in Figure 2.", cloud_and_surfaces},
-    {"ties", "ties", "Two pairs of fragments that share their depth: none of a pair lies in front of the other.",
-     [] { return ray_of({{-0.3f, 0.4f}, {-0.3f, 0.5f}, {0.4f, 0.3f}, {0.4f, 0.6f}}); }},
+     [] {
+         return ray_of({{-0.7f, 0.4f}, {-0.25f, 0.5f}, {0.25f, 0.5f}, {0.7f, 0.6f}});
+     }},
+    {"cloud", "cloud and surfaces", "A cloud of thin fragments between three surfaces, as in Figure 2.",
+     cloud_and_surfaces},
+    {"ties", "ties",
+     "Two pairs of fragments that share their depth: none of a pair lies in front of the other.",
+     [] {
+         return ray_of({{-0.3f, 0.4f}, {-0.3f, 0.5f}, {0.4f, 0.3f}, {0.4f, 0.6f}});
+     }},
     {"random", "10 random surfaces", "More surfaces than any variant can tell apart.", random_ten},
     {"empty", "empty", "No fragment: add some by double-clicking.", [] { return ViewRay(); }},
 }};

@@ -36,7 +36,7 @@ struct AbsorbanceCurves {
 /// One way from moments to the absorbance at a single depth, with the numbers in between, by the robust
 /// solver.
 struct ReconstructionSteps {
-    MomentVector biased;  // normalised, b0 = 1
+    MomentVector biased;                        // normalised, b0 = 1
     std::array<float, MAX_NODES + 1> pivots{};  // h_k, normalised
     int floored_pivots = 0;
     float query_weight = 0;                     // w_0

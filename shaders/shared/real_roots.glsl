@@ -24,9 +24,13 @@ FN RootPair quadratic_roots(float e1, float e2)
 }
 
 #if ROOT_COUNT >= 3
-/// How often to step after the first: convergence is cubic, but slow until two roots that lie close together are told
-/// apart. With 3 steps one query in 10^4 was off by up to .5 in T, with 5 none (docs/tolerances.md).
-const int LAGUERRE_STEPS = 5;
+/// How often to step after the first. Convergence is cubic, but slow until two roots that lie close together are told
+/// apart; more steps than these find no further query right (docs/tolerances.md).
+#if ROOT_COUNT == 3
+const int LAGUERRE_STEPS = 2;
+#else
+const int LAGUERRE_STEPS = 3;
+#endif
 
 /// One Laguerre step for the root of least |s| of 1 + e[0] s + ... + e[n-1] s^n.
 FN float laguerre_step(IN(MonicPolynomial) p, float s)
@@ -76,6 +80,28 @@ FN float nearest_root(IN(MonicPolynomial) p)
 /// would be as large as the gap to another root is noise and not taken.
 FN Roots polished_roots(IN(MonicPolynomial) p, IN(Roots) roots)
 {
+    float repulsion[ROOT_COUNT];
+    float least_gap[ROOT_COUNT];
+    UNROLL
+    for (int i = 0; i < ROOT_COUNT; ++i)
+    {
+        repulsion[i] = 0.0f;
+        least_gap[i] = 1.0e30f;
+    }
+    UNROLL
+    for (int i = 1; i < ROOT_COUNT; ++i)
+    {
+        UNROLL
+        for (int j = 0; j < i; ++j)
+        {
+            float gap = roots.t[i] - roots.t[j];
+            float push = gap == 0.0f ? 0.0f : 1.0f / gap;
+            repulsion[i] = repulsion[i] + push;
+            repulsion[j] = repulsion[j] - push;
+            least_gap[i] = min(least_gap[i], abs(gap));
+            least_gap[j] = min(least_gap[j], abs(gap));
+        }
+    }
     Roots result;
     UNROLL
     for (int i = 0; i < ROOT_COUNT; ++i)
@@ -89,18 +115,9 @@ FN Roots polished_roots(IN(MonicPolynomial) p, IN(Roots) roots)
             slope = slope * t + value;
             value = value * t + p.e[k];
         }
-        PRECISE float repulsion = 0.0f;
-        float least_gap = 1.0e30f;
-        UNROLL
-        for (int j = 0; j < ROOT_COUNT; ++j)
-        {
-            float gap = j == i ? 1.0f : t - roots.t[j];
-            repulsion += j == i || gap == 0.0f ? 0.0f : 1.0f / gap;
-            least_gap = j == i ? least_gap : min(least_gap, abs(gap));
-        }
-        PRECISE float denominator = slope - value * repulsion;
+        PRECISE float denominator = slope - value * repulsion[i];
         PRECISE float step_size = value / denominator;
-        result.t[i] = denominator != 0.0f && abs(step_size) < 0.5f * least_gap ? t - step_size : t;
+        result.t[i] = denominator != 0.0f && abs(step_size) < 0.5f * least_gap[i] ? t - step_size : t;
     }
     return result;
 }
