@@ -124,6 +124,7 @@ private:
     void draw_loading(const Ui& ui);
     void draw_tuning(const Ui& ui);
     void start_tuning();
+    void poll_tuning();
     void draw_files(const Ui& ui);
     void use_file(const FileDialog::Choice& choice);
     void export_to(const FileDialog::Choice& choice);
@@ -157,6 +158,7 @@ private:
     RayEditor ray_editor_;
     StressPanel stress_panel_;
     BackgroundWork<std::optional<TuneResult>> tuning_;
+    const Technique* tuned_technique_ = nullptr;
     bool help_ = false;
     bool escape_is_taken_ = false;  // by a dialog or a text field that it closes
     std::optional<ParameterId> to_type_;

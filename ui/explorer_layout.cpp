@@ -48,6 +48,8 @@ void Explorer::frame() {
         styled_ = state_.theme;
     }
     anchors_.clear();
+    stress_panel_.poll();
+    poll_tuning();
     const Ui ui = {palette(state_.theme), anchors_};
     const ImGuiViewport& viewport = *ImGui::GetMainViewport();
     ImGui::SetNextWindowPos(viewport.Pos);

@@ -13,7 +13,7 @@ constexpr glm::ivec2 TUNED_SIZE(64, 36);  // enough pixels to see a scene evenly
 
 }  // namespace
 
-void Explorer::start_tuning() {
+void Explorer::start_tuning() try {
     std::vector<ViewRay> rays;
     if (state_.ray) {
         rays.push_back(*state_.ray);
@@ -25,35 +25,46 @@ void Explorer::start_tuning() {
             rays.push_back(std::move(capture.ray));
         shown_view_.technique = nullptr;  // what the other renderer bound is not what this one expects
     }
+    tuned_technique_ = state_.technique;
     const TuneOptions options = {.technique = state_.technique, .values = state_.parameters};
     tuning_.start([rays = std::move(rays), options](std::stop_token stop, const auto& report) {
         return tune(rays, options, stop, report);
     });
+} catch (const Error& error) {
+    message_ = error.what();
+}
+
+// Once per frame, whatever tab is open.
+void Explorer::poll_tuning() {
+    try {
+        const auto result = tuning_.take();
+        if (!result || !*result) return;
+        const TuneResult& tuned = **result;
+        if (tuned_technique_ != state_.technique) {
+            message_ = "Another technique was chosen meanwhile, so what tuning found was not applied.";
+            return;
+        }
+        state_.parameters = tuned.values;
+        message_ =
+            fmt::format("Tuned: error of T {:.4f} instead of {:.4f}{}. Ctrl+Z brings the old values back.",
+                        tuned.error, tuned.error_before,
+                        tuned.safe ? "" : ", though no moment bias kept failures below one in a thousand");
+    } catch (const Error& error) {
+        message_ = error.what();
+    }
 }
 
 void Explorer::draw_tuning(const Ui& ui) {
-    try {
-        if (auto result = tuning_.take(); result && *result) {
-            const TuneResult& tuned = **result;
-            state_.parameters = tuned.values;
-            message_ = fmt::format(
-                "Tuned: error of T {:.4f} instead of {:.4f}{}. Ctrl+Z brings the old values back.",
-                tuned.error, tuned.error_before,
-                tuned.safe ? "" : ", though no moment bias kept failures below one in a thousand");
-        }
-        if (state_.technique->kernel == nullptr) return;
-        ImGui::Spacing();
-        if (!tuning_.busy()) {
-            if (ImGui::Button("tune α, θ, β")) start_tuning();
-            ui.mark("controls.tune");
-            tooltip(
-                "Looks for the moment bias, wrapping zone angle and overestimation weight of least error against the truth, over "
-                "the pixels of this scene or for this ray, as the paper advises finding them by hand.",
-                "momentscope tune");
-            return;
-        }
-    } catch (const Error& error) {
-        message_ = error.what();
+    if (state_.technique->kernel == nullptr && !tuning_.busy()) return;
+    ImGui::Spacing();
+    if (!tuning_.busy()) {
+        if (ImGui::Button("tune α, θ, β")) start_tuning();
+        ui.mark("controls.tune");
+        tooltip(
+            "Looks for the moment bias, wrapping zone angle and overestimation weight of least error against "
+            "the truth, over the pixels of this scene or for this ray, as the paper advises finding them by "
+            "hand.",
+            "momentscope tune");
         return;
     }
     ImGui::ProgressBar(tuning_.share(), {12 * em(), 0});

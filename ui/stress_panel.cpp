@@ -44,9 +44,12 @@ void StressPanel::open_worst(const StressCell& cell, ExplorerState& state, std::
     state.marked = 0;
 }
 
-void StressPanel::draw(const Ui& ui, ExplorerState& state, std::string& message) {
+void StressPanel::poll() {
     if (std::optional<std::vector<StressCell>> cells = work_.take(); cells && !cells->empty())
         cells_ = *std::move(cells);
+}
+
+void StressPanel::draw(const Ui& ui, ExplorerState& state, std::string& message) {
     if (work_.busy()) {
         draw_progress(ui);
     } else {

@@ -12,6 +12,9 @@ namespace momentscope::ui {
 
 class StressPanel {
 public:
+    /// Takes the cells of a run that has ended. Once per frame, whatever tab is open.
+    void poll();
+
     /// Opens a clicked cell's worst ray in the editor.
     void draw(const Ui& ui, ExplorerState& state, std::string& message);
 

@@ -24,13 +24,9 @@ FN RootPair quadratic_roots(float e1, float e2)
 }
 
 #if ROOT_COUNT >= 3
-/// How often to step after the first. Convergence is cubic, but slow until two roots that lie close together are told
-/// apart; more steps than these find no further query right (docs/tolerances.md).
-#if ROOT_COUNT == 3
-const int LAGUERRE_STEPS = 2;
-#else
-const int LAGUERRE_STEPS = 3;
-#endif
+/// How often to step after the first: convergence is cubic, but slow until two roots that lie close together are told
+/// apart (docs/tolerances.md).
+const int LAGUERRE_STEPS = 5;
 
 /// One Laguerre step for the root of least |s| of 1 + e[0] s + ... + e[n-1] s^n.
 FN float laguerre_step(IN(MonicPolynomial) p, float s)

