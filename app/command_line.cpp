@@ -51,17 +51,7 @@ void refuse_empty_values(CLI::App& command) {
                 [](const std::string& value) { return std::string(value.empty() ? "has no value" : ""); });
 }
 
-void add_commands(CLI::App& app, Options& options, std::string& what) {
-    add_explore_options(app, options);
-    CLI::App* explore = app.add_subcommand("explore", "open the window (the default)");
-    add_explore_options(*explore, options);
-
-    CLI::App* render = app.add_subcommand("render", "draw a scene to a picture");
-    add_scene_options(*render, options);
-    render->add_option("--technique", options.techniques, "id of a technique");
-    render->add_option("-o,--output", options.output, ".exr (linear floats) or .png")->required();
-    add_parameter_options(*render, options);
-
+void add_inspect(CLI::App& app, Options& options) {
     CLI::App* inspect = app.add_subcommand("inspect", "print the functions behind a pixel or along a ray");
     add_scene_options(*inspect, options);
     inspect->add_option("--pixel", options.pixel,
@@ -73,10 +63,15 @@ void add_commands(CLI::App& app, Options& options, std::string& what) {
     inspect->add_option("--depths", options.depths, "depths instead of --samples, as -0.5,0,0.25");
     inspect->add_flag("--steps", options.steps,
                       "print the steps of the reconstruction at --depths [0] instead of curves");
+    inspect->add_flag(
+        "--sharp-bounds", options.sharp_bounds,
+        "add the least and greatest absorbance that the moments leave possible (a linear program)");
     inspect->add_option("--format", options.format, "json, csv or table [json]");
     inspect->add_option("-o,--output", options.output, "file to write instead of standard output");
     add_parameter_options(*inspect, options);
+}
 
+void add_stress(CLI::App& app, Options& options) {
     CLI::App* stress =
         app.add_subcommand("stress", "try techniques under hard conditions and count failures");
     stress->add_option("--technique", options.techniques, "ids of techniques with moments [all]");
@@ -87,7 +82,9 @@ void add_commands(CLI::App& app, Options& options, std::string& what) {
     stress->add_option("--seed", options.seed, "of the random rays")->capture_default_str();
     stress->add_option("-o,--output", options.output, ".csv, .html or .png (a heat map)");
     add_parameter_options(*stress, options);
+}
 
+void add_tune(CLI::App& app, Options& options) {
     CLI::App* tune = app.add_subcommand("tune", "find the moment bias, θ and β of least error");
     add_scene_options(*tune, options);
     CLI::Option* ray = tune->add_option("--ray", options.ray, "JSON file of a view ray, instead of a scene");
@@ -100,6 +97,22 @@ void add_commands(CLI::App& app, Options& options, std::string& what) {
         ->capture_default_str();
     tune->add_option("--seed", options.seed, "of the random rays")->capture_default_str();
     add_parameter_options(*tune, options);
+}
+
+void add_commands(CLI::App& app, Options& options, std::string& what) {
+    add_explore_options(app, options);
+    CLI::App* explore = app.add_subcommand("explore", "open the window (the default)");
+    add_explore_options(*explore, options);
+
+    CLI::App* render = app.add_subcommand("render", "draw a scene to a picture");
+    add_scene_options(*render, options);
+    render->add_option("--technique", options.techniques, "id of a technique");
+    render->add_option("-o,--output", options.output, ".exr (linear floats) or .png")->required();
+    add_parameter_options(*render, options);
+
+    add_inspect(app, options);
+    add_stress(app, options);
+    add_tune(app, options);
 
     CLI::App* list = app.add_subcommand("list", "print a registry");
     list->add_option("what", what, "techniques, scenes, parameters, conditions or commands (of the window)")

@@ -6,6 +6,7 @@
 #include "app/gl_context.hpp"
 #include "core/error.hpp"
 #include "core/inspect/curve_output.hpp"
+#include "core/inspect/sharp_bounds.hpp"
 #include "core/inspect/steps.hpp"
 #include "core/output_file.hpp"
 #include "core/ray/ray_json.hpp"
@@ -41,6 +42,16 @@ std::string text_of_steps(const std::vector<Curve>& curves, const std::vector<fl
     return text;
 }
 
+void add_sharp_bounds(Curve& curve, const ViewRay& ray) {
+    auto bounds = sharp_bounds(ray, *curve.technique, curve.parameters, curve.depth);
+    if (!bounds)
+        throw Error(
+            fmt::format("The linear program of the sharp bounds of '{}' found no solution on this ray.",
+                        curve.technique->id));
+    curve.sharp_lower = std::move(bounds->lower);
+    curve.sharp_upper = std::move(bounds->upper);
+}
+
 }  // namespace
 
 void run_inspect(const Options& options) {
@@ -50,6 +61,8 @@ void run_inspect(const Options& options) {
     const ParameterValues parameters = parse_parameters(options);
     const auto techniques = parse_techniques(options, "power6-32");
     if (options.steps && !options.format.empty()) throw Error("The steps are text; leave --format out.");
+    if (options.steps && options.sharp_bounds)
+        throw Error("Sharp bounds belong to curves; leave --steps or --sharp-bounds out.");
     const std::vector<float> depths = options.steps && options.depths.empty() ? std::vector<float>{0}
                                       : options.depths.empty()
                                           ? even_depths(static_cast<std::size_t>(parse_count(
@@ -62,6 +75,8 @@ void run_inspect(const Options& options) {
     curves.reserve(techniques.size());
     for (const Technique* technique : techniques)
         curves.push_back(sample_curve(ray, *technique, parameters, depths));
+    if (options.sharp_bounds)
+        for (Curve& curve : curves) add_sharp_bounds(curve, ray);
     const std::string text = options.steps      ? text_of_steps(curves, depths)
                              : format == "json" ? curves_to_json(ray, curves)
                              : format == "csv"  ? curves_to_csv(curves)

@@ -27,6 +27,7 @@ struct Options {
     std::string random;
     std::string max_failures = "0.001";
     bool steps = false;
+    bool sharp_bounds = false;
     bool headless = false;
     std::string screenshot;
     std::string session;

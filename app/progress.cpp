@@ -30,6 +30,12 @@ Progress::Progress(std::string what)
       terminal_(isatty(STDERR_FILENO) != 0) {
     interrupted = false;
     std::signal(SIGINT, interrupt);
+    watcher_ = std::jthread([this](const std::stop_token& end) {
+        while (!end.stop_requested()) {
+            if (interrupted) stop_.request_stop();
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        }
+    });
 }
 
 Progress::~Progress() {
@@ -39,7 +45,6 @@ Progress::~Progress() {
 
 void Progress::show(std::size_t done, std::size_t all) {
     const std::scoped_lock lock(mutex_);
-    if (interrupted) stop_.request_stop();
     const int percent = static_cast<int>(100 * done / std::max<std::size_t>(all, 1));
     if (!terminal_ || percent == shown_percent_) return;
     shown_percent_ = percent;

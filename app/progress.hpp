@@ -4,6 +4,7 @@
 #include <mutex>
 #include <stop_token>
 #include <string>
+#include <thread>
 
 namespace momentscope {
 
@@ -31,6 +32,7 @@ private:
     std::chrono::steady_clock::time_point begin_;
     int shown_percent_ = -1;
     bool terminal_;
+    std::jthread watcher_;  // last: it uses what stands before
 };
 
 }  // namespace momentscope

@@ -23,18 +23,11 @@ std::string report_text(const std::filesystem::path& path, const std::vector<Str
     return path.extension() == ".csv" ? stress_to_csv(cells) : stress_to_html(cells, stress);
 }
 
-std::vector<const Technique*> techniques_with_moments() {
-    std::vector<const Technique*> rows;
-    for (const Technique& technique : techniques())
-        if (technique.kernel != nullptr) rows.push_back(&technique);
-    return rows;
-}
-
 }  // namespace
 
 void run_stress_command(const Options& options) {
     StressOptions stress;
-    stress.techniques = techniques_with_moments();
+    stress.techniques = moment_based_techniques();
     if (!options.techniques.empty()) stress.techniques = parse_techniques(options, "");
     for (const Technique* technique : stress.techniques)
         if (technique->kernel == nullptr)

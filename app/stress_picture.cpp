@@ -1,7 +1,5 @@
 #include "app/stress_picture.hpp"
 
-#include <fmt/format.h>
-
 #include "app/gl_context.hpp"
 #include "app/gui_session.hpp"
 #include "core/error.hpp"
@@ -15,16 +13,6 @@ namespace {
 
 constexpr float SCALE = 1.25f;
 constexpr glm::ivec2 MOST_SIZE(4096, 2160);
-
-std::string title(const StressOptions& options) {
-    const Parameter& solver = parameter(ParameterId::solver);
-    const Parameter& preset = parameter(ParameterId::preset);
-    return fmt::format(
-        "Share of queries that fail (no number, outside [0, b₀], or T off by more than {}): solver {}, bias preset {}, up to "
-        "{} rays a cell",
-        FAILED_ERROR, parameter_text(solver, options.values[ParameterId::solver]),
-        parameter_text(preset, options.values[ParameterId::preset]), options.rays);
-}
 
 // The colours from 0 to 1.
 void draw_scale(const ui::Ui& ui) {
@@ -57,14 +45,14 @@ void write_stress_picture(const std::vector<StressCell>& cells, const StressOpti
     for (int frame = 0; frame < 2; ++frame) {  // the first one measures the text
         gui.begin_frame(size);
         const ImVec2 map = ui::stress_map_size(cells);
-        const float least = ImGui::CalcTextSize(title(options).c_str()).x;
+        const float least = ImGui::CalcTextSize(stress_title(options).c_str()).x;
         size = glm::min(glm::ivec2(static_cast<int>(std::max(map.x, least) + 2 * ui::em()),
                                    static_cast<int>(map.y + 5.5f * ui::em())),
                         MOST_SIZE);
         ImGui::SetNextWindowPos({0, 0});
         ImGui::SetNextWindowSize({static_cast<float>(size.x), static_cast<float>(size.y)});
         ImGui::Begin("stress", nullptr, ImGuiWindowFlags_NoDecoration);
-        ImGui::TextUnformatted(title(options).c_str());
+        ImGui::TextUnformatted(stress_title(options).c_str());
         ui::draw_stress_map(ui, cells);
         ImGui::Spacing();
         draw_scale(ui);

@@ -44,21 +44,22 @@ const char* preset_name(const Technique& technique, const Trial& trial) {
     return trial.value == technique.robust_bias ? "  (preset robust)" : "";
 }
 
+// One table per parameter. What exact arithmetic on the stored moments fails, no solver mends.
 void print_trials(const Technique& technique, const TuneResult& result) {
     for (const ParameterId id : {ParameterId::alpha, ParameterId::theta, ParameterId::beta}) {
-        const auto chosen = result.values[id];
-        bool first = true;
+        if (!technique.uses(id)) continue;
+        const Parameter& row = parameter(id);
+        const bool judged = id == ParameterId::alpha;
+        fmt::print("\n{} --{}{}\n{:>12}  rms error of T{}\n", row.name, row.key,
+                   judged ? " (at beta = 0)" : "", "value",
+                   judged ? "  failures  of exact arithmetic on the stored moments" : "");
         for (const Trial& trial : result.trials) {
             if (trial.parameter != id) continue;
-            const Parameter& row = parameter(id);
-            if (first)
-                fmt::print("\n{} --{}\n{:>12}  rms error of T{}{}\n", row.name, row.key, "value",
-                           id == ParameterId::alpha ? "  failures" : "",
-                           id == ParameterId::alpha ? "  (at beta = 0)" : "");
-            first = false;
-            fmt::print("{:>12.3g}  {:<14.4g}{}{}{}\n", trial.value, trial.error,
-                       id == ParameterId::alpha ? fmt::format("  {:<9}", percent(trial.failure_rate)) : "",
-                       preset_name(technique, trial), trial.value == chosen ? "  <- chosen" : "");
+            const std::string failures = judged ? fmt::format("  {:<8}  {:<8}", percent(trial.failure_rate),
+                                                              percent(trial.inherent_rate))
+                                                : "";
+            fmt::print("{:>12.3g}  {:<14.4g}{}{}{}\n", trial.value, trial.error, failures,
+                       preset_name(technique, trial), trial.value == result.values[id] ? "  <- chosen" : "");
         }
     }
 }

@@ -148,7 +148,9 @@ void Explorer::update(glm::ivec2 size) {
             update_ray();
         else
             update_picture(size);
-        if (!busy()) shown_state_ = state_;
+        if (busy()) return;
+        shown_state_ = state_;
+        update_sharp_bounds();
     } catch (const Error& error) {
         if (measurement_.curve.technique == nullptr) throw;  // nothing good to go on showing
         message_ = error.what();
@@ -265,6 +267,7 @@ void Explorer::show_truth(const View& view) {
 void Explorer::measure_if_changed(bool captured) {
     const bool first = measurement_.curve.technique == nullptr;
     report_.plot = captured || first || !same_curves(shown_state_, state_);
+    if (captured || first) sharp_input_.reset();
     if (report_.plot) measure_curves(measurement_, state_);
     const ViewRay& ray = measurement_.capture.ray;
     report_.query = report_.plot || query_depth(ray, state_) != measurement_.canonical.query;

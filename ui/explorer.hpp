@@ -51,7 +51,7 @@ public:
     bool wants_frame() const { return !(state_ == shown_state_) || busy() || works(); }
 
     /// Does work go on beside the window? Frames are then needed to show how far it is.
-    bool works() const { return stress_panel_.busy() || tuning_.busy(); }
+    bool works() const { return stress_panel_.busy() || tuning_.busy() || sharp_bounds_.busy(); }
 
     /// Is a scene being read? Frames are then only needed to show how long.
     bool busy() const { return loader_.busy(); }
@@ -123,6 +123,7 @@ private:
     void draw_status(const Ui& ui);
     void draw_loading(const Ui& ui);
     void draw_tuning(const Ui& ui);
+    void update_sharp_bounds();
     void start_tuning();
     void poll_tuning();
     void draw_files(const Ui& ui);
@@ -159,6 +160,14 @@ private:
     StressPanel stress_panel_;
     BackgroundWork<std::optional<TuneResult>> tuning_;
     const Technique* tuned_technique_ = nullptr;
+    struct SharpBoundsInput {  // beside the ray
+        const Technique* technique;
+        float theta;
+        Range depths;
+        friend bool operator==(const SharpBoundsInput&, const SharpBoundsInput&) = default;
+    };
+    BackgroundWork<std::optional<SharpBounds>> sharp_bounds_;
+    std::optional<SharpBoundsInput> sharp_input_;  // of the last that were asked for; nullopt: of no ray
     bool help_ = false;
     bool escape_is_taken_ = false;  // by a dialog or a text field that it closes
     std::optional<ParameterId> to_type_;

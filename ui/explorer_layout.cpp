@@ -101,69 +101,6 @@ void Explorer::draw_menu(const Ui& ui) {
     ImGui::EndMenuBar();
 }
 
-void Explorer::draw_lessons(const Ui& ui) {
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("Try this");
-    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
-    int number = 1;
-    for (const Lesson& lesson : lessons()) {
-        const std::string label = fmt::format("{}  {}", number, lesson.title);
-        const float width = ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
-        flow(width, right, ImGui::GetStyle().ItemSpacing.x);
-        const bool open = state_.card == lesson.id;
-        if (toggle_button(label.c_str(), open)) {
-            if (open)
-                state_.card.clear();
-            else
-                open_lesson(state_, lesson);
-        }
-        ui.mark(fmt::format("card.{}", lesson.id));
-        if (!open) tooltip(lesson.question, "click to start from there; Ctrl+Z brings everything back");
-        ++number;
-    }
-    draw_card(ui);
-}
-
-void Explorer::draw_card(const Ui& ui) {
-    const Lesson* lesson = find_lesson(state_.card);
-    if (lesson == nullptr) return;
-    ImGui::PushStyleColor(ImGuiCol_ChildBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
-    const float pad = 0.5f * em();
-    const float width = ImGui::GetContentRegionAvail().x;
-    const float wrap = std::max(width - 12 * em(), 10 * em());
-    const float line = ImGui::GetTextLineHeightWithSpacing();
-    float height = 2 * pad + ImGui::CalcTextSize(lesson->text, nullptr, false, wrap).y + 0.4f * line;
-    ImGui::PushFont(bold_font());
-    height += ImGui::CalcTextSize(lesson->question, nullptr, false, wrap).y;
-    ImGui::PopFont();
-    if (state_.answer) height += 0.4f * line + ImGui::CalcTextSize(lesson->answer, nullptr, false, wrap).y;
-    height = std::max(height, 2 * pad + 2 * ImGui::GetFrameHeightWithSpacing());
-    ImGui::BeginChild("card", {0, height}, false,
-                      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    ImGui::SetCursorPos({pad, pad});
-    ImGui::BeginGroup();
-    ImGui::PushTextWrapPos(pad + wrap);
-    ImGui::TextUnformatted(lesson->text);
-    ImGui::PushFont(bold_font());
-    ImGui::TextUnformatted(lesson->question);
-    ImGui::PopFont();
-    if (state_.answer) ImGui::TextUnformatted(lesson->answer);
-    ImGui::PopTextWrapPos();
-    ImGui::EndGroup();
-    const float button = 9.5f * em();
-    ImGui::SetCursorPos({width - button - pad, pad});
-    if (ImGui::Button(state_.answer ? "hide answer" : "show answer", {button, 0}))
-        state_.answer = !state_.answer;
-    ui.mark("card.answer");
-    ImGui::SetCursorPos({width - button - pad, pad + ImGui::GetFrameHeightWithSpacing()});
-    if (ImGui::Button("close card", {button, 0})) state_.card.clear();
-    ui.mark("card.close");
-    tooltip("Hides the card and keeps everything as it is.", "Escape");
-    ImGui::EndChild();
-    anchors_["card"] = {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
-    ImGui::PopStyleColor();
-}
-
 void Explorer::draw_work_area(const Ui& ui) {
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float bar = 0.6f * em();
@@ -266,7 +203,8 @@ void Explorer::draw_status(const Ui& ui) {
         return ImGui::TextUnformatted("The first scene is being read.");
     std::string status = state_.ray ? std::string("view ray of its own")
                                     : fmt::format("pixel {}, {}", measurement_.pixel.x, measurement_.pixel.y);
-    status += fmt::format("   {} fragments   absorbance {:.4g}", measurement_.capture.ray.fragments.size(),
+    status += fmt::format("   {}   absorbance {:.4g}",
+                          fragment_count_text(measurement_.capture.ray.fragments.size()),
                           measurement_.curve.total_absorbance);
     if (options_.show_times && !state_.ray) {
         const PassTimes& t = renderer_.pass_times();

@@ -23,7 +23,6 @@ void Explorer::start_tuning() try {
         small.render({camera(), TUNED_SIZE, &require_technique("sorted"), state_.parameters});
         for (PixelCapture& capture : small.capture_region({0, 0}, TUNED_SIZE))
             rays.push_back(std::move(capture.ray));
-        shown_view_.technique = nullptr;  // what the other renderer bound is not what this one expects
     }
     tuned_technique_ = state_.technique;
     const TuneOptions options = {.technique = state_.technique, .values = state_.parameters};

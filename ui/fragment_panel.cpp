@@ -118,8 +118,8 @@ std::string summary(const Measurement& m) {
         worst = std::max(worst, std::abs(row.error()));
         squares += row.error() * row.error();
     }
-    return fmt::format("{} fragments, greatest error of T {:.4f}, root mean square {:.4f}", m.history.size(),
-                       worst,
+    return fmt::format("{}, greatest error of T {:.4f}, root mean square {:.4f}",
+                       fragment_count_text(m.history.size()), worst,
                        std::sqrt(squares / static_cast<double>(std::max<std::size_t>(m.history.size(), 1))));
 }
 

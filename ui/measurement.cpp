@@ -4,12 +4,28 @@
 #include <cmath>
 
 #include "core/inspect/exact.hpp"
+#include "core/stress/judge.hpp"
 
 namespace momentscope::ui {
 
 namespace {
 
 constexpr std::size_t SAMPLES = 512;
+
+// Neighbouring depths of which something is true, as one range.
+template <typename Predicate>
+std::vector<Range> ranges_where(const std::vector<float>& depths, const Predicate& is) {
+    std::vector<Range> ranges;
+    bool inside = false;
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+        const bool goes_on = inside;
+        inside = is(i);
+        if (!inside) continue;
+        if (!goes_on) ranges.push_back({depths[i], depths[i]});
+        ranges.back().high = depths[i];
+    }
+    return ranges;
+}
 
 }  // namespace
 
@@ -49,21 +65,28 @@ BandExit band_exit(const Curve& curve) {
     if (curve.beta0.empty()) return exit;
     const auto tolerance =
         static_cast<float>(2e-3 * std::max(curve.total_absorbance, 1e-6));  // a pixel of the plot
-    bool outside = false;
-    for (std::size_t i = 0; i < curve.depth.size(); ++i) {
+    exit.where = ranges_where(curve.depth, [&](std::size_t i) {
         const auto truth = static_cast<float>(curve.truth[i]);
         const float by = std::max(curve.beta0[i] - truth, truth - curve.beta1[i]);
         if (by > exit.worst) {
             exit.worst = by;
             exit.worst_depth = curve.depth[i];
         }
-        if (by > tolerance) {
-            if (!outside) exit.where.push_back({curve.depth[i], curve.depth[i]});
-            exit.where.back().high = curve.depth[i];
-        }
-        outside = by > tolerance;
-    }
+        return by > tolerance;
+    });
     return exit;
+}
+
+SolverFailure solver_failure(const Curve& curve) {
+    SolverFailure failure;
+    if (curve.technique->kernel == nullptr || !curve.parameters.textbook) return failure;
+    const ReconstructionSettings settings = settings_of(curve.parameters);
+    failure.where = ranges_where(curve.depth, [&](std::size_t i) {
+        const float fraction = curve.technique->kernel->fraction(curve.moments, settings, curve.depth[i]);
+        failure.no_number |= std::isnan(fraction);
+        return !(fraction >= -CLAMP_TOLERANCE && fraction <= 1 + CLAMP_TOLERANCE);
+    });
+    return failure;
 }
 
 bool same_curves(const ExplorerState& a, const ExplorerState& b) {
@@ -78,6 +101,7 @@ void measure_curves(Measurement& m, const ExplorerState& state) {
     const std::vector<float> depths = plot_depths(ray, SAMPLES, visible_depths(ray, state.plot));
     m.curve = sample_curve(ray, *state.technique, state.parameters, depths);
     m.exit = band_exit(m.curve);
+    m.failure = solver_failure(m.curve);
     m.compared.clear();
     for (const Technique* technique : state.compared)
         if (technique != state.technique)
@@ -92,7 +116,9 @@ void measure_curves(Measurement& m, const ExplorerState& state) {
 }
 
 void measure_query(Measurement& m, const ExplorerState& state) {
-    m.canonical = canonical_representation(m.curve, query_depth(m.capture.ray, state));
+    const float query = query_depth(m.capture.ray, state);
+    m.canonical = canonical_representation(m.curve, query);
+    m.steps = reconstruction_steps(m.curve, query);
 }
 
 }  // namespace momentscope::ui

@@ -6,6 +6,7 @@
 #include "core/inspect/canonical.hpp"
 #include "core/inspect/curve.hpp"
 #include "core/inspect/pixel_history.hpp"
+#include "core/inspect/sharp_bounds.hpp"
 #include "core/inspect/steps.hpp"
 #include "core/render/renderer.hpp"
 #include "ui/state.hpp"
@@ -17,6 +18,13 @@ struct BandExit {
     std::vector<Range> where;  // depths, ascending
     float worst = 0;           // absorbance by which it leaves
     float worst_depth = 0;
+};
+
+/// Where the solver's result is no number, or outside [0, b0] before it is clamped. Only the textbook's can
+/// be.
+struct SolverFailure {
+    std::vector<Range> where;  // depths, ascending
+    bool no_number = false;    // at one of them at least
 };
 
 /// A pinned pixel and its functions.
@@ -33,9 +41,12 @@ struct Measurement {
     Curve curve;                  // as the plot draws it; depths ascend
     std::vector<Curve> compared;  // at the same depths
     std::vector<float> ghost;     // the same; empty while it is not shown
+    SharpBounds sharp;            // at depths of its own; empty until it is computed beside the window
     CanonicalRepresentation canonical;
+    Steps steps;                           // at the same query depth
     std::vector<PixelHistoryRow> history;  // front to back
     BandExit exit;
+    SolverFailure failure;
     std::vector<Pinned> pins;
 };
 
@@ -52,13 +63,16 @@ float query_depth(const ViewRay& ray, const ExplorerState& state);
 /// Where a curve's truth leaves the band by more than rounding does.
 BandExit band_exit(const Curve& curve);
 
+/// Where the curve's solver fails; evaluates it once more per depth if it is the textbook's.
+SolverFailure solver_failure(const Curve& curve);
+
 /// Do two states have the same curves over one capture?
 bool same_curves(const ExplorerState& a, const ExplorerState& b);
 
 /// Recomputes what follows from the captures: curves, band, history, pins' curves.
 void measure_curves(Measurement& measurement, const ExplorerState& state);
 
-/// Recomputes the canonical representation at the query depth, from the curve's moments.
+/// Recomputes the canonical representation and the steps at the query depth, from the curve's moments.
 void measure_query(Measurement& measurement, const ExplorerState& state);
 
 }  // namespace momentscope::ui

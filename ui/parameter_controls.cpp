@@ -32,12 +32,14 @@ bool draw_logarithmic(const Parameter& row, float& value) {
     return true;
 }
 
-bool draw_choice(const Parameter& row, float& value) {
+bool draw_choice(const Ui& ui, const Parameter& row, float& value) {
     const auto chosen = static_cast<std::size_t>(value);
     bool changed = false;
     if (!ImGui::BeginCombo("##value", row.choices[chosen])) return false;
     for (std::size_t i = 0; i < row.choices.size(); ++i) {
-        if (!ImGui::Selectable(row.choices[i], i == chosen) || i == chosen) continue;
+        const bool clicked = ImGui::Selectable(row.choices[i], i == chosen);
+        ui.mark(fmt::format("parameter.{}.{}", row.key, row.choices[i]));
+        if (!clicked || i == chosen) continue;
         value = static_cast<float>(i);
         changed = true;
     }
@@ -45,7 +47,7 @@ bool draw_choice(const Parameter& row, float& value) {
     return changed;
 }
 
-bool draw_value(const Parameter& row, float& value) {
+bool draw_value(const Ui& ui, const Parameter& row, float& value) {
     switch (row.scale) {
         case Scale::logarithmic:
             return draw_logarithmic(row, value);
@@ -56,7 +58,7 @@ bool draw_value(const Parameter& row, float& value) {
             return changed;
         }
         case Scale::choice:
-            return draw_choice(row, value);
+            return draw_choice(ui, row, value);
         case Scale::linear:
             break;
     }
@@ -130,7 +132,7 @@ void draw_parameter_control(const Ui& ui, const Parameter& row, float recommende
         draw_typed(row, values, message);
     } else {
         const bool to_type = ImGui::GetIO().KeyCtrl && is_slider(row);
-        if (draw_value(row, value) && !to_type) values.set(row.id, value);
+        if (draw_value(ui, row, value) && !to_type) values.set(row.id, value);
         reset |= is_slider(row) && double_clicked();
         if (to_type && ImGui::IsItemHovered() && ImGui::IsMouseReleased(ImGuiMouseButton_Left))
             typing_state() = begin_typing;

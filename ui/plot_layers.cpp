@@ -92,6 +92,15 @@ void draw_exits(ImDrawList& list, const PlotAxes& axes, const Palette& colors, c
         list.AddLine({axes.x(range.low) - 1, y}, {axes.x(range.high) + 1, y}, colors.exit, 4);
 }
 
+// Where the solver's result is none, along the top.
+void draw_failure(ImDrawList& list, const PlotAxes& axes, const Palette& colors, const Measurement& m) {
+    const float tick = 0.5f * em();
+    for (const Range& range : m.failure.where)
+        for (float x = axes.x(range.low); x <= axes.x(range.high) + 0.5f; x += 0.5f * tick)
+            list.AddLine({x - 0.25f * tick, axes.area.low.y + tick}, {x + 0.25f * tick, axes.area.low.y + 1},
+                         colors.exit, 1.5f);
+}
+
 // From the truth to the reconstruction at every fragment's own depth: the error that the picture has.
 void draw_errors(ImDrawList& list, const PlotAxes& axes, const Palette& colors, const PlotInput& input) {
     const ImU32 tint = tint_of(input, Series::errors, colors.errors);
@@ -231,6 +240,9 @@ void draw_layers(ImDrawList& list, const PlotAxes& axes, const Palette& colors, 
         draw_dashed(list, points_of(axes, m.compared[i].depth, m.compared[i].reconstructed),
                     tint_of(input, Series::reconstruction, colors.compared[i % colors.compared.size()]),
                     width_of(input, Series::reconstruction, 1.6f), dash_of(i));
+    for (const auto* bound : {&m.sharp.lower, &m.sharp.upper})
+        draw_dashed(list, points_of(axes, m.sharp.depth, *bound), tint_of(input, Series::sharp, colors.sharp),
+                    width_of(input, Series::sharp, 1.6f), SHARP_DASH);
     if (!m.ghost.empty())
         draw_dashed(list, points_of(axes, curve.depth, m.ghost), tint_of(input, Series::ghost, colors.ghost),
                     width_of(input, Series::ghost, 1.8f), GHOST_DASH);
@@ -240,6 +252,7 @@ void draw_layers(ImDrawList& list, const PlotAxes& axes, const Palette& colors, 
                   width_of(input, Series::reconstruction, 2.2f));
     if (shows(input, Series::errors) && curve.technique->kernel != nullptr)
         draw_errors(list, axes, colors, input);
+    if (shows(input, Series::reconstruction)) draw_failure(list, axes, colors, m);
     if (shows(input, Series::stems)) draw_stems(list, axes, colors, input);
     draw_query(list, axes, colors, input);
 }

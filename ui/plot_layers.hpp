@@ -22,6 +22,7 @@ void draw_small_layers(ImDrawList& list, const PlotAxes& axes, const Palette& co
 
 /// Of the exact curve without bias.
 inline const ImVec2 GHOST_DASH = {7, 4};
+inline const ImVec2 SHARP_DASH = {2, 3};
 
 /// The dash lengths of the i-th compared technique, in pixels on and off.
 ImVec2 dash_of(std::size_t i);

@@ -142,6 +142,14 @@ std::string band_note(const Measurement& m) {
                         : "for trigonometric moments β = 0 and β = 1 are no bounds.");
 }
 
+std::string failure_note(const Measurement& m) {
+    if (m.failure.where.empty()) return "";
+    return fmt::format(
+        "At the depths ticked along the top the textbook's result is {}outside [0, b₀]: the matrix of the moments "
+        "is singular in floats. A greater moment bias α mends it, or the robust solver.",
+        m.failure.no_number ? "no number (drawn as 0) or " : "");
+}
+
 void PlotPanel::zoom(const PlotAxes& axes, PlotState& plot, bool depth, bool value, float notches) const {
     const float factor = std::pow(0.85f, notches);
     const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -215,7 +223,8 @@ void PlotPanel::draw(const Ui& ui, const Measurement& m, ExplorerState& state, I
     ImGui::PushID("plot panel");
     draw_tools(ui, m, state, right);
     const std::optional<Series> hovered = draw_legend(ui, m, state, right);
-    if (state.plot.shows(Series::bounds)) draw_note(ui, band_note(m), right);
+    if (state.plot.shows(Series::reconstruction)) draw_note(ui, failure_note(m), right);
+    if (state.plot.shows(Series::bounds) && m.failure.where.empty()) draw_note(ui, band_note(m), right);
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 extent = {std::max(size.x, 1.0f), std::max(corner.y + size.y - low.y, 1.0f)};
     const Rect outside = {low, {low.x + extent.x, low.y + extent.y}};

@@ -28,4 +28,7 @@ private:
 /// What the band says about the truth, in one sentence; empty when there is nothing to say.
 std::string band_note(const Measurement& measurement);
 
+/// Why the solver's result is none at some depths; "" where it is one.
+std::string failure_note(const Measurement& measurement);
+
 }  // namespace momentscope::ui

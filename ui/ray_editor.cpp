@@ -16,11 +16,25 @@
 
 namespace momentscope::ui {
 
+constexpr float MOST_OPACITY = 0.9999f;
+
+// From depth and opacity to the screen and back.
+struct EditorCanvas {
+    Rect area;
+    float x(float depth) const { return area.low.x + 0.5f * (depth + 1) * (area.high.x - area.low.x); }
+    float y(float opacity) const { return area.high.y - opacity * (area.high.y - area.low.y); }
+    float depth(ImVec2 at) const {
+        return std::clamp(2 * (at.x - area.low.x) / (area.high.x - area.low.x) - 1, -1.0f, 1.0f);
+    }
+    float opacity(ImVec2 at) const {
+        return std::clamp((area.high.y - at.y) / (area.high.y - area.low.y), 0.0f, MOST_OPACITY);
+    }
+};
+
 namespace {
 
 constexpr std::size_t MOST_HANDLES = 2000;  // more would cover each other
-constexpr float MOST_OPACITY = 0.9999f;
-const glm::vec3 BACKGROUND(0.2f);  // what lies behind the ray, linear
+const glm::vec3 BACKGROUND(0.2f);           // what lies behind the ray, linear
 
 ImVec4 display_color(const glm::vec3& linear) {
     return {srgb_from_linear(linear.r), srgb_from_linear(linear.g), srgb_from_linear(linear.b), 1};
@@ -136,6 +150,60 @@ void draw_marked(const Ui& ui, ExplorerState& state) {
     state.ray = std::move(ray);
 }
 
+std::size_t handle_count(const ViewRay& ray) {
+    return std::min(ray.fragments.size(), MOST_HANDLES);
+}
+
+std::optional<std::size_t> handle_at(const EditorCanvas& canvas, const ViewRay& ray, ImVec2 at) {
+    std::optional<std::size_t> nearest;
+    float least = 0.8f * em();
+    for (std::size_t i = 0; i < handle_count(ray); ++i) {
+        const Fragment& fragment = ray.fragments[i];
+        const float distance = std::hypot(canvas.x(fragment.depth) - at.x, canvas.y(fragment.opacity) - at.y);
+        if (distance >= least) continue;
+        least = distance;
+        nearest = i;
+    }
+    return nearest;
+}
+
+void draw_canvas_axes(const Ui& ui, const EditorCanvas& canvas) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const auto& [low, high] = canvas.area;
+    list.AddRectFilled(low, high, ui.colors.plot_background, 3);
+    for (const float opacity : {0.0f, 0.5f, 1.0f}) {
+        list.AddLine({low.x, canvas.y(opacity)}, {high.x, canvas.y(opacity)}, ui.colors.grid);
+        draw_text(list, {low.x - 0.3f * em(), canvas.y(opacity)}, {1, 0.5f}, fmt::format("{:g}", opacity),
+                  ui.colors.text);
+    }
+    for (const float depth : {-1.0f, -0.5f, 0.0f, 0.5f, 1.0f}) {
+        list.AddLine({canvas.x(depth), low.y}, {canvas.x(depth), high.y}, ui.colors.grid);
+        draw_text(list, {canvas.x(depth), high.y + 0.15f * em()}, {0.5f, 0}, fmt::format("{:g}", depth),
+                  ui.colors.text);
+    }
+    draw_text(list, {low.x + 0.3f * em(), low.y + 0.1f * em()}, {0, 0}, "opacity α_l over warped depth z",
+              ui.colors.axis);
+}
+
+void draw_handles(const Ui& ui, const EditorCanvas& canvas, const ViewRay& ray,
+                  std::optional<std::size_t> marked) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    for (std::size_t i = handle_count(ray); i-- > 0;) {
+        const Fragment& fragment = ray.fragments[i];
+        const ImVec2 at = {canvas.x(fragment.depth), canvas.y(fragment.opacity)};
+        const bool on = marked == i;
+        list.AddLine({at.x, canvas.area.high.y}, at, ui.colors.axis, 0.1f * em());
+        list.AddCircleFilled(at, 0.45f * em(), ImGui::ColorConvertFloat4ToU32(display_color(fragment.color)));
+        list.AddCircle(at, (on ? 0.6f : 0.45f) * em(), on ? ui.colors.mark : ui.colors.text, 0,
+                       (on ? 0.16f : 0.07f) * em());
+        ui.anchors[fmt::format("editor.fragment.{}", i + 1)] = {{at.x - 2, at.y - 2}, {at.x + 2, at.y + 2}};
+    }
+    const auto& [low, high] = canvas.area;
+    if (ray.fragments.empty())
+        draw_text(list, {0.5f * (low.x + high.x), 0.5f * (low.y + high.y)}, {0.5f, 0.5f},
+                  "Double-click here adds a fragment.", ui.colors.text);
+}
+
 }  // namespace
 
 void edit_ray(ExplorerState& state, ViewRay ray) {
@@ -162,6 +230,33 @@ void delete_marked(ExplorerState& state) {
     state.marked.reset();
 }
 
+// The ray as the mouse changed it in this frame, if it did.
+std::optional<ViewRay> RayEditor::edited(const EditorCanvas& canvas, const ViewRay& shown,
+                                         ExplorerState& state) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const std::optional<std::size_t> near = handle_at(canvas, shown, mouse);
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && !near) {
+        ViewRay ray = shown;
+        ray.fragments.push_back(plain_fragment(0, canvas.opacity(mouse), ray.fragments.size()));
+        place(ray.fragments.back(), canvas.depth(mouse), ray.warp);
+        held_ = ray.fragments.size() - 1;
+        return ray;
+    }
+    if (ImGui::IsItemActivated()) {
+        held_ = state.marked = near;
+        if (near) state.plot.query.reset();
+    } else if (!ImGui::IsItemActive()) {
+        held_.reset();
+    } else if (held_ && *held_ < shown.fragments.size() &&
+               ImGui::IsMouseDragging(ImGuiMouseButton_Left, 0.15f * em())) {
+        ViewRay ray = shown;
+        place(ray.fragments[*held_], canvas.depth(mouse), ray.warp);
+        ray.fragments[*held_].opacity = canvas.opacity(mouse);
+        return ray;
+    }
+    return std::nullopt;
+}
+
 void RayEditor::draw_canvas(const Ui& ui, const Measurement& m, ExplorerState& state) {
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -169,88 +264,20 @@ void RayEditor::draw_canvas(const Ui& ui, const Measurement& m, ExplorerState& s
     ImGui::InvisibleButton("canvas", size);
     ui.mark("editor.canvas");
     const float pad = 0.9f * em();
-    const Rect area = {{low.x + 2.2f * em(), low.y + pad},
-                       {low.x + size.x - pad, low.y + size.y - 1.4f * em()}};
-    if (area.empty()) return;
-    ui.anchors["editor.area"] = area;
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    const auto x_of = [&](float depth) {
-        return area.low.x + 0.5f * (depth + 1) * (area.high.x - area.low.x);
-    };
-    const auto y_of = [&](float opacity) { return area.high.y - opacity * (area.high.y - area.low.y); };
-    const float mouse_depth =
-        std::clamp(2 * (mouse.x - area.low.x) / (area.high.x - area.low.x) - 1, -1.0f, 1.0f);
-    const float mouse_opacity =
-        std::clamp((area.high.y - mouse.y) / (area.high.y - area.low.y), 0.0f, MOST_OPACITY);
-    const ViewRay& shown = state.ray ? *state.ray : m.capture.ray;
-    std::optional<std::size_t> near;
-    float least = 0.8f * em();
-    for (std::size_t i = 0; i < std::min(shown.fragments.size(), MOST_HANDLES); ++i) {
-        const Fragment& fragment = shown.fragments[i];
-        const float distance = std::hypot(x_of(fragment.depth) - mouse.x, y_of(fragment.opacity) - mouse.y);
-        if (distance >= least) continue;
-        least = distance;
-        near = i;
-    }
-    ViewRay edited;
-    bool changed = false;
-    const auto begin_edit = [&] {
-        edited = shown;
-        changed = true;
-    };
-    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && !near) {
-        begin_edit();
-        Fragment added = plain_fragment(0, mouse_opacity, edited.fragments.size());
-        place(added, mouse_depth, edited.warp);
-        edited.fragments.push_back(added);
-        held_ = edited.fragments.size() - 1;
-    } else if (ImGui::IsItemActivated()) {
-        held_ = near;
-        state.marked = near;
-        if (near) state.plot.query.reset();
-    } else if (ImGui::IsItemActive() && held_ && *held_ < shown.fragments.size() &&
-               ImGui::IsMouseDragging(ImGuiMouseButton_Left, 0.15f * em())) {
-        begin_edit();
-        place(edited.fragments[*held_], mouse_depth, edited.warp);
-        edited.fragments[*held_].opacity = mouse_opacity;
-    }
-    if (changed) {
-        const std::optional<std::size_t> mark = held_;
+    const EditorCanvas canvas = {
+        {{low.x + 2.2f * em(), low.y + pad}, {low.x + size.x - pad, low.y + size.y - 1.4f * em()}}};
+    if (canvas.area.empty()) return;
+    ui.anchors["editor.area"] = canvas.area;
+    const auto shown = [&]() -> const ViewRay& { return state.ray ? *state.ray : m.capture.ray; };
+    if (std::optional<ViewRay> ray = edited(canvas, shown(), state)) {
         if (!state.ray)
-            edit_ray(state, std::move(edited));  // the first touch takes the ray off the scene
+            edit_ray(state, *std::move(ray));  // the first touch takes the ray off the scene
         else
-            state.ray = std::move(edited);
-        state.marked = mark;
+            state.ray = *std::move(ray);
+        state.marked = held_;
     }
-    if (!ImGui::IsItemActive() && !changed) held_.reset();
-    const ViewRay& ray = state.ray ? *state.ray : m.capture.ray;
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(area.low, area.high, ui.colors.plot_background, 3);
-    for (const float opacity : {0.0f, 0.5f, 1.0f}) {
-        list.AddLine({area.low.x, y_of(opacity)}, {area.high.x, y_of(opacity)}, ui.colors.grid);
-        draw_text(list, {area.low.x - 0.3f * em(), y_of(opacity)}, {1, 0.5f},
-                  opacity == 0.5f ? ".5" : fmt::format("{:.0f}", opacity), ui.colors.text);
-    }
-    for (const float depth : {-1.0f, -0.5f, 0.0f, 0.5f, 1.0f}) {
-        list.AddLine({x_of(depth), area.low.y}, {x_of(depth), area.high.y}, ui.colors.grid);
-        draw_text(list, {x_of(depth), area.high.y + 0.15f * em()}, {0.5f, 0}, fmt::format("{:g}", depth),
-                  ui.colors.text);
-    }
-    draw_text(list, {area.low.x + 0.3f * em(), area.low.y + 0.1f * em()}, {0, 0},
-              "opacity α_l over warped depth z", ui.colors.axis);
-    for (std::size_t i = std::min(ray.fragments.size(), MOST_HANDLES); i-- > 0;) {
-        const Fragment& fragment = ray.fragments[i];
-        const ImVec2 at = {x_of(fragment.depth), y_of(fragment.opacity)};
-        list.AddLine({at.x, area.high.y}, at, ui.colors.axis, 0.1f * em());
-        list.AddCircleFilled(at, 0.45f * em(), ImGui::ColorConvertFloat4ToU32(display_color(fragment.color)));
-        const bool marked = state.marked == i;
-        list.AddCircle(at, (marked ? 0.6f : 0.45f) * em(), marked ? ui.colors.mark : ui.colors.text, 0,
-                       (marked ? 0.16f : 0.07f) * em());
-        ui.anchors[fmt::format("editor.fragment.{}", i + 1)] = {{at.x - 2, at.y - 2}, {at.x + 2, at.y + 2}};
-    }
-    if (ray.fragments.empty())
-        draw_text(list, {0.5f * (area.low.x + area.high.x), 0.5f * (area.low.y + area.high.y)}, {0.5f, 0.5f},
-                  "Double-click here adds a fragment.", ui.colors.text);
+    draw_canvas_axes(ui, canvas);
+    draw_handles(ui, canvas, shown(), state.marked);
 }
 
 void RayEditor::draw(const Ui& ui, const Measurement& m, ExplorerState& state, std::string& message) {

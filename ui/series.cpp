@@ -17,6 +17,11 @@ constexpr SeriesRow ROWS[] = {
      "and β = 1).",
      "The results for β = 0 and β = 1. For trigonometric moments these are no bounds: the truth may lie outside.",
      &Palette::bounds},
+    {Series::sharp, "sharp", "S", "sharp bounds", nullptr,
+     "The least and the greatest absorbance that any distribution on the depth range with the exact moments, without "
+     "bias, has in front of z, from a linear program per depth. The truth is never outside; how far they are apart is "
+     "what the moments do not say.",
+     nullptr, &Palette::sharp},
     {Series::ghost, "ghost", "X", "exact, no bias", nullptr,
      "The reconstruction in exact arithmetic without moment bias, in long double. What lies between it and the orange "
      "curve is the price of bias and rounding.",

@@ -18,8 +18,8 @@ enum class Quantity { absorbance, transmittance };
 enum class DepthAxis { warped, view };
 
 /// What the plot can draw. The legend's entries, in its order.
-enum class Series : std::size_t { truth, reconstruction, bounds, ghost, stems, errors, wrapping_zone };
-constexpr std::size_t SERIES_COUNT = 7;
+enum class Series : std::size_t { truth, reconstruction, bounds, sharp, ghost, stems, errors, wrapping_zone };
+constexpr std::size_t SERIES_COUNT = 8;
 
 /// An interval of an axis; low < high.
 struct Range {
@@ -31,7 +31,7 @@ struct Range {
 struct PlotState {
     Quantity quantity = Quantity::absorbance;
     DepthAxis axis = DepthAxis::warped;
-    std::array<bool, SERIES_COUNT> shown = {true, true, true, false, true, true, true};
+    std::array<bool, SERIES_COUNT> shown = {true, true, true, false, false, true, true, true};
     std::optional<Range> depth;  // visible part of the axis, in [-1, 1] or view depth; nullopt: all
     std::optional<Range> value;  // the same of the vertical axis
     std::optional<float>

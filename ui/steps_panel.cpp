@@ -60,55 +60,63 @@ void draw_matrix(const Ui& ui, const char* name, const MomentMatrix& matrix, boo
     ImGui::EndGroup();
 }
 
-// The kernel polynomial over depth on the line: (z - z_f)^n K, which has the same roots and is finite
-// everywhere.
+constexpr int KERNEL_SAMPLES = 240;
+constexpr double KERNEL_REACH = 1.25;  // beyond the depth range, where a node may lie
+
+double kernel_depth(int sample) {
+    return KERNEL_REACH * (2.0 * sample / (KERNEL_SAMPLES - 1) - 1);
+}
+
+// (z - z_f)^n K / K(z_f, z_f) over depth: it has the roots of the kernel and is finite everywhere. Drawn as
+// its signed n-th root, so that small bumps beside large ones show; scaled to [-1, 1].
+std::array<double, KERNEL_SAMPLES> kernel_samples(const Steps& steps) {
+    std::array<double, KERNEL_SAMPLES> values{};
+    double most = 1e-30;
+    for (int i = 0; i < KERNEL_SAMPLES; ++i) {
+        const double s = kernel_depth(i) - static_cast<double>(steps.query);
+        double value = 0;
+        for (std::size_t k = steps.kernel.size(); k-- > 1;)
+            value = value * s + static_cast<double>(steps.kernel[k]);
+        value = value * s + 1;
+        values[static_cast<std::size_t>(i)] = value;
+        most = std::max(most, std::abs(value));
+    }
+    const double root = 1.0 / static_cast<double>(steps.nodes.size());
+    for (double& value : values) value = std::copysign(std::pow(std::abs(value) / most, root), value);
+    return values;
+}
+
 void draw_kernel(const Ui& ui, const Steps& steps) {
     const ImVec2 size = {std::min(ImGui::GetContentRegionAvail().x, 34 * em()), 7 * em()};
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 high = {low.x + size.x, low.y + size.y};
+    const float middle = 0.5f * (low.y + high.y);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(low, high, ui.colors.plot_background, 3);
-    constexpr int SAMPLES = 240;
-    const double n = static_cast<double>(steps.nodes.size());
-    std::array<double, SAMPLES> values{};
-    double most = 1e-30;
-    const auto depth_of = [](int i) { return -1.25 + 2.5 * i / (SAMPLES - 1); };
-    for (int i = 0; i < SAMPLES; ++i) {
-        const double s = depth_of(i) - static_cast<double>(steps.query);
-        double value = 0;  // s^n p(1/s)
-        for (std::size_t k = steps.kernel.size(); k-- > 1;)
-            value = value * s + static_cast<double>(steps.kernel[k]);
-        values[static_cast<std::size_t>(i)] = value * s + 1;
-        most = std::max(most, std::abs(values[static_cast<std::size_t>(i)]));
-    }
-    // Signed roots of values, so that small bumps beside large ones can be seen.
-    const auto y_of = [&](double value) {
-        const double shown = std::copysign(std::pow(std::abs(value) / most, 1 / n), value);
-        return 0.5f * (low.y + high.y) - static_cast<float>(shown) * 0.44f * size.y;
+    const auto x_of = [&](double depth) {
+        return low.x + static_cast<float>(0.5 + 0.5 * depth / KERNEL_REACH) * size.x;
     };
-    const auto x_of = [&](double depth) { return low.x + static_cast<float>((depth + 1.25) / 2.5) * size.x; };
-    list.AddLine({low.x, y_of(0)}, {high.x, y_of(0)}, ui.colors.axis);
+    list.AddLine({low.x, middle}, {high.x, middle}, ui.colors.axis);
     for (const double end : {-1.0, 1.0})
         list.AddLine({x_of(end), low.y}, {x_of(end), high.y}, ui.colors.grid);
+    const auto values = kernel_samples(steps);
     std::vector<ImVec2> line;
-    for (int i = 0; i < SAMPLES; ++i)
-        line.push_back({x_of(depth_of(i)), y_of(values[static_cast<std::size_t>(i)])});
-    list.AddPolyline(line.data(), static_cast<int>(line.size()), ui.colors.reconstruction, 0, 0.13f * em());
+    for (int i = 0; i < KERNEL_SAMPLES; ++i)
+        line.push_back({x_of(kernel_depth(i)),
+                        middle - static_cast<float>(values[static_cast<std::size_t>(i)]) * 0.44f * size.y});
+    list.AddPolyline(line.data(), KERNEL_SAMPLES, ui.colors.reconstruction, 0, 0.13f * em());
     list.PushClipRect(low, high, true);
     for (const StepNode& node : steps.nodes)
-        if (std::abs(node.depth) < 1.25f)
-            list.AddCircleFilled({x_of(static_cast<double>(node.depth)), y_of(0)}, 0.3f * em(),
-                                 ui.colors.stems);
-    list.AddLine({x_of(static_cast<double>(steps.query)), low.y},
-                 {x_of(static_cast<double>(steps.query)), high.y}, ui.colors.truth);
-    draw_text(list, {x_of(static_cast<double>(steps.query)) + 0.3f * em(), low.y + 0.2f * em()}, {0, 0},
-              "z_f", ui.colors.text);
+        list.AddCircleFilled({x_of(static_cast<double>(node.depth)), middle}, 0.3f * em(), ui.colors.stems);
+    const float query = x_of(static_cast<double>(steps.query));
+    list.AddLine({query, low.y}, {query, high.y}, ui.colors.truth);
+    draw_text(list, {query + 0.3f * em(), low.y + 0.2f * em()}, {0, 0}, "z_f", ui.colors.text);
     list.PopClipRect();
     ImGui::Dummy(size);
     ui.mark("steps.kernel");
     tooltip(
-        "The kernel polynomial over depth, with the dots where it vanishes: nodes of the canonical representation. Drawn "
-        "as its n-th root, so that small bumps show.");
+        "The kernel polynomial over depth, with the dots where it vanishes: nodes of the canonical "
+        "representation. Drawn as its n-th root, so that small bumps show.");
 }
 
 // Nodes on the unit circle, the wrapping zone as an arc.
@@ -168,7 +176,7 @@ void draw_steps_panel(const Ui& ui, const Measurement& m) {
                            m.curve.technique->name);
         return;
     }
-    const Steps steps = reconstruction_steps(m.curve, m.canonical.query);
+    const Steps& steps = m.steps;
     if (steps.empty) {
         ImGui::TextWrapped("No transparent surface lies on this ray. Click one in the scene.");
         return;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/stress/stress_report.hpp"
 #include "ui/ray_editor.hpp"
 #include "ui/stress_map.hpp"
 
@@ -9,15 +10,11 @@ namespace momentscope::ui {
 
 void StressPanel::start(const ExplorerState& state) {
     StressOptions options;
-    for (const Technique& technique : techniques())
-        if (technique.kernel != nullptr) options.techniques.push_back(&technique);
+    options.techniques = moment_based_techniques();
     for (const Condition& condition : conditions()) options.conditions.push_back(&condition);
     options.values = state.parameters;
     options.rays = rays_;
-    const auto text = [&](ParameterId id) { return parameter_text(parameter(id), options.values[id]); };
-    title_ =
-        fmt::format("solver {}, bias preset {}, β = {}, up to {} rays a cell: share of queries that fail",
-                    text(ParameterId::solver), text(ParameterId::preset), text(ParameterId::beta), rays_);
+    title_ = stress_title(options);
     work_.start(
         [options](std::stop_token stop, const auto& report) { return run_stress(options, stop, report); });
 }

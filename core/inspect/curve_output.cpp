@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -50,7 +51,24 @@ ordered_json curve_json(const Curve& curve) {
         json["beta0"] = curve.beta0;
         json["beta1"] = curve.beta1;
     }
+    if (!curve.sharp_lower.empty()) {
+        json["sharp_lower"] = curve.sharp_lower;
+        json["sharp_upper"] = curve.sharp_upper;
+    }
     return json;
+}
+
+bool have_sharp_bounds(const std::vector<Curve>& curves) {
+    return std::ranges::any_of(curves, [](const Curve& curve) { return !curve.sharp_lower.empty(); });
+}
+
+// Two more cells, empty where a technique has no such values.
+void add_pair(std::string& text, const std::vector<float>& low, const std::vector<float>& high,
+              std::size_t i) {
+    if (low.empty())
+        text += ",,";
+    else
+        fmt::format_to(std::back_inserter(text), ",{},{}", low[i], high[i]);
 }
 
 }  // namespace
@@ -65,33 +83,38 @@ std::string curves_to_json(const ViewRay& ray, const std::vector<Curve>& curves)
 }
 
 std::string curves_to_csv(const std::vector<Curve>& curves) {
-    std::string text = "technique,depth,true,reconstructed,beta0,beta1\n";
+    const bool sharp = have_sharp_bounds(curves);
+    std::string text = "technique,depth,true,reconstructed,beta0,beta1";
+    text += sharp ? ",sharp_lower,sharp_upper\n" : "\n";
     for (const Curve& curve : curves)
         for (std::size_t i = 0; i < curve.depth.size(); ++i) {
-            fmt::format_to(std::back_inserter(text), "{},{},{},{},", curve.technique->id, curve.depth[i],
+            fmt::format_to(std::back_inserter(text), "{},{},{},{}", curve.technique->id, curve.depth[i],
                            curve.truth[i], curve.reconstructed[i]);
-            if (curve.beta0.empty())
-                text += ",\n";
-            else
-                fmt::format_to(std::back_inserter(text), "{},{}\n", curve.beta0[i], curve.beta1[i]);
+            add_pair(text, curve.beta0, curve.beta1, i);
+            if (sharp) add_pair(text, curve.sharp_lower, curve.sharp_upper, i);
+            text += "\n";
         }
     return text;
 }
 
 std::string curves_to_table(const ViewRay& ray, const std::vector<Curve>& curves) {
-    std::string text =
-        fmt::format("{} fragments, total absorbance {:.6g}\n", ray.fragments.size(), total_absorbance(ray));
+    std::string text = fmt::format("{}, total absorbance {:.6g}\n", fragment_count_text(ray.fragments.size()),
+                                   total_absorbance(ray));
+    const auto out = std::back_inserter(text);
     for (const Curve& curve : curves) {
         const char* low = curve.technique->has_bounds ? "lower" : "beta = 0";
         const char* high = curve.technique->has_bounds ? "upper" : "beta = 1";
-        fmt::format_to(std::back_inserter(text), "\n{}\n{:>12}{:>12}{:>15}{:>12}{:>12}\n",
-                       curve.technique->id, "depth", "true", "reconstructed", low, high);
+        fmt::format_to(out, "\n{}\n{:>12}{:>12}{:>15}{:>12}{:>12}", curve.technique->id, "depth", "true",
+                       "reconstructed", low, high);
+        if (!curve.sharp_lower.empty()) fmt::format_to(out, "{:>13}{:>13}", "sharp lower", "sharp upper");
+        text += "\n";
         for (std::size_t i = 0; i < curve.depth.size(); ++i) {
-            fmt::format_to(std::back_inserter(text), "{:>12.6f}{:>12.6f}{:>15.6f}", curve.depth[i],
-                           curve.truth[i], curve.reconstructed[i]);
+            fmt::format_to(out, "{:>12.6f}{:>12.6f}{:>15.6f}", curve.depth[i], curve.truth[i],
+                           curve.reconstructed[i]);
             if (!curve.beta0.empty())
-                fmt::format_to(std::back_inserter(text), "{:>12.6f}{:>12.6f}", curve.beta0[i],
-                               curve.beta1[i]);
+                fmt::format_to(out, "{:>12.6f}{:>12.6f}", curve.beta0[i], curve.beta1[i]);
+            if (!curve.sharp_lower.empty())
+                fmt::format_to(out, "{:>13.6f}{:>13.6f}", curve.sharp_lower[i], curve.sharp_upper[i]);
             text += "\n";
         }
     }

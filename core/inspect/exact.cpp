@@ -180,13 +180,6 @@ std::optional<ExactFunction> with_exact(const Technique& technique, const Use& u
     return std::nullopt;
 }
 
-Real determined(Masses masses, Real depth, Real beta) {
-    Real sum = 0;
-    for (const auto& mass : masses)
-        if (mass.depth <= depth) sum += mass.absorbance * (mass.depth < depth ? 1 : beta);
-    return sum;
-}
-
 }  // namespace
 
 std::optional<ExactFunction> exact_function(const ViewRay& ray, const Technique& technique,
@@ -202,30 +195,38 @@ std::optional<ExactFunction> exact_function_of_stored(const MomentVector& stored
     return with_exact(technique, [&](auto exact) { return exact.of_stored(stored, parameters); });
 }
 
-std::vector<float> unbiased_absorbance(const ViewRay& ray, const Technique& technique,
-                                       const ResolvedParameters& parameters, std::span<const float> depths) {
-    if (technique.kernel == nullptr || basis_of(technique.basis) == Basis::other) return {};
+std::vector<double> exact_absorbance(const std::optional<ExactFunction>& exact, const ViewRay& ray,
+                                     float beta, std::span<const float> depths) {
     const auto masses = exact_masses(ray);
-    if (masses.empty()) return std::vector<float>(depths.size(), 0.0f);
-    ResolvedParameters unbiased = parameters;
-    unbiased.alpha = 0;
-    const auto exact = exact_function(ray, technique, unbiased);
-    const auto beta = static_cast<Real>(parameters.beta);
+    const auto here = static_cast<Real>(beta);
     Real total = 0;
     for (const auto& mass : masses) total += mass.absorbance;
-    std::vector<float> absorbance;
+    std::vector<double> absorbance;
     absorbance.reserve(depths.size());
     for (const float depth : depths) {
         const auto at = static_cast<Real>(depth);
         if (exact) {
             const ExactFraction fraction = (*exact)(at);
-            const Real share = fraction.in_front + beta * fraction.query_weight;
-            absorbance.push_back(static_cast<float>(total * std::clamp(share, Real(0), Real(1))));
+            const Real share = fraction.in_front + here * fraction.query_weight;
+            absorbance.push_back(static_cast<double>(total * std::clamp(share, Real(0), Real(1))));
         } else {
-            absorbance.push_back(static_cast<float>(determined(masses, at, beta)));
+            Real sum = 0;
+            for (const auto& mass : masses)
+                if (mass.depth <= at) sum += mass.absorbance * (mass.depth < at ? 1 : here);
+            absorbance.push_back(static_cast<double>(sum));
         }
     }
     return absorbance;
+}
+
+std::vector<float> unbiased_absorbance(const ViewRay& ray, const Technique& technique,
+                                       const ResolvedParameters& parameters, std::span<const float> depths) {
+    if (technique.kernel == nullptr || basis_of(technique.basis) == Basis::other) return {};
+    ResolvedParameters unbiased = parameters;
+    unbiased.alpha = 0;
+    const auto exact =
+        exact_absorbance(exact_function(ray, technique, unbiased), ray, parameters.beta, depths);
+    return {exact.begin(), exact.end()};
 }
 
 }  // namespace momentscope

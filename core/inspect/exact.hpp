@@ -28,6 +28,12 @@ std::optional<ExactFunction> exact_function(const ViewRay& ray, const Technique&
 std::optional<ExactFunction> exact_function_of_stored(const MomentVector& stored, const Technique& technique,
                                                       const ResolvedParameters& parameters);
 
+/// A(z, b, beta) of an exact function at `depths`, in [0, b0], b0 being that of the ray. Without one because
+/// the matrix is singular, moments leave one distribution alone: the truth, with beta of a mass at the depth
+/// itself.
+std::vector<double> exact_absorbance(const std::optional<ExactFunction>& exact, const ViewRay& ray,
+                                     float beta, std::span<const float> depths);
+
 /// A(z, b, beta) at `depths` in [-1, 1] from exact moments without bias. Where so few fragments lie on the
 /// ray that their moments leave no other distribution (Section 4.1), this is the truth, plus beta of the mass
 /// at the depth itself. Empty for techniques without moments and for bases that core/reference does not have.

@@ -71,6 +71,103 @@ std::string matrix_numbers(const char* name, const MomentMatrix& matrix) {
                        condition);
 }
 
+std::size_t moment_floats(const Steps& steps) {
+    return static_cast<std::size_t>(steps.technique->kernel->moment_floats);
+}
+
+StepText normalise_text(const Steps& s) {
+    return {"1  Normalise",
+            fmt::format(
+                "Divide what the pixel stores by its total absorbance b₀ = {:.6g}, so that it describes a "
+                "distribution of mass 1 (Section 3.1).",
+                s.stored.b0),
+            fmt::format("b/b₀ = 1, {}", list("{:.6f}", s.normalised.b, moment_floats(s)))};
+}
+
+StepText bias_text(const Steps& s) {
+    return {"2  Bias",
+            fmt::format("Pull the moments a little, α = {:.2e}, towards those of a harmless distribution, "
+                        "(1 − α) b + α b*, to make up for rounding (supplementary, Section 1).",
+                        s.parameters.alpha),
+            fmt::format("b = 1, {}", list("{:.6f}", s.biased.b, moment_floats(s)))};
+}
+
+StepText matrix_text(const Steps& s) {
+    const bool circle = on_circle(*s.technique);
+    const bool chebyshev = std::string_view(s.technique->basis) == "chebyshev";
+    const char* name = circle ? "Toeplitz matrix" : chebyshev ? "Gram matrix" : "Hankel matrix";
+    const char* entry = circle ? "b_{i−j}" : chebyshev ? "(b_{i+j} + b_{|i−j|}) / 2" : "b_{i+j}";
+    return {fmt::format("3  {}", name),
+            fmt::format(
+                "Entry i, j is {}. With as few surfaces as rows, rounding decides its smallest eigenvalue; "
+                "bias keeps it above zero (Algorithm {}).",
+                entry, circle ? 2 : 1),
+            matrix_numbers("before bias", s.before) + "\n" + matrix_numbers("after bias", s.after)};
+}
+
+StepText factor_text(const Steps& s) {
+    const std::string floors =
+        s.floored_pivots > 0 ? fmt::format("; {} raised to the floor 6e-8", s.floored_pivots) : "";
+    return {
+        "4  Factor",
+        "Cholesky's elimination leaves the pivots h_k, the norms of the orthogonal polynomials p_k: the smaller "
+        "the last one, the surer the moments know where the surfaces are (docs/equations.md).",
+        fmt::format("h = {}{}", list("{:.4e}", s.pivots, s.pivots.size()), floors)};
+}
+
+StepText kernel_text(const Steps& s) {
+    const bool circle = on_circle(*s.technique);
+    const std::vector<float> below(s.kernel.begin() + 1, s.kernel.end());
+    return {"5  Kernel polynomial",
+            fmt::format(
+                "K(z_f, z) = Σ p_k(z_f) p_k(z)/h_k, the q of Algorithm {}, in t = {}, which is infinite at "
+                "the query itself.",
+                circle ? 2 : 1, circle ? "cot((φ − φ_f)/2)" : "1/(z − z_f)"),
+            fmt::format("1/w₀ = {:.6g}; coefficients below the leading 1: {}", s.kernel[0],
+                        list("{:.5g}", below, below.size()))};
+}
+
+StepText roots_text(const Steps& s) {
+    const bool circle = on_circle(*s.technique);
+    const std::string zone = fmt::format("; beyond φ = 2π − θ = {:.4f} lies the wrapping zone",
+                                         2 * PI - static_cast<double>(s.parameters.theta));
+    std::string roots;
+    for (const StepNode& node : s.nodes)
+        roots += fmt::format("{}t = {:<12.5g} z = {:<10.5g}{}", roots.empty() ? "" : "\n", node.t, node.depth,
+                             circle ? fmt::format(" φ = {:.4f}", node.phase) : "");
+    return {
+        "6  Roots",
+        fmt::format("Its roots are the other places where the sparsest distribution with these moments has "
+                    "mass{} (Algorithm {}).",
+                    circle ? zone : "", circle ? 2 : 1),
+        roots};
+}
+
+StepText weights_text(const Steps& s) {
+    std::string weights = fmt::format("w₀ = {:.6f} at the query z_f = {:.5g}", s.query_weight, s.query);
+    for (const StepNode& node : s.nodes)
+        weights +=
+            fmt::format("\nw = {:.6f} at z = {:<10.5g} v = {:.4f}", node.weight, node.depth, node.value);
+    return {
+        "7  Weights and values",
+        on_circle(*s.technique)
+            ? "Each mass is 1/K at its node. v is 1 in front of the query, 0 behind, and a ramp of ψ in the "
+              "wrapping zone (Equation 6)."
+            : "Each mass is 1/K at its node. v is 1 in front of the query and 0 behind (Equation 4).",
+        weights};
+}
+
+StepText result_text(const Steps& s) {
+    return {"8  Result",
+            fmt::format(
+                "The masses in front, plus the share β = {:.3g} of the mass at the query. w₀ b₀ = {:.5g} is "
+                "the gap between {}.",
+                s.parameters.beta, s.query_weight * s.stored.b0,
+                s.technique->has_bounds ? "the bounds" : "β = 0 and β = 1"),
+            fmt::format("Σ w v = {:.6f}, + β w₀ = {:.6f}\nA = b₀ × that = {:.9g}\nT = exp(−A) = {:.9g}",
+                        s.in_front, s.fraction, s.absorbance, s.transmittance)};
+}
+
 }  // namespace
 
 Steps reconstruction_steps(const Curve& curve, float query) {
@@ -106,93 +203,10 @@ Steps reconstruction_steps(const Curve& curve, float query) {
     return result;
 }
 
-double kernel_at(const Steps& steps, double t) {
-    double value = 1;
-    for (std::size_t i = 1; i < steps.kernel.size(); ++i)
-        value = value * t + static_cast<double>(steps.kernel[i]);
-    return value;
-}
-
 std::vector<StepText> step_texts(const Steps& s) {
     if (s.empty) return {};
-    const bool circle = on_circle(*s.technique);
-    const bool chebyshev = std::string_view(s.technique->basis) == "chebyshev";
-    const auto floats = static_cast<std::size_t>(s.technique->kernel->moment_floats);
-    const char* matrix = circle ? "Toeplitz matrix" : chebyshev ? "Gram matrix" : "Hankel matrix";
-    const char* entry = circle ? "b_{i−j}" : chebyshev ? "(b_{i+j} + b_{|i−j|}) / 2" : "b_{i+j}";
-    std::vector<StepText> texts;
-    texts.push_back(
-        {"1  Normalise",
-         fmt::format(
-             "Divide what the pixel stores by its total absorbance b₀ = {:.6g}, so that it describes a "
-             "distribution of mass 1 (Section 3.1).",
-             s.stored.b0),
-         fmt::format("b/b₀ = 1, {}", list("{:.6f}", s.normalised.b, floats))});
-    texts.push_back(
-        {"2  Bias",
-         fmt::format("Pull the moments a little, α = {:.2e}, towards those of a harmless distribution, "
-                     "(1 − α) b + α b*, to make up for rounding (supplementary, Section 1).",
-                     s.parameters.alpha),
-         fmt::format("b = 1, {}", list("{:.6f}", s.biased.b, floats))});
-    texts.push_back(
-        {fmt::format("3  {}", matrix),
-         fmt::format(
-             "Entry i, j is {}. With as few surfaces as rows, rounding decides its smallest eigenvalue; bias "
-             "keeps it above zero (Algorithm {}).",
-             entry, circle ? 2 : 1),
-         matrix_numbers("before bias", s.before) + "\n" + matrix_numbers("after bias", s.after)});
-    texts.push_back(
-        {"4  Factor",
-         "Cholesky's elimination leaves the pivots h_k, the norms of the orthogonal polynomials p_k: the smaller "
-         "the last one, the surer the moments know where the surfaces are (docs/equations.md).",
-         fmt::format(
-             "h = {}{}", list("{:.4e}", s.pivots, s.pivots.size()),
-             s.floored_pivots > 0 ? fmt::format("; {} raised to the floor 6e-8", s.floored_pivots) : "")});
-    texts.push_back(
-        {"5  Kernel polynomial",
-         circle
-             ? "K(z_f, z) = Σ p_k(z_f) p_k(z)/h_k, the q of Algorithm 2, in t = cot((φ − φ_f)/2), which is "
-               "infinite at the query itself."
-             : "K(z_f, z) = Σ p_k(z_f) p_k(z)/h_k, the q of Algorithm 1, in t = 1/(z − z_f), which is infinite at "
-               "the query itself.",
-         fmt::format(
-             "1/w₀ = {:.6g}; coefficients below the leading 1: {}", s.kernel[0],
-             list("{:.5g}", std::vector<float>(s.kernel.begin() + 1, s.kernel.end()), s.kernel.size() - 1))});
-    std::string roots;
-    for (const StepNode& node : s.nodes)
-        roots += fmt::format("{}t = {:<12.5g} z = {:<10.5g}{}", roots.empty() ? "" : "\n", node.t, node.depth,
-                             circle ? fmt::format(" φ = {:.4f}", node.phase) : "");
-    texts.push_back(
-        {"6  Roots",
-         fmt::format(
-             "Its roots are the other places where the sparsest distribution with these moments has mass{} "
-             "(Algorithm {}).",
-             circle ? fmt::format("; beyond φ = 2π − θ = {:.4f} lies the wrapping zone",
-                                  2 * PI - static_cast<double>(s.parameters.theta))
-                    : "",
-             circle ? 2 : 1),
-         roots});
-    std::string weights = fmt::format("w₀ = {:.6f} at the query z_f = {:.5g}", s.query_weight, s.query);
-    for (const StepNode& node : s.nodes)
-        weights +=
-            fmt::format("\nw = {:.6f} at z = {:<10.5g} v = {:.4f}", node.weight, node.depth, node.value);
-    texts.push_back(
-        {"7  Weights and values",
-         circle
-             ? "Each mass is 1/K at its node. v is 1 in front of the query, 0 behind, and a ramp of ψ in the "
-               "wrapping zone (Equation 6)."
-             : "Each mass is 1/K at its node. v is 1 in front of the query and 0 behind (Equation 4).",
-         weights});
-    texts.push_back(
-        {"8  Result",
-         fmt::format(
-             "The masses in front, plus the share β = {:.3g} of the mass at the query. w₀ b₀ = {:.5g} is the gap "
-             "between {}.",
-             s.parameters.beta, s.query_weight * s.stored.b0,
-             s.technique->has_bounds ? "the bounds" : "β = 0 and β = 1"),
-         fmt::format("Σ w v = {:.6f}, + β w₀ = {:.6f}\nA = b₀ × that = {:.9g}\nT = exp(−A) = {:.9g}",
-                     s.in_front, s.fraction, s.absorbance, s.transmittance)});
-    return texts;
+    return {normalise_text(s), bias_text(s),  matrix_text(s),  factor_text(s),
+            kernel_text(s),    roots_text(s), weights_text(s), result_text(s)};
 }
 
 std::string steps_to_text(const Steps& steps) {

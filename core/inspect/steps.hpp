@@ -67,7 +67,4 @@ std::vector<StepText> step_texts(const Steps& steps);
 /// The same as text for the terminal.
 std::string steps_to_text(const Steps& steps);
 
-/// The kernel polynomial's value at t, with leading coefficient 1.
-double kernel_at(const Steps& steps, double t);
-
 }  // namespace momentscope

@@ -1,6 +1,8 @@
 #include "core/ray/random_ray.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace momentscope {
 
@@ -19,6 +21,19 @@ ViewRay random_ray(RandomNumbers& random, int count, float least_opacity, float 
         const float opacity = random.uniform(least_opacity, most_opacity);
         ray.fragments.push_back(plain_fragment(depth, opacity, static_cast<std::size_t>(i)));
     }
+    return ray;
+}
+
+ViewRay thin_ray(RandomNumbers& random, int count) {
+    const float each = 1 - std::exp(-4.0f / static_cast<float>(count));
+    return random_ray(random, count, 0.2f * each, std::min(1.8f * each, 0.99f));
+}
+
+ViewRay layered_ray(RandomNumbers& random, int count) {
+    ViewRay ray = thin_ray(random, count);
+    const float layers[] = {random.uniform(-0.99f, 0.0f), random.uniform(0.0f, 0.99f)};
+    for (Fragment& fragment : ray.fragments)
+        fragment.depth = fragment.view_depth = layers[random.whole(0, 1)] + random.uniform(-0.01f, 0.01f);
     return ray;
 }
 

@@ -32,6 +32,13 @@ private:
 /// distribution of the published trials for opacities from .05 to .95.
 ViewRay random_ray(RandomNumbers& random, int count, float least_opacity = 0.05f, float most_opacity = 0.95f);
 
+/// `count` fragments at random depths, together about as opaque as a few surfaces, however many they are.
+ViewRay thin_ray(RandomNumbers& random, int count);
+
+/// The same in two layers of 1 % of the depth range, where the matrix of moments is nearly singular however
+/// many they are.
+ViewRay layered_ray(RandomNumbers& random, int count);
+
 /// A fragment without a warp, in a colour that tells it from its neighbours by index.
 Fragment plain_fragment(float depth, float opacity, std::size_t index);
 

@@ -1,5 +1,7 @@
 #include "core/ray/view_ray.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -35,6 +37,10 @@ float to_view_depth(float depth, const DepthWarp& warp) {
 glm::vec2 depth_warp_factors(const DepthWarp& warp) {
     const auto factors = glsl::fragment::depth_warp_factors(warp.z_min, warp.z_max);
     return {factors.log_z_min, factors.scale};
+}
+
+std::string fragment_count_text(std::size_t count) {
+    return fmt::format("{} fragment{}", count, count == 1 ? "" : "s");
 }
 
 double total_absorbance(const ViewRay& ray) {

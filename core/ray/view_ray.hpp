@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace momentscope {
@@ -50,6 +51,9 @@ glm::vec2 depth_warp_factors(const DepthWarp& warp);
 
 /// Sum of all absorbances: b0.
 double total_absorbance(const ViewRay& ray);
+
+/// "1 fragment", "5 fragments".
+std::string fragment_count_text(std::size_t count);
 
 /// A(z), the sum of the absorbances of all fragments with z_l < z, at each depth; `depths` in any order.
 std::vector<double> true_absorbance(const ViewRay& ray, std::span<const float> depths);

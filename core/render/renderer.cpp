@@ -29,6 +29,12 @@ void require_gl_4_5() {
                         major, minor));
 }
 
+// What draws next may put back what it found, which must then still exist.
+void leave_nothing_bound() {
+    glUseProgram(0);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
 }  // namespace
 
 Renderer::Renderer() : Renderer(momentscope::ordered_access()) {}
@@ -167,7 +173,7 @@ void Renderer::run_from(Stage stage) {
     glUseProgram(display_program_);
     glBindTextureUnit(0, picture_);
     draw_fullscreen();
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    leave_nothing_bound();
 }
 
 Image Renderer::read_picture() const {
@@ -208,7 +214,7 @@ std::optional<FailureCounts> Renderer::draw_failures() {
     glUseProgram(failure_color_program_);
     glBindTextureUnit(0, failure_counts_);
     draw_fullscreen();
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    leave_nothing_bound();
     std::vector<glm::vec2> counts(static_cast<std::size_t>(view_.size.x) *
                                   static_cast<std::size_t>(view_.size.y));
     glGetTextureImage(failure_counts_, 0, GL_RG, GL_FLOAT,
@@ -257,10 +263,17 @@ std::vector<PixelCapture> Renderer::capture_region(glm::ivec2 corner, glm::ivec2
         std::ranges::move(capture_region(corner + step, extent - step), std::back_inserter(captures));
         return captures;
     }
-    std::vector<FragmentNode> nodes = pixel_list_->read(count);
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    std::vector<PixelCapture> captures =
+        sort_captures(pixel_list_->read(count), lower_left, extent, has_transmittance);
+    leave_nothing_bound();
     check_gl("capturing pixels");
-    // The order in which nodes were appended is not the order of submission.
+    return captures;
+}
+
+// Gives every pixel its fragments in the order of submission, which is not the order in which nodes were
+// appended.
+std::vector<PixelCapture> Renderer::sort_captures(std::vector<FragmentNode> nodes, glm::ivec2 lower_left,
+                                                  glm::ivec2 extent, bool has_transmittance) const {
     std::ranges::sort(nodes, {},
                       [](const FragmentNode& node) { return std::pair(node.draw, node.primitive); });
     PixelCapture empty;
@@ -268,7 +281,7 @@ std::vector<PixelCapture> Renderer::capture_region(glm::ivec2 corner, glm::ivec2
     empty.ray.near_plane = NEAR_PLANE;
     empty.ray.far_plane = FAR_PLANE;
     std::vector<PixelCapture> captures(static_cast<std::size_t>(extent.x * extent.y), empty);
-    const auto index_of = [&](int x, int y) {  // GL pixels
+    const auto index_of = [&](int x, int y) {  // of a GL pixel
         return static_cast<std::size_t>((extent.y - 1 - (y - lower_left.y)) * extent.x + x - lower_left.x);
     };
     for (const FragmentNode& node : nodes) {
@@ -279,10 +292,10 @@ std::vector<PixelCapture> Renderer::capture_region(glm::ivec2 corner, glm::ivec2
         if (has_transmittance) capture.transmittance.push_back(node.transmittance);
     }
     const std::vector<MomentVector> stored = transparency_->read_moments(lower_left, extent);
-    for (int y = 0; !stored.empty() && y < extent.y; ++y)
-        for (int x = 0; x < extent.x; ++x)
-            captures[index_of(lower_left.x + x, lower_left.y + y)].stored =
-                stored[static_cast<std::size_t>(y * extent.x + x)];
+    for (std::size_t i = 0; i < stored.size(); ++i) {
+        const glm::ivec2 at(static_cast<int>(i) % extent.x, static_cast<int>(i) / extent.x);
+        captures[index_of(lower_left.x + at.x, lower_left.y + at.y)].stored = stored[i];
+    }
     return captures;
 }
 

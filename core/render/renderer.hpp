@@ -87,6 +87,8 @@ private:
     void run_from(Stage stage);
     PassInput pass_input() const;
     GLuint capture_program(bool& has_transmittance);
+    std::vector<PixelCapture> sort_captures(std::vector<FragmentNode> nodes, glm::ivec2 lower_left,
+                                            glm::ivec2 extent, bool has_transmittance) const;
 
     template <typename Draw>
     void timed(double& milliseconds, const Draw& draw);

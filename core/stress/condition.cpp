@@ -92,14 +92,10 @@ void add_opacities(std::vector<Condition>& rows) {
 
 void add_overdraw(std::vector<Condition>& rows) {
     for (const int count : {10, 100, 1000, 10'000})
-        rows.push_back({fmt::format("overdraw-{}", count), fmt::format("{}", count), "overdraw",
-                        fmt::format("{} thin fragments at random depths, submitted in random order.", count),
-                        count, of_ray([count](RandomNumbers& random, const Technique&) {
-                            // Together about as opaque as a few surfaces, or nothing behind them would be
-                            // seen.
-                            const float each = 1 - std::exp(-4.0f / static_cast<float>(count));
-                            return random_ray(random, count, 0.2f * each, 1.8f * each);
-                        })});
+        rows.push_back(
+            {fmt::format("overdraw-{}", count), fmt::format("{}", count), "overdraw",
+             fmt::format("{} thin fragments at random depths, submitted in random order.", count), count,
+             of_ray([count](RandomNumbers& random, const Technique&) { return thin_ray(random, count); })});
 }
 
 void add_layers(std::vector<Condition>& rows) {
@@ -109,13 +105,7 @@ void add_layers(std::vector<Condition>& rows) {
              fmt::format("{} thin fragments in two layers of 1 % of the depth range: nearly two surfaces.",
                          count),
              count, of_ray([count](RandomNumbers& random, const Technique&) {
-                 const float each = 1 - std::exp(-4.0f / static_cast<float>(count));
-                 ViewRay ray = random_ray(random, count, 0.2f * each, 1.8f * each);
-                 const float layers[] = {random.uniform(-0.99f, 0.0f), random.uniform(0.0f, 0.99f)};
-                 for (Fragment& fragment : ray.fragments)
-                     fragment.depth = fragment.view_depth =
-                         layers[random.whole(0, 1)] + random.uniform(-0.01f, 0.01f);
-                 return ray;
+                 return layered_ray(random, count);
              })});
 }
 

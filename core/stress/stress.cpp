@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "core/inspect/exact.hpp"
+#include "core/stress/judge.hpp"
 #include "core/techniques/moment_kernel.hpp"
 
 namespace momentscope {
@@ -14,37 +15,7 @@ namespace {
 
 constexpr std::size_t CURVE_SAMPLES = 65;
 constexpr int RANDOM_DEPTHS = 2;
-constexpr std::size_t MOST_OWN_DEPTHS = 8;
 constexpr double VISIBLE = 1.0 / 255;
-
-// The exact result at the same alpha. Where the matrix is singular, moments leave one distribution alone: the
-// truth, with beta of a mass at the query depth itself.
-double exact_absorbance(const std::optional<ExactFunction>& exact, const ViewRay& ray, double b0, float beta,
-                        float depth) {
-    if (exact) {
-        const ExactFraction fraction = (*exact)(static_cast<Real>(depth));
-        const Real share = fraction.in_front + static_cast<Real>(beta) * fraction.query_weight;
-        return b0 * static_cast<double>(std::clamp(share, Real(0), Real(1)));
-    }
-    double absorbance = 0;
-    for (const Fragment& fragment : ray.fragments)
-        if (fragment.depth <= depth)
-            absorbance += static_cast<double>(fragment_absorbance(fragment.opacity)) *
-                          (fragment.depth < depth ? 1.0 : static_cast<double>(beta));
-    return absorbance;
-}
-
-// Few of many fragments, evenly chosen.
-std::vector<float> query_depths(const ViewRay& ray, RandomNumbers& random, std::size_t& own_count) {
-    std::vector<float> depths;
-    const std::size_t count = ray.fragments.size();
-    const std::size_t step = std::max<std::size_t>(count / MOST_OWN_DEPTHS, 1);
-    for (std::size_t i = 0; i < count && depths.size() < MOST_OWN_DEPTHS; i += step)
-        depths.push_back(ray.fragments[i].depth);
-    own_count = depths.size();
-    for (int i = 0; i < RANDOM_DEPTHS; ++i) depths.push_back(random.uniform(-1, 1));
-    return depths;
-}
 
 ViewRay shuffled(const ViewRay& ray, RandomNumbers& random) {
     ViewRay result = ray;
@@ -70,16 +41,16 @@ public:
         const MomentVector reordered = sum_moments(shuffled(tried.ray, random), technique, parameters);
         const auto exact = exact_function(tried.ray, technique, parameters);
         const double b0 = total_absorbance(tried.ray);
-        std::size_t own_count = 0;
-        const std::vector<float> depths = query_depths(tried.ray, random, own_count);
+        std::vector<float> depths = some_own_depths(tried.ray);
+        const std::size_t own_count = depths.size();
+        for (int i = 0; i < RANDOM_DEPTHS; ++i) depths.push_back(random.uniform(-1, 1));
         const std::vector<double> truth = true_absorbance(tried.ray, depths);
+        const std::vector<double> exactly = exact_absorbance(exact, tried.ray, parameters.beta, depths);
         bool depends = false;
         for (std::size_t i = 0; i < depths.size(); ++i) {
             const float fraction = kernel.fraction(stored, settings, depths[i]);
             const double t = transmittance_of_fraction(fraction, stored.b0);
-            const double t_exact =
-                std::exp(-exact_absorbance(exact, tried.ray, b0, parameters.beta, depths[i]));
-            count_outcome(fraction, t, t_exact, tried);
+            count_outcome(fraction, t, std::exp(-exactly[i]), tried);
             count_bounds(kernel, stored, settings, depths[i], truth[i] / b0);
             if (i < own_count) from_truth_.push_back(std::abs(t - std::exp(-truth[i])));
             const double t_reordered =
@@ -108,27 +79,18 @@ public:
     }
 
 private:
-    static double transmittance_of_fraction(float fraction, float b0) {
-        const double clamped =
-            fraction >= 0 ? std::min(static_cast<double>(fraction), 1.0) : 0.0;  // NaN is 0, as on GPUs
-        return std::exp(-static_cast<double>(b0) * clamped);
-    }
-
     // Each query counts once, for the gravest thing that happened.
     void count_outcome(float fraction, double t, double t_exact, const StressCase& tried) {
         ++cell_.queries;
         const double error = std::abs(t - t_exact);
         errors_.push_back(error);
-        const bool number = std::isfinite(fraction);
-        const bool within = fraction >= -CLAMP_TOLERANCE && fraction <= 1 + CLAMP_TOLERANCE;
-        if (!number)
-            ++cell_.not_numbers;
-        else if (!within)
-            ++cell_.outside;
-        else if (error > FAILED_ERROR)
-            ++cell_.off;
-        if (number && within && (fraction < 0 || fraction > 1)) ++cell_.clamped;
-        const double badness = number ? error : 2.0;
+        const Outcome outcome = judge(fraction, t, t_exact);
+        cell_.not_numbers += outcome == Outcome::no_number ? 1 : 0;
+        cell_.outside += outcome == Outcome::outside ? 1 : 0;
+        cell_.off += outcome == Outcome::off ? 1 : 0;
+        const bool in_tolerance = outcome == Outcome::off || outcome == Outcome::fine;
+        cell_.clamped += in_tolerance && (fraction < 0 || fraction > 1) ? 1 : 0;
+        const double badness = outcome == Outcome::no_number ? 2.0 : error;
         if (badness <= worst_) return;
         worst_ = badness;
         cell_.worst_case = tried;
@@ -171,11 +133,13 @@ std::uint32_t seed_of(const Condition& condition, std::uint32_t seed) {
 
 }  // namespace
 
-StressCell stress_cell(const Technique& technique, const Condition& condition, const StressOptions& options) {
+StressCell stress_cell(const Technique& technique, const Condition& condition, const StressOptions& options,
+                       const std::stop_token& stop) {
     CellRun run(technique, condition);
     RandomNumbers random(seed_of(condition, options.seed));
-    const int rays = std::clamp(options.rays * 100 / std::max(condition.fragments, 100), 4, options.rays);
-    for (int i = 0; i < rays; ++i) run.add(condition.make(random, technique, options.values), random);
+    const int affordable = std::max(options.rays * 100 / std::max(condition.fragments, 100), 4);
+    for (int i = std::min(affordable, options.rays); i > 0 && !stop.stop_requested(); --i)
+        run.add(condition.make(random, technique, options.values), random);
     return run.finish();
 }
 
@@ -187,8 +151,8 @@ std::vector<StressCell> run_stress(const StressOptions& options, std::stop_token
     std::atomic<std::size_t> done = 0;
     const auto work = [&] {
         for (std::size_t i = next++; i < cells.size() && !stop.stop_requested(); i = next++) {
-            cells[i] =
-                stress_cell(*options.techniques[i / columns], *options.conditions[i % columns], options);
+            cells[i] = stress_cell(*options.techniques[i / columns], *options.conditions[i % columns],
+                                   options, stop);
             progress(++done, cells.size());
         }
     };

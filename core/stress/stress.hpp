@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/stress/condition.hpp"
+#include "core/stress/judge.hpp"
 
 namespace momentscope {
 
@@ -41,9 +42,6 @@ struct StressCell {
     }
 };
 
-constexpr double FAILED_ERROR = 0.02;     // of T: five 8-bit steps at white, about what is seen
-constexpr float CLAMP_TOLERANCE = 1e-4f;  // rounding alone takes sums this far beyond [0, 1]
-
 struct StressOptions {
     std::vector<const Technique*> techniques;
     std::vector<const Condition*> conditions;
@@ -52,8 +50,10 @@ struct StressOptions {
     std::uint32_t seed = 1;
 };
 
-/// The rays of one cell. Depends on the options alone, whichever thread runs it.
-StressCell stress_cell(const Technique& technique, const Condition& condition, const StressOptions& options);
+/// The rays of one cell. Depends on the options alone, whichever thread runs it, unless
+/// it is stopped.
+StressCell stress_cell(const Technique& technique, const Condition& condition, const StressOptions& options,
+                       const std::stop_token& stop = {});
 
 /// All cells, technique by technique, on all cores. `progress` is called by any thread with how many are
 /// done; a stop leaves the result empty.

@@ -103,6 +103,15 @@ std::string cell_sentence(const StressCell& cell) {
         share(cell.non_monotone, cell.rays), share(cell.truth_outside, cell.queries));
 }
 
+std::string stress_title(const StressOptions& options) {
+    const auto text = [&](ParameterId id) { return parameter_text(parameter(id), options.values[id]); };
+    return fmt::format(
+        "Share of queries that fail (no number, outside [0, b₀], or T off by more than {}): solver {}, bias preset "
+        "{}, β = {}, up to {} rays a cell, seed {}",
+        FAILED_ERROR, text(ParameterId::solver), text(ParameterId::preset), text(ParameterId::beta),
+        options.rays, options.seed);
+}
+
 std::string stress_to_csv(const std::vector<StressCell>& cells) {
     std::string text =
         "technique,condition,rays,queries,not_numbers,outside,off,failure_rate,floored,clamped,non_monotone,"
@@ -137,17 +146,11 @@ std::string stress_to_html(const std::vector<StressCell>& cells, const StressOpt
                                escaped(cell.condition->name), escaped(cell.condition->help),
                                escaped(cell_sentence(cell)), escaped(ray_text(cell.worst_case.ray)));
     }
-    const Parameter& solver = parameter(ParameterId::solver);
-    const Parameter& preset = parameter(ParameterId::preset);
     return fmt::format(
         "<!DOCTYPE html>\n<html lang=en><meta charset=utf-8><title>Momentscope: stress</title>\n<style>{}</style>\n"
-        "<h1>Where moment-based transparency breaks</h1>\n"
-        "<p>Share of queries that fail: no number, outside [0, b0] before clamping, or T off by more than {} from the exact "
-        "result at the same moment bias. Solver {}, bias preset {}, up to {} rays a cell, seed {}.</p>\n"
-        "<table>{}</table>\n<h2>Cells with failures, and their worst rays</h2>\n<ul>{}</ul>\n</html>\n",
-        STYLE, FAILED_ERROR, parameter_text(solver, options.values[ParameterId::solver]),
-        parameter_text(preset, options.values[ParameterId::preset]), options.rays, options.seed, map,
-        details.empty() ? "<li>None.</li>" : details);
+        "<h1>Where moment-based transparency breaks</h1>\n<p>{}.</p>\n<table>{}</table>\n"
+        "<h2>Cells with failures, and their worst rays</h2>\n<ul>{}</ul>\n</html>\n",
+        STYLE, stress_title(options), map, details.empty() ? "<li>None.</li>" : details);
 }
 
 std::string stress_to_text(const std::vector<StressCell>& cells) {

@@ -16,6 +16,9 @@ std::string stress_to_html(const std::vector<StressCell>& cells, const StressOpt
 /// A summary: one line per technique with its failures, and its worst conditions.
 std::string stress_to_text(const std::vector<StressCell>& cells);
 
+/// What a map of cells shows, and under which solver, bias preset and how many rays.
+std::string stress_title(const StressOptions& options);
+
 /// sRGB of a failure rate: from dark blue for 0 through yellow to red above one in ten, told apart by the
 /// colour-blind by their lightness too.
 glm::vec3 failure_color(double rate);

@@ -9,45 +9,54 @@
 
 #include "core/error.hpp"
 #include "core/inspect/exact.hpp"
-#include "core/stress/stress.hpp"
+#include "core/stress/judge.hpp"
 #include "core/techniques/moment_kernel.hpp"
 
 namespace momentscope {
 
 namespace {
 
-constexpr std::size_t MOST_OWN_DEPTHS = 8;  // of a ray of many fragments, evenly chosen
-
 struct Sums {
     double squares = 0;
-    long queries = 0, failures = 0;
+    long queries = 0, failures = 0, inherent = 0;
 };
 
-// Errors of one ray at its own depths, and failures where `alpha` is what is being tried.
-void add_ray(const ViewRay& ray, const Technique& technique, const ResolvedParameters& parameters, bool judge,
-             Sums& sums) {
+// T at `depths` from exact arithmetic on what is stored; empty where rounding left a singular matrix.
+std::vector<double> exact_of_stored(const MomentVector& stored, const Technique& technique,
+                                    const ResolvedParameters& parameters, const std::vector<float>& depths) {
+    std::vector<double> t;
+    const auto exact = exact_function_of_stored(stored, technique, parameters);
+    for (std::size_t i = 0; exact && i < depths.size(); ++i) {
+        const ExactFraction fraction = (*exact)(static_cast<Real>(depths[i]));
+        const Real share = fraction.in_front + static_cast<Real>(parameters.beta) * fraction.query_weight;
+        t.push_back(transmittance_of_fraction(static_cast<float>(share), stored.b0));
+    }
+    return t;
+}
+
+// Errors of one ray at its own depths, and failures if they are to be judged.
+void add_ray(const ViewRay& ray, const Technique& technique, const ResolvedParameters& parameters,
+             bool judged, Sums& sums) {
     const ReconstructionSettings settings = settings_of(parameters);
     const MomentVector stored = sum_moments(ray, technique, parameters);
-    const double b0 = total_absorbance(ray);
-    const auto exact = judge ? exact_function(ray, technique, parameters) : std::nullopt;
-    const std::size_t step = std::max<std::size_t>(ray.fragments.size() / MOST_OWN_DEPTHS, 1);
-    for (std::size_t i = 0; i < ray.fragments.size(); i += step) {
-        const float depth = ray.fragments[i].depth;
-        const double truth = true_absorbance(ray, std::span(&depth, 1)).front();
-        const float fraction = technique.kernel->fraction(stored, settings, depth);
-        const double clamped = fraction >= 0 ? std::min(static_cast<double>(fraction), 1.0) : 0.0;
-        const double t = std::exp(-static_cast<double>(stored.b0) * clamped);
-        sums.squares += (t - std::exp(-truth)) * (t - std::exp(-truth));
+    const std::vector<float> depths = some_own_depths(ray);
+    const std::vector<double> truth = true_absorbance(ray, depths);
+    std::vector<double> exact;
+    std::vector<double> of_stored;
+    if (judged) {
+        exact = exact_absorbance(exact_function(ray, technique, parameters), ray, parameters.beta, depths);
+        of_stored = exact_of_stored(stored, technique, parameters, depths);
+    }
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+        const float fraction = technique.kernel->fraction(stored, settings, depths[i]);
+        const double t = transmittance_of_fraction(fraction, stored.b0);
+        const double error = t - std::exp(-truth[i]);
+        sums.squares += error * error;
         ++sums.queries;
-        if (!judge) continue;
-        bool failed = !(fraction >= -CLAMP_TOLERANCE && fraction <= 1 + CLAMP_TOLERANCE);
-        if (exact) {
-            const ExactFraction e = (*exact)(static_cast<Real>(depth));
-            const double share =
-                static_cast<double>(e.in_front + static_cast<Real>(parameters.beta) * e.query_weight);
-            failed |= std::abs(t - std::exp(-b0 * share)) > FAILED_ERROR;
-        }
-        sums.failures += failed ? 1 : 0;
+        if (!judged) continue;
+        const double exact_t = std::exp(-exact[i]);
+        sums.failures += judge(fraction, t, exact_t) == Outcome::fine ? 0 : 1;
+        sums.inherent += of_stored.empty() || std::abs(of_stored[i] - exact_t) > FAILED_ERROR ? 1 : 0;
     }
 }
 
@@ -77,10 +86,12 @@ public:
             all.squares += part.squares;
             all.queries += part.queries;
             all.failures += part.failures;
+            all.inherent += part.inherent;
         }
         progress_(++done_, trials_);
         const auto queries = static_cast<double>(std::max(all.queries, 1L));
-        return {id, value, std::sqrt(all.squares / queries), static_cast<double>(all.failures) / queries};
+        return {id, value, std::sqrt(all.squares / queries), static_cast<double>(all.failures) / queries,
+                static_cast<double>(all.inherent) / queries};
     }
 
 private:
@@ -197,17 +208,10 @@ std::optional<std::vector<OverdrawTrial>> tune_by_overdraw(
     for (int k = 1; k <= DOUBLINGS; ++k) {
         const int fragments = 1 << k;
         RandomNumbers random(seed + static_cast<std::uint32_t>(k));
-        const float each = 1 - std::exp(-4.0f / static_cast<float>(fragments));
         std::vector<ViewRay> rays;
         // The more fragments, the fewer rays: each step takes about as long.
-        for (int i = 0; i < std::max(count * 16 / std::max(fragments, 16), 20); ++i) {
-            ViewRay ray = random_ray(random, fragments, 0.2f * each, std::min(1.8f * each, 0.99f));
-            const float layers[] = {random.uniform(-0.99f, 0.0f), random.uniform(0.0f, 0.99f)};
-            for (Fragment& fragment : ray.fragments)
-                fragment.depth = fragment.view_depth =
-                    layers[random.whole(0, 1)] + random.uniform(-0.01f, 0.01f);
-            rays.push_back(std::move(ray));
-        }
+        for (int i = 0; i < std::max(count * 16 / std::max(fragments, 16), 20); ++i)
+            rays.push_back(layered_ray(random, fragments));
         auto result = tune(rays, options, stop, [&](std::size_t done, std::size_t all) {
             progress(static_cast<std::size_t>(k - 1) * all + done, DOUBLINGS * all);
         });

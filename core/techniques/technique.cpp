@@ -84,6 +84,13 @@ std::span<const Technique> techniques() {
     return rows;
 }
 
+std::vector<const Technique*> moment_based_techniques() {
+    std::vector<const Technique*> rows;
+    for (const Technique& row : techniques())
+        if (row.kernel != nullptr) rows.push_back(&row);
+    return rows;
+}
+
 const Technique* find_technique(std::string_view id) {
     const auto rows = techniques();
     const auto row = std::ranges::find(rows, id, [](const Technique& t) { return std::string_view(t.id); });

@@ -37,7 +37,8 @@ struct Technique {
 
 /// All techniques, in the order in which they are listed; ids are unique.
 std::span<const Technique> techniques();
-const Technique* find_technique(std::string_view id);  // nullptr when there is none
+std::vector<const Technique*> moment_based_techniques();  // those with a kernel
+const Technique* find_technique(std::string_view id);     // nullptr when there is none
 
 /// The technique with that id. Throws Error that lists the ids.
 const Technique& require_technique(std::string_view id);

@@ -40,26 +40,7 @@ layout(location = 2) ATTACHMENT vec4 moments_5_to_8;
 #endif
 #endif
 
-#ifndef BLENDING
-Moments moments_of_texels(float b0, vec4 first, vec4 second)
-{
-    Moments moments;
-    moments.b0 = b0;
-    moments.b[0] = first.x;
-    moments.b[1] = first.y;
-    moments.b[2] = first.z;
-    moments.b[3] = first.w;
-#if MOMENT_FLOATS > 4
-    moments.b[4] = second.x;
-    moments.b[5] = second.y;
-#endif
-#if MOMENT_FLOATS > 6
-    moments.b[6] = second.z;
-    moments.b[7] = second.w;
-#endif
-    return moments;
-}
-#endif
+#include "passes/moment_texels.glsl"
 
 vec4 first_texel(Moments moments)
 {

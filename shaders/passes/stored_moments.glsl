@@ -1,5 +1,6 @@
 // stored_moments.glsl -- reads what the first pass stored, and reconstructs the transmittance to a fragment.
 #include "shared/storage.glsl"
+#include "passes/moment_texels.glsl"
 #include "shared/reconstruction.glsl"
 #ifdef TEXTBOOK_SOLVER
 #include "shared/textbook.glsl"
@@ -13,23 +14,14 @@ layout(binding = 2) uniform sampler2D moments_5_to_8_texture;
 
 Moments stored_moments(ivec2 pixel)
 {
-    Moments moments;
-    moments.b0 = texelFetch(total_absorbance_texture, pixel, 0).x;
+    float b0 = texelFetch(total_absorbance_texture, pixel, 0).x;
     vec4 first = texelFetch(moments_1_to_4_texture, pixel, 0);
-    moments.b[0] = first.x;
-    moments.b[1] = first.y;
-    moments.b[2] = first.z;
-    moments.b[3] = first.w;
 #if MOMENT_FLOATS > 4
     vec4 second = texelFetch(moments_5_to_8_texture, pixel, 0);
-    moments.b[4] = second.x;
-    moments.b[5] = second.y;
+#else
+    vec4 second = vec4(0.0);
 #endif
-#if MOMENT_FLOATS > 6
-    moments.b[6] = second.z;
-    moments.b[7] = second.w;
-#endif
-    return unpacked_moments(moments);
+    return unpacked_moments(moments_of_texels(b0, first, second));
 }
 
 /// A(z_f, b, beta) / b_0 for the fragment at hand, before it is clamped; NaN where the textbook solver breaks.

@@ -23,12 +23,13 @@ FN float rounded_to_half(float x)
     return bounded < HALF_LEAST_NORMAL ? subnormal : normal;
 }
 
+/// The linear part of the transform, or its inverse; linear, so it may act on moments that are not normalised. Theta*_m for
+/// power moments; b/2 + 1/2 for bases that make good use of [-1, 1] as they are.
+FN Moments transformed(IN(Moments) moments, bool back)
+{
+    Moments result;
+    result.b0 = moments.b0;
 #ifdef THETA_TRANSFORM
-/// The linear part of Theta*_m; linear, so it may act on moments that are not normalised.
-FN Moments transformed(IN(Moments) moments)
-{
-    Moments result;
-    result.b0 = moments.b0;
     UNROLL
     for (int i = 0; i < ROOT_COUNT; ++i)
     {
@@ -37,74 +38,35 @@ FN Moments transformed(IN(Moments) moments)
         UNROLL
         for (int j = 0; j < ROOT_COUNT; ++j)
         {
-            odd = odd + THETA_ODD[i * ROOT_COUNT + j] * moments.b[2 * j];
-            even = even + THETA_EVEN[i * ROOT_COUNT + j] * moments.b[2 * j + 1];
+            int at = i * ROOT_COUNT + j;
+            odd = odd + (back ? THETA_ODD_INVERSE[at] : THETA_ODD[at]) * moments.b[2 * j];
+            even = even + (back ? THETA_EVEN_INVERSE[at] : THETA_EVEN[at]) * moments.b[2 * j + 1];
         }
         result.b[2 * i] = odd;
         result.b[2 * i + 1] = even;
     }
-    return result;
-}
-
-/// Its inverse.
-FN Moments transformed_back(IN(Moments) moments)
-{
-    Moments result;
-    result.b0 = moments.b0;
-    UNROLL
-    for (int i = 0; i < ROOT_COUNT; ++i)
-    {
-        PRECISE float odd = 0.0f;
-        PRECISE float even = 0.0f;
-        UNROLL
-        for (int j = 0; j < ROOT_COUNT; ++j)
-        {
-            odd = odd + THETA_ODD_INVERSE[i * ROOT_COUNT + j] * moments.b[2 * j];
-            even = even + THETA_EVEN_INVERSE[i * ROOT_COUNT + j] * moments.b[2 * j + 1];
-        }
-        result.b[2 * i] = odd;
-        result.b[2 * i + 1] = even;
-    }
-    return result;
-}
-
-/// What Theta*_m adds.
-FN float transform_offset(int i)
-{
-    return i % 2 == 0 ? 0.5f : THETA_EVEN_OFFSET[i / 2];
-}
 #else
-/// b/2 + 1/2 for bases whose moments make good use of [-1, 1] as they are: the linear part.
-FN Moments transformed(IN(Moments) moments)
-{
-    Moments result;
-    result.b0 = moments.b0;
     UNROLL
-    for (int i = 0; i < MOMENT_FLOATS; ++i) result.b[i] = 0.5f * moments.b[i];
+    for (int i = 0; i < MOMENT_FLOATS; ++i) result.b[i] = (back ? 2.0f : 0.5f) * moments.b[i];
+#endif
     return result;
 }
 
-/// Its inverse.
-FN Moments transformed_back(IN(Moments) moments)
-{
-    Moments result;
-    result.b0 = moments.b0;
-    UNROLL
-    for (int i = 0; i < MOMENT_FLOATS; ++i) result.b[i] = 2.0f * moments.b[i];
-    return result;
-}
-
+/// What the transform adds.
 FN float transform_offset(int i)
 {
+#ifdef THETA_TRANSFORM
+    return i % 2 == 0 ? 0.5f : THETA_EVEN_OFFSET[i / 2];
+#else
     return 0.5f;
-}
 #endif
+}
 
 /// What a pixel stores after one more fragment: b0 and b[i] in [0, 1]. stored: what it stored before, 0 at first;
 /// fragment: from fragment_moments (supplementary, Section 2, last equation).
 FN Moments with_fragment(IN(Moments) stored, IN(Moments) fragment)
 {
-    Moments added = transformed(fragment);
+    Moments added = transformed(fragment, false);
     PRECISE float b0 = stored.b0 + fragment.b0;
     Moments sum;
     UNROLL
@@ -129,5 +91,5 @@ FN Moments unpacked_moments(IN(Moments) stored)
         PRECISE float normalised = rounded_to_unorm16(stored.b[i]) - transform_offset(i);
         scaled.b[i] = stored.b0 * normalised;
     }
-    return transformed_back(scaled);
+    return transformed(scaled, true);
 }

@@ -107,6 +107,7 @@ const std::map<std::string, Check>& checks() {
         {"plot.truth", series(Series::truth)},
         {"plot.reconstruction", series(Series::reconstruction)},
         {"plot.bounds", series(Series::bounds)},
+        {"plot.sharp", series(Series::sharp)},
         {"plot.ghost", series(Series::ghost)},
         {"plot.stems", series(Series::stems)},
         {"plot.errors", series(Series::errors)},

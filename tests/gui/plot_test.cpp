@@ -158,6 +158,45 @@ TEST_F(PlotTest, TheGhostIsComputedOnlyWhileItIsShown) {
     EXPECT_EQ(measurement().ghost.size(), measurement().curve.depth.size());
 }
 
+TEST_F(PlotTest, SharpBoundsAreComputedBesideTheWindowAndHoldTheTruth) {
+    open("planes", "trig2-32");
+    EXPECT_TRUE(measurement().sharp.depth.empty());
+    play("key S");  // events wait until what they started has ended
+    const SharpBounds first = measurement().sharp;
+    ASSERT_FALSE(first.depth.empty());
+    const std::vector<double> truth = true_absorbance(measurement().capture.ray, first.depth);
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        EXPECT_LE(static_cast<double>(first.lower[i]), truth[i] + 1e-5);
+        EXPECT_GE(static_cast<double>(first.upper[i]), truth[i] - 1e-5);
+    }
+    play("drag @parameter.beta 0.25 0.5 to @parameter.beta 0.6 0.5\nclick @legend.stems");
+    EXPECT_EQ(measurement().sharp.lower, first.lower) << "they know neither beta nor bias";
+    play("drag @parameter.theta 0.25 0.5 to @parameter.theta 0.6 0.5");
+    EXPECT_NE(measurement().sharp.lower, first.lower) << "another circle";
+    play("key S");
+    EXPECT_TRUE(measurement().sharp.depth.empty());
+}
+
+TEST_F(PlotTest, DepthsWhereTheTextbookFailsAreTicked) {
+    open("planes", "power6-32");
+    const char* choose_textbook = "click @parameter.solver\nclick @parameter.solver.textbook\nmove -10 -10";
+    play("key Ctrl+5\nclick @editor.preset\nclick @editor.preset.one\nkey Ctrl+1");
+    play("hold Ctrl\nclick @parameter.alpha\nlet Ctrl\ntype 0\nkey Enter");
+    play(choose_textbook);
+    EXPECT_TRUE(measurement().curve.parameters.textbook);
+    ASSERT_EQ(measurement().capture.ray.fragments.size(), 1u);
+    ASSERT_FALSE(measurement().failure.where.empty()) << "one surface, so the matrix has rank 1";
+    EXPECT_NE(ui::failure_note(measurement()), "");
+    const auto ticked = screen();
+    play("click @parameter.solver\nclick @parameter.solver.robust\nmove -10 -10");
+    EXPECT_TRUE(measurement().failure.where.empty());
+    EXPECT_EQ(ui::failure_note(measurement()), "");
+    EXPECT_GT(changed("plot", ticked, screen()), 20);
+    play("hold Ctrl\nclick @parameter.alpha\nlet Ctrl\ntype 0.02\nkey Enter");
+    play(choose_textbook);
+    EXPECT_TRUE(measurement().failure.where.empty()) << "enough bias";
+}
+
 TEST_F(PlotTest, TheCrosshairShowsValues) {
     open("teapots", "power6-32");
     play("move -10 -10");

@@ -221,8 +221,7 @@ TEST_P(StepsTest, EndInWhatTheSecondPassTakes) {
             for (const StepNode& node : steps.nodes) sum += node.weight;
             EXPECT_NEAR(sum, 1, 1e-5f);
             EXPECT_EQ(step_texts(steps).size(), 8u);
-            // h_0 is E[1], and the determinants agree: eigenvalues come from the matrix that the panel shows.
-            EXPECT_NEAR(steps.pivots[0], 1, 1e-6f);
+            EXPECT_NEAR(steps.pivots[0], 1, 1e-6f) << "E[1]";
             EXPECT_EQ(steps.after.order, steps.nodes.size() + 1);
         }
     }

@@ -1,0 +1,28 @@
+#include "core/stress/judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace momentscope {
+
+Outcome judge(float fraction, double t, double exact_t) {
+    if (!std::isfinite(fraction)) return Outcome::no_number;
+    if (!(fraction >= -CLAMP_TOLERANCE && fraction <= 1 + CLAMP_TOLERANCE)) return Outcome::outside;
+    return std::abs(t - exact_t) > FAILED_ERROR ? Outcome::off : Outcome::fine;
+}
+
+double transmittance_of_fraction(float fraction, float b0) {
+    const double clamped = fraction >= 0 ? std::min(static_cast<double>(fraction), 1.0) : 0.0;
+    return std::exp(-static_cast<double>(b0) * clamped);
+}
+
+std::vector<float> some_own_depths(const ViewRay& ray) {
+    constexpr std::size_t MOST = 8;
+    const std::size_t step = std::max<std::size_t>(ray.fragments.size() / MOST, 1);
+    std::vector<float> depths;
+    for (std::size_t i = 0; i < ray.fragments.size() && depths.size() < MOST; i += step)
+        depths.push_back(ray.fragments[i].depth);
+    return depths;
+}
+
+}  // namespace momentscope

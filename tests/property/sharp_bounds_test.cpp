@@ -1,0 +1,168 @@
+// sharp_bounds_test.cpp -- linear programs against the truth, and against Algorithm 1 where it is sharp, too.
+#include "core/inspect/sharp_bounds.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/inspect/curve.hpp"
+#include "core/ray/random_ray.hpp"
+#include "core/reference/exact_reconstruction.hpp"
+#include "tests/property/moment_rows.hpp"
+
+namespace momentscope::test {
+namespace {
+
+constexpr ResolvedParameters PARAMETERS = {.theta = 0.3f};
+
+// Even depths, and every fragment's own.
+std::vector<float> depths_of(const ViewRay& ray, std::size_t even) {
+    std::vector<float> depths = even_depths(even);
+    for (const Fragment& fragment : ray.fragments) depths.push_back(fragment.depth);
+    std::ranges::sort(depths);
+    return depths;
+}
+
+class SharpBoundsOf : public ::testing::TestWithParam<const Technique*> {};
+
+TEST_P(SharpBoundsOf, RandomRaysHoldTheTruth) {
+    RandomNumbers random(11);
+    for (int count = 1; count <= 12; ++count) {
+        const ViewRay ray = random_ray(random, count);
+        const std::vector<float> depths = depths_of(ray, 17);
+        const auto bounds = sharp_bounds(ray, *GetParam(), PARAMETERS, depths);
+        ASSERT_TRUE(bounds) << count << " fragments";
+        const double rounding = 1e-6 * total_absorbance(ray);  // the bounds are floats
+        for (std::size_t i = 0; i < depths.size(); ++i) {
+            double before = 0, until = 0;
+            for (const Fragment& fragment : ray.fragments) {
+                const double absorbance = static_cast<double>(fragment_absorbance(fragment.opacity));
+                if (fragment.depth < depths[i]) before += absorbance;
+                if (fragment.depth <= depths[i]) until += absorbance;
+            }
+            EXPECT_LE(static_cast<double>(bounds->lower[i]), before + rounding);
+            EXPECT_GE(static_cast<double>(bounds->upper[i]), until - rounding);
+        }
+    }
+}
+
+// m/2 surfaces are determined by m moments of a basis on the line, m by m trigonometric ones.
+TEST_P(SharpBoundsOf, FewSurfacesAreTheTruth) {
+    const bool circle = GetParam()->basis == std::string_view("trigonometric");
+    const int most = circle ? GetParam()->moment_count : GetParam()->moment_count / 2;
+    ViewRay ray;
+    for (int i = 0; i < most; ++i) {
+        const float depth = -0.8f + 1.6f * (static_cast<float>(i) + 0.5f) / static_cast<float>(most);
+        ray.fragments.push_back({depth, depth, 0.5f});
+    }
+    const std::vector<float> depths = {-1, -0.75f, -0.1f, 0.05f, 0.75f, 1};
+    const auto bounds = sharp_bounds(ray, *GetParam(), PARAMETERS, depths);
+    ASSERT_TRUE(bounds);
+    const std::vector<double> truth = true_absorbance(ray, depths);
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+        // Moments hold to 1e-9, and the mass that this lets past is magnified by the distance of the
+        // surfaces.
+        EXPECT_NEAR(static_cast<double>(bounds->lower[i]), truth[i], 2e-3) << "at " << depths[i];
+        EXPECT_NEAR(static_cast<double>(bounds->upper[i]), truth[i], 2e-3) << "at " << depths[i];
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Techniques, SharpBoundsOf, ::testing::ValuesIn(moment_based_techniques()),
+                         [](const auto& one) { return test_name(*one.param); });
+
+// Algorithm 1 in long double is sharp where its masses lie in the depth range. A grid can only be narrower,
+// by what the nearest masses on it lack.
+TEST(SharpBounds, AreThoseOfAlgorithm1WhereItsMassesLieInTheDepthRange) {
+    RandomNumbers random(12);
+    const Technique& technique = require_technique("power6-32");
+    int compared = 0;
+    for (int i = 0; i < 20; ++i) {
+        const ViewRay ray = random_ray(random, 6);
+        reference::PowerMoments<6, long double> moments{};
+        long double total = 0;
+        for (const Fragment& fragment : ray.fragments) {
+            const auto absorbance = static_cast<long double>(fragment_absorbance(fragment.opacity));
+            total += absorbance;
+            for (std::size_t k = 0; k < moments.size(); ++k)
+                moments[k] += absorbance * std::pow(static_cast<long double>(fragment.depth), k);
+        }
+        for (long double& moment : moments) moment /= total;
+        const std::vector<float> depths = even_depths(21);
+        const auto sharp = sharp_bounds(ray, technique, PARAMETERS, depths);
+        ASSERT_TRUE(sharp);
+        for (std::size_t d = 0; d < depths.size(); ++d) {
+            const auto exact = reference::power_bounds<6, long double>(moments, depths[d]);
+            ASSERT_TRUE(exact);
+            const double lower = static_cast<double>(exact->lower * total);
+            const double upper = static_cast<double>(exact->upper * total);
+            const double scale = static_cast<double>(total);
+            EXPECT_GE(static_cast<double>(sharp->lower[d]), lower - 1e-3 * scale);
+            EXPECT_LE(static_cast<double>(sharp->upper[d]), upper + 1e-3 * scale);
+            const bool inside = std::ranges::all_of(
+                exact->depth, [](long double depth) { return depth >= -1 && depth <= 1; });
+            if (!inside) continue;
+            ++compared;
+            EXPECT_NEAR(static_cast<double>(sharp->lower[d]), lower, 5e-3 * scale);
+            EXPECT_NEAR(static_cast<double>(sharp->upper[d]), upper, 5e-3 * scale);
+        }
+    }
+    EXPECT_GT(compared, 100);
+}
+
+// Why they are there: what beta = 0 and beta = 1 give for trigonometric moments is no bound.
+TEST(SharpBounds, HoldWhereBetaDoesNot) {
+    RandomNumbers random(13);
+    const Technique& technique = require_technique("trig2-32");
+    const ParameterValues values;
+    int outside_beta = 0, outside_sharp = 0;
+    for (int i = 0; i < 20; ++i) {
+        const ViewRay ray = random_ray(random, 5);
+        const std::vector<float> depths = even_depths(33);
+        const Curve curve = sample_curve(ray, technique, values, depths);
+        const auto sharp = sharp_bounds(ray, technique, curve.parameters, depths);
+        ASSERT_TRUE(sharp);
+        const auto outside = [&](float low, float high, double truth) {
+            const double tolerance = 1e-3 * curve.total_absorbance;
+            return truth < static_cast<double>(low) - tolerance ||
+                   truth > static_cast<double>(high) + tolerance;
+        };
+        for (std::size_t d = 0; d < depths.size(); ++d) {
+            outside_beta += outside(curve.beta0[d], curve.beta1[d], curve.truth[d]) ? 1 : 0;
+            outside_sharp += outside(sharp->lower[d], sharp->upper[d], curve.truth[d]) ? 1 : 0;
+        }
+    }
+    EXPECT_GT(outside_beta, 10) << "then beta would be as good as the linear program";
+    EXPECT_EQ(outside_sharp, 0);
+}
+
+TEST(SharpBounds, OfNothingAreEmptyAndStopWhenTold) {
+    const std::vector<float> depths = {0};
+    const Technique& technique = require_technique("trig3-32");
+    const auto nothing = sharp_bounds({}, technique, PARAMETERS, depths);
+    ASSERT_TRUE(nothing);
+    EXPECT_TRUE(nothing->depth.empty());
+    RandomNumbers random(14);
+    const ViewRay ray = random_ray(random, 4);
+    EXPECT_TRUE(sharp_bounds(ray, require_technique("sorted"), PARAMETERS, depths)->depth.empty());
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_FALSE(sharp_bounds(ray, technique, PARAMETERS, depths, stop.get_token()));
+}
+
+TEST(SharpBounds, OfManyFragmentsUseTheGrid) {
+    RandomNumbers random(15);
+    const ViewRay ray = thin_ray(random, 5000);
+    const std::vector<float> depths = {-0.5f, 0, 0.5f};
+    const auto bounds = sharp_bounds(ray, require_technique("power4-32"), PARAMETERS, depths);
+    ASSERT_TRUE(bounds);
+    const std::vector<double> truth = true_absorbance(ray, depths);
+    const double cell = 0.01 * total_absorbance(ray);  // fragments move by half a cell of 1/128
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+        EXPECT_LE(static_cast<double>(bounds->lower[i]), truth[i] + cell);
+        EXPECT_GE(static_cast<double>(bounds->upper[i]), truth[i] - cell);
+    }
+}
+
+}  // namespace
+}  // namespace momentscope::test
