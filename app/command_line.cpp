@@ -117,7 +117,7 @@ void add_commands(CLI::App& app, Options& options, std::string& what) {
     CLI::App* list = app.add_subcommand("list", "print a registry");
     list->add_option("what", what, "techniques, scenes, parameters, conditions or commands (of the window)")
         ->required();
-    list->add_option("--format", options.format, "table or json [table]");
+    list->add_option("--format", options.format, "table, json or (of techniques) markdown [table]");
     app.require_subcommand(0, 1);
     refuse_empty_values(app);
     for (CLI::App* command : app.get_subcommands(nullptr)) refuse_empty_values(*command);

@@ -6,6 +6,7 @@
 #include "app/commands.hpp"
 #include "core/error.hpp"
 #include "core/stress/condition.hpp"
+#include "core/techniques/techniques_page.hpp"
 #include "ui/commands.hpp"
 
 namespace momentscope {
@@ -21,7 +22,8 @@ json list_techniques() {
         for (const ParameterId id : t.parameters) keys.push_back(parameter(id).key);
         rows.push_back({{"id", t.id},
                         {"name", t.name},
-                        {"bits_per_pixel", t.bits_per_pixel > 0 ? json(t.bits_per_pixel) : json("unbounded")},
+                        {"bits_per_pixel",
+                         t.is_truth() && t.bits_per_pixel == 0 ? json("unbounded") : json(t.bits_per_pixel)},
                         {"geometry_passes", t.geometry_passes},
                         {"order_dependent", t.order_dependent},
                         {"has_bounds", t.has_bounds},
@@ -98,8 +100,13 @@ void print_table(const json& rows, const std::vector<std::string>& columns) {
 }  // namespace
 
 void run_list(const std::string& what, const std::string& format) {
+    if (format == "markdown" && what == "techniques") {
+        std::fputs(techniques_page().c_str(), stdout);
+        return;
+    }
     if (format != "table" && format != "json")
-        throw Error(fmt::format("There is no format '{}'; use table or json.", format));
+        throw Error(
+            fmt::format("There is no format '{}'; use table or json, or for techniques markdown.", format));
     json rows;
     std::vector<std::string> columns;
     if (what == "techniques") {

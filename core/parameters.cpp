@@ -17,6 +17,9 @@ constexpr float PI = 3.14159265f;
 constexpr std::array PRESETS = {"table1", "robust"};
 constexpr std::array SOLVERS = {"robust", "textbook"};
 constexpr std::array ACCUMULATIONS = {"blending", "ordered"};
+constexpr std::array WEIGHTS = {"window-depth", "view-depth", "g3d"};
+constexpr std::array COEFFICIENTS = {"7", "15"};
+constexpr std::array LAYER_BITS = {"16", "8", "32"};
 
 const std::array<Parameter, PARAMETER_COUNT> ROWS = {{
     {ParameterId::beta, "beta", "β", "overestimation weight", "", 0.0f, 1.0f, 0.25f, Scale::linear,
@@ -52,11 +55,34 @@ const std::array<Parameter, PARAMETER_COUNT> ROWS = {{
      Stage::composite,
      "1 scales the transparent colour so that all weights sum to the true coverage, 0 leaves the sum as it is.",
      "Münstermann et al. 2018, Section 3.4, Equation 2"},
+    {ParameterId::weight, "weight", "w", "weight", "", 0.0f, 2.0f, 0.0f, Scale::choice, Stage::moments,
+     "How weighted blending guesses what is seen of a fragment: from window depth and opacity, as the authors of the "
+     "moment-based paper compared; from view depth in scene units (2013); or as the G3D engine does (2016).",
+     "McGuire and Bavoil 2013, Equations 7 to 10; McGuire and Mara 2017", WEIGHTS},
+    {ParameterId::coefficients, "coefficients", "2K+1", "Fourier coefficients", "", 0.0f, 1.0f, 0.0f,
+     Scale::choice, Stage::moments, "How many real coefficients a pixel keeps. More ring in finer waves.",
+     "Jansen and Bavoil 2010", COEFFICIENTS},
+    {ParameterId::lanczos, "lanczos", "σ", "Lanczos damping", "", 0.0f, 1.0f, 0.0f, Scale::toggle,
+     Stage::color, "1 damps high frequencies, which takes most of the ringing for less precision in depth.",
+     "Lanczos 1956, Section 4.6"},
+    {ParameterId::nodes, "nodes", "n", "nodes", "", 2.0f, 8.0f, 4.0f, Scale::whole, Stage::moments,
+     "How many steps the transmittance of a pixel may have.", "Salvi, Montgomery and Lefohn 2011, Section 3"},
+    {ParameterId::layers, "layers", "k", "layers", "", 1.0f, 6.0f, 4.0f, Scale::whole, Stage::moments,
+     "How many fragments a pixel keeps apart.", "Salvi and Vaidyanathan 2014"},
+    {ParameterId::layer_bits, "layer-bits", "bits", "bits per number", "", 0.0f, 2.0f, 0.0f, Scale::choice,
+     Stage::moments,
+     "How a layer is stored: colour in half floats, depth and transmittance in 16 bits; all but depth in 8 bits; or all "
+     "in floats, which rounds nothing.",
+     "Münstermann et al. 2018, supplementary, Table 3", LAYER_BITS},
     {ParameterId::opacity, "opacity", "α_l", "opacity of mesh files", "", 0.0f, 0.99f, 0.4f, Scale::linear,
      Stage::scene,
      "Opacity of every fragment of a mesh that was loaded from a file. Built-in scenes bring their own.",
      "Münstermann et al. 2018, Section 2"},
 }};
+
+bool is_whole(const Parameter& row) {
+    return row.scale == Scale::choice || row.scale == Scale::whole;
+}
 
 }  // namespace
 
@@ -81,8 +107,7 @@ ParameterValues::ParameterValues() {
 void ParameterValues::set(ParameterId id, std::optional<float> value) {
     const Parameter& row = parameter(id);
     const bool in_range = value && *value >= row.minimum && *value <= row.maximum;  // false for NaN
-    const bool allowed =
-        value ? in_range && (row.choices.empty() || *value == std::floor(*value)) : !row.standard;
+    const bool allowed = value ? in_range && (!is_whole(row) || *value == std::floor(*value)) : !row.standard;
     if (!allowed)
         throw Error(fmt::format("The {} --{} cannot be {}; give {}.", row.name, row.key,
                                 value ? fmt::format("{}", *value) : "auto", parameter_values_text(row)));
@@ -110,8 +135,9 @@ std::string parameter_text(const Parameter& row, std::optional<float> value) {
 
 std::string parameter_values_text(const Parameter& row) {
     if (row.choices.empty())
-        return fmt::format("a number from {:g} to {:.4g}{}{}{}", row.minimum, row.maximum,
-                           *row.unit != '\0' ? " " : "", row.unit, row.standard ? "" : ", or auto");
+        return fmt::format("a {}number from {:g} to {:.4g}{}{}{}", is_whole(row) ? "whole " : "", row.minimum,
+                           row.maximum, *row.unit != '\0' ? " " : "", row.unit,
+                           row.standard ? "" : ", or auto");
     std::string list;
     for (std::size_t i = 0; i < row.choices.size(); ++i)
         list += fmt::format("{}{}",

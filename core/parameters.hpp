@@ -20,12 +20,18 @@ enum class ParameterId : std::size_t {
     solver,
     accumulation,
     renormalize,
+    weight,
+    coefficients,
+    lanczos,
+    nodes,
+    layers,
+    layer_bits,
     opacity
 };
-constexpr std::size_t PARAMETER_COUNT = 8;
+constexpr std::size_t PARAMETER_COUNT = 14;
 
 /// How a slider maps its way to a value; decides nothing but the looks.
-enum class Scale { linear, logarithmic, toggle, choice };
+enum class Scale { linear, logarithmic, toggle, choice, whole };
 
 /// One row: everything that is said about a parameter anywhere.
 struct Parameter {
@@ -54,7 +60,9 @@ class ParameterValues {
 public:
     ParameterValues();  // all at their standard
 
-    std::optional<float> operator[](ParameterId id) const { return values_[static_cast<std::size_t>(id)]; }
+    const std::optional<float>& operator[](ParameterId id) const {
+        return values_[static_cast<std::size_t>(id)];
+    }
 
     /// Throws Error when the value is not a number within the row's range, or `auto` where there is none.
     void set(ParameterId id, std::optional<float> value);

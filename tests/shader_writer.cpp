@@ -7,6 +7,7 @@
 #include "core/gl/program.hpp"
 #include "core/output_file.hpp"
 #include "core/render/moment_passes.hpp"
+#include "core/render/state_passes.hpp"
 #include "core/techniques/moment_kernel.hpp"
 
 namespace {
@@ -46,14 +47,27 @@ void write_technique(const std::filesystem::path& folder, const Technique& techn
         write(folder, id, "passes/moments.frag", accumulation_variant(technique, false, access));
 }
 
+void write_method(const std::filesystem::path& folder, const Technique& technique) {
+    const MethodSettings settings = technique.method_settings(ParameterValues());
+    const OrderedAccess access = needs_order(technique) ? OrderedAccess::interlock : OrderedAccess::none;
+    write(folder, technique.id, "passes/state.frag", state_building_variant(technique, settings, access));
+    ShaderVariant variant = state_variant(technique, settings);
+    write(folder, technique.id, "passes/state_composite.frag", variant);
+    if (!technique.method->holds_colors) write(folder, technique.id, "passes/state_color.frag", variant);
+    variant.defines["WITH_TRANSMITTANCE"] = "1";
+    if (technique.method->has_depths) write(folder, technique.id, "passes/capture.frag", variant);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     if (argc != 2) return 1;
     try {
         for (const char* path : PLAIN) write(argv[1], "plain", path, {});
-        for (const Technique& technique : techniques())
+        for (const Technique& technique : techniques()) {
             if (technique.kernel != nullptr) write_technique(argv[1], technique);
+            if (technique.method != nullptr) write_method(argv[1], technique);
+        }
     } catch (const Error& error) {
         std::fputs(fmt::format("momentscope_shaders: {}\n", error.what()).c_str(), stderr);
         return 1;

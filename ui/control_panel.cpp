@@ -66,7 +66,7 @@ void draw_compared_combo(const Ui& ui, ExplorerState& state) {
     tooltip("Techniques whose reconstruction the plot shows beside that of the picture.");
     if (!open) return;
     for (const Technique& row : techniques()) {
-        if (row.kernel == nullptr) continue;
+        if (!has_function(row)) continue;
         bool on = std::ranges::find(state.compared, &row) != state.compared.end();
         if (ImGui::Checkbox(technique_label(row).c_str(), &on)) {
             if (on)

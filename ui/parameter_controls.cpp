@@ -59,6 +59,14 @@ bool draw_value(const Ui& ui, const Parameter& row, float& value) {
         }
         case Scale::choice:
             return draw_choice(ui, row, value);
+        case Scale::whole: {
+            int number = static_cast<int>(value);
+            const bool changed = ImGui::SliderInt("##value", &number, static_cast<int>(row.minimum),
+                                                  static_cast<int>(row.maximum), "%d",
+                                                  ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
+            value = static_cast<float>(number);
+            return changed;
+        }
         case Scale::linear:
             break;
     }
@@ -98,7 +106,7 @@ void draw_typed(const Parameter& row, ParameterValues& values, std::string& mess
 }
 
 bool is_slider(const Parameter& row) {
-    return row.scale == Scale::linear || row.scale == Scale::logarithmic;
+    return row.scale == Scale::linear || row.scale == Scale::logarithmic || row.scale == Scale::whole;
 }
 
 void draw_tooltip(const Parameter& row) {

@@ -246,12 +246,11 @@ void draw_layers(ImDrawList& list, const PlotAxes& axes, const Palette& colors, 
     if (!m.ghost.empty())
         draw_dashed(list, points_of(axes, curve.depth, m.ghost), tint_of(input, Series::ghost, colors.ghost),
                     width_of(input, Series::ghost, 1.8f), GHOST_DASH);
-    if (curve.technique->kernel != nullptr && shows(input, Series::reconstruction))
+    if (has_function(*curve.technique) && shows(input, Series::reconstruction))
         draw_line(list, points_of(axes, curve.depth, curve.reconstructed),
                   tint_of(input, Series::reconstruction, colors.reconstruction),
                   width_of(input, Series::reconstruction, 2.2f));
-    if (shows(input, Series::errors) && curve.technique->kernel != nullptr)
-        draw_errors(list, axes, colors, input);
+    if (shows(input, Series::errors) && !curve.technique->is_truth()) draw_errors(list, axes, colors, input);
     if (shows(input, Series::reconstruction)) draw_failure(list, axes, colors, m);
     if (shows(input, Series::stems)) draw_stems(list, axes, colors, input);
     draw_query(list, axes, colors, input);
@@ -261,7 +260,7 @@ void draw_small_layers(ImDrawList& list, const PlotAxes& axes, const Palette& co
                        const Curve& curve) {
     if (!curve.beta0.empty()) draw_band(list, axes, curve, colors.band, colors.bounds, 1);
     draw_truth(list, axes, ray, colors.truth, 1.6f);
-    if (curve.technique->kernel != nullptr)
+    if (has_function(*curve.technique))
         draw_line(list, points_of(axes, curve.depth, curve.reconstructed), colors.reconstruction, 1.6f);
 }
 

@@ -101,7 +101,7 @@ void draw_crosshair(const Ui& ui, const PlotAxes& axes, const Measurement& m, co
     }
     const Curve curve = sample_curve(ray, *state.technique, state.parameters, at);
     value_line("truth", ui.colors.truth, static_cast<float>(curve.truth[0]), axes);
-    if (!curve.beta0.empty())
+    if (has_function(*curve.technique))
         value_line("reconstruction", ui.colors.reconstruction, curve.reconstructed[0], axes);
     if (!curve.beta0.empty() && state.plot.shows(Series::bounds)) {
         value_line(curve.technique->has_bounds ? "lower bound of A" : "β = 0", ui.colors.bounds,

@@ -95,7 +95,7 @@ void draw_clipboard(const Ui& ui, const Measurement& m, ExplorerState& state, st
 
 void draw_swatches(const Ui& ui, const Measurement& m, const ExplorerState& state) {
     const PixelColors colors =
-        pixel_colors(m.capture.ray, m.history, BACKGROUND, m.curve.parameters.renormalize);
+        pixel_colors(m.capture.ray, m.history, *m.curve.technique, m.curve.parameters, BACKGROUND);
     const auto swatch = [&](const char* name, const glm::vec3& color) {
         ImGui::ColorButton(name, display_color(color), ImGuiColorEditFlags_NoTooltip,
                            {2.2f * em(), 1.2f * em()});

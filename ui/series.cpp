@@ -47,7 +47,9 @@ std::span<const SeriesRow> series_rows() {
 
 bool has_series(Series series, const Technique& technique) {
     if (series == Series::truth) return true;
-    return series == Series::wrapping_zone ? technique.uses(ParameterId::theta) : technique.kernel != nullptr;
+    if (series == Series::wrapping_zone) return technique.uses(ParameterId::theta);
+    if (series == Series::errors) return !technique.is_truth();
+    return series == Series::reconstruction ? has_function(technique) : technique.kernel != nullptr;
 }
 
 const char* series_name(const SeriesRow& row, const Technique& technique) {

@@ -15,11 +15,12 @@ void row(const char* name, const std::string& value, const char* help) {
     ImGui::TextWrapped("%s", value.c_str());
 }
 
-std::string memory(const Technique& technique, glm::ivec2 size) {
-    if (technique.bits_per_pixel == 0) return "grows with the fragments";
-    const double bytes = static_cast<double>(technique.bits_per_pixel) / 8 * size.x * size.y;
-    return fmt::format("{} bits per pixel, {:.1f} MB for these {} × {} pixels", technique.bits_per_pixel,
-                       bytes / 1e6, size.x, size.y);
+std::string memory(const Technique& technique, const ParameterValues& values, glm::ivec2 size) {
+    const int bits = bits_per_pixel(technique, values);
+    if (bits == 0) return technique.is_truth() ? "grows with the fragments" : "none";
+    const double bytes = static_cast<double>(bits) / 8 * size.x * size.y;
+    return fmt::format("{} bits per pixel, {:.1f} MB for these {} × {} pixels", bits, bytes / 1e6, size.x,
+                       size.y);
 }
 
 }  // namespace
@@ -36,7 +37,8 @@ void draw_technique_panel(const Ui& ui, const Measurement& m, const ExplorerStat
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 10 * em());
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
     row("id", technique.id, "By this name the command line and session files know it.");
-    row("memory", memory(technique, m.picture_size), "Beside the colour buffers that every technique has.");
+    row("memory", memory(technique, state.parameters, m.picture_size),
+        "Beside the colour buffers that every technique has.");
     row("geometry passes",
         technique.geometry_passes > 0 ? fmt::format("{}", technique.geometry_passes) : "one for every layer",
         "How often the transparent geometry is rasterised.");

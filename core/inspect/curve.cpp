@@ -1,5 +1,10 @@
 #include "core/inspect/curve.hpp"
 
+#include <algorithm>
+#include <cmath>
+
+#include "core/inspect/method_pixel.hpp"
+
 namespace momentscope {
 
 std::vector<float> even_depths(std::size_t samples) {
@@ -22,10 +27,18 @@ Curve sample_curve(const ViewRay& ray, const Technique& technique, const Paramet
                    std::span<const float> depths) {
     Curve curve;
     curve.technique = &technique;
+    curve.values = values;
     curve.parameters = resolve(values, technique);
     curve.total_absorbance = total_absorbance(ray);
     curve.depth.assign(depths.begin(), depths.end());
     curve.truth = true_absorbance(ray, depths);
+    if (technique.method != nullptr) {
+        if (!technique.method->has_depths) return curve;
+        constexpr float LEAST_T = 1e-30f;
+        for (const float t : method_transmittance(ray, technique, curve.parameters.method, depths))
+            curve.reconstructed.push_back(-std::log(std::max(t, LEAST_T)));
+        return curve;
+    }
     if (technique.kernel == nullptr) {  // the ground truth reconstructs itself
         curve.reconstructed.assign(curve.truth.begin(), curve.truth.end());
         return curve;

@@ -13,13 +13,15 @@ namespace momentscope {
 /// where the technique has no such thing.
 struct Curve {
     const Technique* technique = nullptr;
-    ResolvedParameters parameters{};
-    double total_absorbance = 0;       // of the true fragments
-    MomentVector moments;              // as the first pass stores them
-    std::vector<float> depth;          // warped, [-1, 1]
-    std::vector<double> truth;         // A(z)
-    std::vector<float> reconstructed;  // A(z, b, beta)
-    std::vector<float> beta0, beta1;   // the same for beta = 0 and 1: bounds if technique->has_bounds
+    ParameterValues values;           // as they were chosen
+    ResolvedParameters parameters{};  // as the technique computes with them
+    double total_absorbance = 0;      // of the true fragments
+    MomentVector moments;             // as the first pass stores them
+    std::vector<float> depth;         // warped, [-1, 1]
+    std::vector<double> truth;        // A(z)
+    std::vector<float>
+        reconstructed;  // A(z, b, beta), or -ln T of another technique; empty without has_function
+    std::vector<float> beta0, beta1;  // the same for beta = 0 and 1: bounds if technique->has_bounds
     std::vector<float> sharp_lower, sharp_upper;  // of sharp_bounds.hpp; empty unless asked for
 };
 

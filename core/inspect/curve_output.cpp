@@ -31,6 +31,9 @@ ordered_json parameters_json(const Curve& curve) {
     if (curve.technique->uses(ParameterId::alpha)) values["alpha"] = curve.parameters.alpha;
     if (curve.technique->uses(ParameterId::solver))
         values["solver"] = curve.parameters.textbook ? "textbook" : "robust";
+    for (const Parameter& row : parameters())
+        if (curve.technique->method != nullptr && curve.technique->uses(row.id))
+            values[row.key] = parameter_text(row, curve.values[row.id]);
     return values;
 }
 
@@ -44,7 +47,7 @@ ordered_json curve_json(const Curve& curve) {
                          {"moments", moments_json(curve)},
                          {"depth", curve.depth},
                          {"true", curve.truth},
-                         {"reconstructed", curve.reconstructed},
+                         {"reconstructed", or_null(true, curve.reconstructed)},
                          {"lower", or_null(bounds, curve.beta0)},
                          {"upper", or_null(bounds, curve.beta1)}};
     if (!bounds && !curve.beta0.empty()) {
@@ -88,8 +91,10 @@ std::string curves_to_csv(const std::vector<Curve>& curves) {
     text += sharp ? ",sharp_lower,sharp_upper\n" : "\n";
     for (const Curve& curve : curves)
         for (std::size_t i = 0; i < curve.depth.size(); ++i) {
-            fmt::format_to(std::back_inserter(text), "{},{},{},{}", curve.technique->id, curve.depth[i],
-                           curve.truth[i], curve.reconstructed[i]);
+            fmt::format_to(std::back_inserter(text), "{},{},{},", curve.technique->id, curve.depth[i],
+                           curve.truth[i]);
+            if (!curve.reconstructed.empty())
+                fmt::format_to(std::back_inserter(text), "{}", curve.reconstructed[i]);
             add_pair(text, curve.beta0, curve.beta1, i);
             if (sharp) add_pair(text, curve.sharp_lower, curve.sharp_upper, i);
             text += "\n";
@@ -109,8 +114,8 @@ std::string curves_to_table(const ViewRay& ray, const std::vector<Curve>& curves
         if (!curve.sharp_lower.empty()) fmt::format_to(out, "{:>13}{:>13}", "sharp lower", "sharp upper");
         text += "\n";
         for (std::size_t i = 0; i < curve.depth.size(); ++i) {
-            fmt::format_to(out, "{:>12.6f}{:>12.6f}{:>15.6f}", curve.depth[i], curve.truth[i],
-                           curve.reconstructed[i]);
+            fmt::format_to(out, "{:>12.6f}{:>12.6f}", curve.depth[i], curve.truth[i]);
+            if (!curve.reconstructed.empty()) fmt::format_to(out, "{:>15.6f}", curve.reconstructed[i]);
             if (!curve.beta0.empty())
                 fmt::format_to(out, "{:>12.6f}{:>12.6f}", curve.beta0[i], curve.beta1[i]);
             if (!curve.sharp_lower.empty())

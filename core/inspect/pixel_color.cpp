@@ -2,10 +2,13 @@
 
 #include <cmath>
 
+#include "core/inspect/method_pixel.hpp"
+
 namespace momentscope {
 
 PixelColors pixel_colors(const ViewRay& ray, const std::vector<PixelHistoryRow>& rows,
-                         const glm::vec3& background, bool renormalize) {
+                         const Technique& technique, const ResolvedParameters& parameters,
+                         const glm::vec3& background) {
     PixelColors colors;
     float transmittance = 1;
     float absorbance = 0;
@@ -19,8 +22,12 @@ PixelColors pixel_colors(const ViewRay& ray, const std::vector<PixelHistoryRow>&
         weighted += row.source;
     }
     colors.truth += transmittance * background;
+    if (technique.method != nullptr) {
+        colors.technique = method_color(ray, technique, parameters, background);
+        return colors;
+    }
     const float behind = std::exp(-absorbance);
-    const float scale = renormalize && weighted.a > 0 ? (1 - behind) / weighted.a : 1;
+    const float scale = parameters.renormalize && weighted.a > 0 ? (1 - behind) / weighted.a : 1;
     colors.technique = glm::vec3(weighted) * scale + behind * background;
     return colors;
 }

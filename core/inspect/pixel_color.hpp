@@ -11,8 +11,9 @@ struct PixelColors {
     glm::vec3 technique{0};  // the same with the technique's T, renormalised if asked for (Equation 2)
 };
 
-/// From a ray and its history, rows from front to back.
+/// From a ray and its history with that technique, rows from front to back.
 PixelColors pixel_colors(const ViewRay& ray, const std::vector<PixelHistoryRow>& rows,
-                         const glm::vec3& background, bool renormalize);
+                         const Technique& technique, const ResolvedParameters& parameters,
+                         const glm::vec3& background);
 
 }  // namespace momentscope

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/inspect/method_pixel.hpp"
+
 namespace momentscope {
 
 std::vector<PixelHistoryRow> pixel_history(const ViewRay& ray, std::span<const float> gl_transmittance,
@@ -12,6 +14,9 @@ std::vector<PixelHistoryRow> pixel_history(const ViewRay& ray, std::span<const f
     std::vector<float> depths;
     for (const Fragment& fragment : ray.fragments) depths.push_back(fragment.depth);
     const Curve curve = sample_curve(ray, technique, values, depths);
+    const std::vector<float> own = technique.method != nullptr
+                                       ? own_transmittance(ray, technique, curve.parameters.method)
+                                       : std::vector<float>();
     std::vector<PixelHistoryRow> in_submission_order;
     glm::vec4 sum(0);
     for (std::size_t i = 0; i < ray.fragments.size(); ++i) {
@@ -20,7 +25,7 @@ std::vector<PixelHistoryRow> pixel_history(const ViewRay& ray, std::span<const f
         row.fragment = i;
         row.absorbance = fragment_absorbance(fragment.opacity);
         row.true_transmittance = std::exp(-curve.truth[i]);
-        row.transmittance = transmittance(curve.reconstructed[i]);
+        row.transmittance = own.empty() ? transmittance(curve.reconstructed[i]) : own[i];
         if (!gl_transmittance.empty()) row.gl_transmittance = gl_transmittance[i];
         row.source = row.transmittance * fragment.opacity * glm::vec4(fragment.color, 1);
         row.sum = sum;

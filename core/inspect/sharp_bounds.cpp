@@ -21,17 +21,23 @@ constexpr int FIRST_STEP = 32;      // every so many of them are there from the 
 constexpr std::size_t MANY = 500;   // more fragments are moved to the nearest point of the grid
 constexpr double TOLERANCE = 1e-9;  // of moments in [-1, 1]; CLP's own 1e-7 would act like a bias
 constexpr double PRICE = 1e-7;      // by how much a mass at another depth must improve the bound to be tried
-constexpr int MOST_ROUNDS = 50;
+constexpr int MOST_ROUNDS = 20;
+constexpr int MOST_PIVOTS = 500;  // tens are usual; CLP may cycle where moments leave almost no freedom
+constexpr double APART = 1e-5;    // masses that are closer are one: their columns would be the same
 
 double grid_depth(int k) {
     return -1 + 2.0 * k / (GRID - 1);
+}
+
+bool on_circle(const Technique& technique) {
+    return std::string_view(technique.basis) == "trigonometric";
 }
 
 // The moment-generating function at a depth. On the line T_j(z) for any basis: the same constraints as z^j,
 // better conditioned.
 Eigen::VectorXd moments_at(double depth, const Technique& technique, double theta) {
     const int count = technique.moment_count;
-    if (std::string_view(technique.basis) == "trigonometric") {
+    if (on_circle(technique)) {
         Eigen::VectorXd moments(2 * count + 1);
         const double angle = (std::numbers::pi - 0.5 * theta) * (depth + 1);
         moments[0] = 1;
@@ -57,6 +63,7 @@ public:
         for (int k = 0; k < GRID; ++k) grid_.row(k) = moments_at(grid_depth(k), technique, theta);
         Eigen::VectorXd of_ray = Eigen::VectorXd::Zero(grid_.cols());
         const bool many = ray.fragments.size() > MANY;
+        std::vector<double> own_depths;
         for (const Fragment& fragment : ray.fragments) {
             const double own = fragment.depth;
             const double depth =
@@ -64,7 +71,7 @@ public:
             const double absorbance = fragment_absorbance(fragment.opacity);
             of_ray += absorbance * moments_at(depth, technique, theta);
             total_ += absorbance;
-            own_depths_.push_back(depth);
+            own_depths.push_back(depth);
         }
         if (total_ > 0) of_ray /= total_;
         solver_.setLogLevel(0);
@@ -74,10 +81,10 @@ public:
             solver_.setRowBounds(i, of_ray[i], of_ray[i]);
         solver_.setPrimalTolerance(TOLERANCE);
         solver_.setDualTolerance(TOLERANCE);
+        solver_.setMaximumIterations(MOST_PIVOTS);
         for (int k = 0; k < GRID; k += FIRST_STEP) add(grid_depth(k));
-        std::ranges::sort(own_depths_);
-        own_depths_.erase(std::unique(own_depths_.begin(), own_depths_.end()), own_depths_.end());
-        for (const double depth : own_depths_) add(depth);
+        for (const double depth : own_depths)  // each, or moments would have no solution
+            if (std::ranges::find(depths_, depth) == depths_.end()) add(depth);
     }
 
     double total_absorbance() const { return total_; }
@@ -86,7 +93,7 @@ public:
     /// neighbouring ones differ in few pivots. `at` is a depth where cost jumps. nullopt if CLP fails.
     template <typename Cost>
     std::optional<double> least(double at, const Cost& cost) {
-        add(at);
+        add_if_new(at);
         for (std::size_t k = 0; k < depths_.size(); ++k)
             solver_.setObjectiveCoefficient(static_cast<int>(k), cost(depths_[k]));
         for (int round = 0; round < MOST_ROUNDS; ++round) {
@@ -107,6 +114,11 @@ private:
         solver_.allSlackBasis(true);
         solver_.dual();
         return solver_.isProvenOptimal();
+    }
+
+    void add_if_new(double depth) {
+        const auto same = [&](double other) { return std::abs(other - depth) < APART; };
+        if (std::ranges::none_of(depths_, same)) add(depth);
     }
 
     void add(double depth, double cost = 0) {
@@ -137,12 +149,41 @@ private:
 
     const Technique& technique_;
     double theta_;
-    Eigen::MatrixXd grid_;            // a row of moments for each of its depths
-    std::vector<double> own_depths_;  // of the fragments
-    double total_ = 0;                // b0
-    std::vector<double> depths_;      // of the masses tried so far; a column of the program each
+    Eigen::MatrixXd grid_;        // a row of moments for each of its depths
+    double total_ = 0;            // b0
+    std::vector<double> depths_;  // of the masses tried so far; a column of the program each
     ClpSimplex solver_;
 };
+
+// m/2 surfaces, or on the circle m, are the only distribution with their moments (Section 4.1).
+bool determined(const ViewRay& ray, const Technique& technique) {
+    const auto most =
+        static_cast<std::size_t>(on_circle(technique) ? technique.moment_count : technique.moment_count / 2);
+    std::vector<double> surfaces;
+    for (const Fragment& fragment : ray.fragments) {
+        const double depth = fragment.depth;
+        const auto same = [&](double other) { return std::abs(other - depth) < APART; };
+        if (std::ranges::none_of(surfaces, same)) surfaces.push_back(depth);
+        if (surfaces.size() > most) return false;
+    }
+    return true;
+}
+
+SharpBounds of_truth(const ViewRay& ray, std::span<const float> depths) {
+    SharpBounds bounds;
+    bounds.depth.assign(depths.begin(), depths.end());
+    for (const float depth : depths) {
+        double in_front = 0, here = 0;
+        for (const Fragment& fragment : ray.fragments) {
+            const double absorbance = fragment_absorbance(fragment.opacity);
+            in_front += fragment.depth < depth ? absorbance : 0;
+            here += fragment.depth == depth ? absorbance : 0;
+        }
+        bounds.lower.push_back(static_cast<float>(in_front));
+        bounds.upper.push_back(static_cast<float>(in_front + here));
+    }
+    return bounds;
+}
 
 }  // namespace
 
@@ -151,6 +192,7 @@ std::optional<SharpBounds> sharp_bounds(const ViewRay& ray, const Technique& tec
                                         std::stop_token stop) {
     SharpBounds bounds;
     if (technique.kernel == nullptr || !(total_absorbance(ray) > 0)) return bounds;
+    if (determined(ray, technique)) return of_truth(ray, depths);
     bounds.depth.assign(depths.begin(), depths.end());
     MassProgram program(ray, technique, parameters.theta);
     const auto bound = [&](std::vector<float>& to, double sign, const auto& counts) {

@@ -24,6 +24,7 @@ struct SharpBounds {
 /// Masses may lie at 2049 even depths, at the fragments (of more than 500: at the even depths beside them)
 /// and at the query depth; what masses between them would add is missing. Moments hold to 1e-9, which widens
 /// the bounds where moments almost determine the truth. Power and Chebyshev moments have the same bounds.
+/// Where so few surfaces lie on the ray that moments determine them (Section 4.1), they are the bounds.
 /// Empty vectors where there is nothing to bound: no fragments, or a technique without moments.
 /// nullopt when stopped, or where the solver finds no solution.
 std::optional<SharpBounds> sharp_bounds(const ViewRay& ray, const Technique& technique,

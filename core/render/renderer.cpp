@@ -110,7 +110,7 @@ void Renderer::update_frame_block(const View& view) {
     const glm::vec2 warp = depth_warp_factors(warp_);
     const float aspect = static_cast<float>(view.size.x) / static_cast<float>(view.size.y);
     const FrameBlock block = {view_matrix(view.camera), projection_matrix(view.camera, aspect),
-                              glm::vec4(warp, 0, 0),
+                              glm::vec4(warp, NEAR_PLANE, FAR_PLANE),
                               glm::vec4(p.beta, p.theta, p.alpha, p.renormalize ? 1 : 0)};
     glNamedBufferSubData(frame_block_, 0, sizeof(block), &block);
 }

@@ -3,6 +3,7 @@
 #include "core/render/moment_passes.hpp"
 #include "core/render/peeling_passes.hpp"
 #include "core/render/sorted_passes.hpp"
+#include "core/render/state_passes.hpp"
 #include "core/techniques/moment_kernel.hpp"
 
 namespace momentscope {
@@ -14,6 +15,8 @@ std::unique_ptr<Transparency> make_transparency(const Technique& technique, glm:
             return std::make_unique<SortedPasses>(size, depth);
         case RenderPath::peeling:
             return std::make_unique<PeelingPasses>(size, depth);
+        case RenderPath::states:
+            return std::make_unique<StatePasses>(technique, size, depth, access);
         case RenderPath::moments:
             break;
     }
@@ -21,8 +24,7 @@ std::unique_ptr<Transparency> make_transparency(const Technique& technique, glm:
 }
 
 std::string why_unavailable(const Technique& technique, OrderedAccess access) {
-    const bool needs_order = technique.kernel != nullptr && technique.kernel->bits == 16;
-    return needs_order && access == OrderedAccess::none ? NO_ORDERED_ACCESS : "";
+    return needs_order(technique) && access == OrderedAccess::none ? NO_ORDERED_ACCESS : "";
 }
 
 void draw_fullscreen() {

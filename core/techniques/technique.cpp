@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/techniques/method_techniques.hpp"
 #include "core/techniques/moment_kernel.hpp"
 #include "core/techniques/moment_techniques.hpp"
 
@@ -45,6 +46,31 @@ Technique moment_technique(const MomentKernel& kernel, const char* basis, int mo
             .order_dependent = kernel.bits == 16};
 }
 
+int whole(const std::optional<float>& value) {
+    return static_cast<int>(value.value_or(0.0f));
+}
+
+Technique method_technique(const MethodKernel& kernel, const char* file, const char* id, const char* name,
+                           std::vector<ParameterId> parameters,
+                           MethodSettings (*settings)(const ParameterValues&),
+                           int (*state_floats)(const MethodSettings&), int (*bits)(const MethodSettings&),
+                           const char* description, const char* source) {
+    return {.id = id,
+            .name = name,
+            .description = description,
+            .source = source,
+            .path = RenderPath::states,
+            .math_file = file,
+            .method = &kernel,
+            .method_settings = settings,
+            .state_floats = state_floats,
+            .state_bits = bits,
+            .parameters = std::move(parameters),
+            .bits_per_pixel = bits(settings(ParameterValues())),
+            .geometry_passes = kernel.holds_colors ? 1 : 2,
+            .order_dependent = kernel.accumulation != Accumulation::sum};
+}
+
 std::vector<Technique> make_rows() {
     std::vector<Technique> rows = {
 #define MOMENT_TECHNIQUE(id, basis, count, bits, ...) \
@@ -52,6 +78,16 @@ std::vector<Technique> make_rows() {
 #include "core/techniques/moment_techniques.def"
 #undef MOMENT_TECHNIQUE
     };
+#define PARAMETERS(...) {__VA_ARGS__}
+#define METHOD_TECHNIQUE(id, file, key, name, parameters, settings, floats, bits, description, source) \
+    rows.push_back(method_technique(                                                                   \
+        method_kernel(MethodKernelTag<MethodTechnique::id>()), #file, key, name, parameters,           \
+        []([[maybe_unused]] const ParameterValues& values) { return MethodSettings(settings); },       \
+        []([[maybe_unused]] const MethodSettings& s) { return floats; },                               \
+        []([[maybe_unused]] const MethodSettings& s) { return bits; }, description, source));
+#include "core/techniques/method_techniques.def"
+#undef METHOD_TECHNIQUE
+#undef PARAMETERS
     rows.push_back({.id = "sorted",
                     .name = "sorted fragments",
                     .description =
@@ -115,9 +151,23 @@ ResolvedParameters resolve(const ParameterValues& values, const Technique& techn
             .theta = values[ParameterId::theta].value_or(0.0f),
             .alpha = values[ParameterId::alpha].value_or(automatic_bias(values, technique)),
             .textbook = on(ParameterId::solver),
-            .ordered = on(ParameterId::accumulation) ||
-                       (technique.kernel != nullptr && technique.kernel->bits == 16),
-            .renormalize = values[ParameterId::renormalize].value_or(1.0f) >= 0.5f};
+            .ordered = on(ParameterId::accumulation) || needs_order(technique),
+            .renormalize = values[ParameterId::renormalize].value_or(1.0f) >= 0.5f,
+            .method = technique.method != nullptr ? technique.method_settings(values) : MethodSettings()};
+}
+
+int bits_per_pixel(const Technique& technique, const ParameterValues& values) {
+    return technique.method != nullptr ? technique.state_bits(technique.method_settings(values))
+                                       : technique.bits_per_pixel;
+}
+
+bool needs_order(const Technique& technique) {
+    return (technique.kernel != nullptr && technique.kernel->bits == 16) ||
+           (technique.method != nullptr && technique.method->accumulation == Accumulation::ordered);
+}
+
+bool has_function(const Technique& technique) {
+    return technique.kernel != nullptr || (technique.method != nullptr && technique.method->has_depths);
 }
 
 ReconstructionSettings settings_of(const ResolvedParameters& parameters) {

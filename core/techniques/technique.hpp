@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/parameters.hpp"
+#include "core/techniques/method_kernel.hpp"
 
 namespace momentscope {
 
@@ -12,7 +13,7 @@ struct MomentKernel;
 struct ReconstructionSettings;
 
 /// Which passes render a technique (core/render).
-enum class RenderPath { moments, sorted, peeling };
+enum class RenderPath { moments, states, sorted, peeling };
 
 /// One row: everything that is said about a technique anywhere.
 struct Technique {
@@ -24,20 +25,27 @@ struct Technique {
     const MomentKernel* kernel = nullptr;  // how C++ evaluates it on a view ray; null for the truth itself
     const char* basis = nullptr;           // shaders/shared/<basis>_moments.glsl, or null
     int moment_count = 0;                  // m
-    std::vector<ParameterId> parameters = {};  // those that it reads
-    float recommended_bias = 0;                // what alpha = auto means with the preset table1
-    float robust_bias = 0;                     // and with the preset robust (docs/bias.md)
-    bool has_bounds = false;       // beta = 0 and beta = 1 bound the truth (of the biased moments)
-    int bits_per_pixel = 0;        // beside the colour buffers; 0 where it grows with the fragments
+    const char* math_file = nullptr;       // shaders/shared/<math_file>.glsl of techniques without moments
+    const MethodKernel* method = nullptr;  // of techniques that store something else than moments
+    MethodSettings (*method_settings)(const ParameterValues&) = nullptr;  // what parameters choose of it
+    int (*state_floats)(const MethodSettings&) = nullptr;                 // numbers that a pixel stores then
+    int (*state_bits)(const MethodSettings&) = nullptr;                   // bits that they need as published
+    std::vector<ParameterId> parameters = {};                             // those that it reads
+    float recommended_bias = 0;  // what alpha = auto means with the preset table1
+    float robust_bias = 0;       // and with the preset robust (docs/bias.md)
+    bool has_bounds = false;     // beta = 0 and beta = 1 bound the truth (of the biased moments)
+    int bits_per_pixel =
+        0;  // as parameters are at first; beside the colour buffers; 0 where it grows with the fragments
     int geometry_passes = 1;       // of the transparent geometry; 0 where it grows with the layers
     bool order_dependent = false;  // does the submission order of geometry change the picture?
 
     bool uses(ParameterId parameter_id) const;
+    bool is_truth() const { return kernel == nullptr && method == nullptr; }
 };
 
 /// All techniques, in the order in which they are listed; ids are unique.
 std::span<const Technique> techniques();
-std::vector<const Technique*> moment_based_techniques();  // those with a kernel
+std::vector<const Technique*> moment_based_techniques();  // those with a moment kernel
 const Technique* find_technique(std::string_view id);     // nullptr when there is none
 
 /// The technique with that id. Throws Error that lists the ids.
@@ -49,8 +57,18 @@ struct ResolvedParameters {
     bool textbook = false;  // the solver is Algorithm 1 or 2 as published
     bool ordered = false;   // moments are summed in order, not by blending
     bool renormalize = true;
+    MethodSettings method = {};
 };
 ResolvedParameters resolve(const ParameterValues& values, const Technique& technique);
+
+/// Bits that a pixel needs beside the colour buffers; 0 where it grows with the fragments, or for none.
+int bits_per_pixel(const Technique& technique, const ParameterValues& values);
+
+/// Must fragments of a pixel be read, changed and written in order whatever the parameters say?
+bool needs_order(const Technique& technique);
+
+/// Does the plot have a function of it, beside the truth?
+bool has_function(const Technique& technique);
 
 /// What alpha = auto means for the technique under these values' preset.
 float automatic_bias(const ParameterValues& values, const Technique& technique);

@@ -4,7 +4,7 @@ layout(std140, binding = 0) uniform Frame
 {
     mat4 view;
     mat4 projection;
-    vec4 depth_warp;      // log_z_min, scale of shared/fragment.glsl
+    vec4 depth_warp;      // log_z_min, scale of shared/fragment.glsl; near and far plane
     vec4 parameters;      // beta, theta, alpha, renormalise (0 or 1)
 } frame;
 

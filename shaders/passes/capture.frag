@@ -6,7 +6,11 @@
 #include "passes/fragment_list.glsl"
 #ifdef WITH_TRANSMITTANCE
 #include "technique"
+#ifdef PIXEL_STATE
+#include "passes/stored_state.glsl"
+#else
 #include "passes/stored_moments.glsl"
+#endif
 #endif
 
 layout(early_fragment_tests) in;

@@ -1,4 +1,5 @@
 // transparent_fragment.glsl -- depth and absorbance of the fragment at hand, for all transparent passes.
+#define TRANSPARENT_FRAGMENT
 #include "shared/portable_math.glsl"
 #include "shared/fragment.glsl"
 

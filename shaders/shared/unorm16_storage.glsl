@@ -1,27 +1,6 @@
 // unorm16_storage.glsl -- moments stored in 16 bits each: normalised by b_0 and moved into [0, 1] by an affine transform, so
 // that fragments cannot be blended but are read, added and written in order (supplementary, Section 2). b_0 is a half float.
-//
-// Rounding is done here and not by the texture unit, which then writes what it can hold exactly: the same bits everywhere.
-
-/// x in [0, 1] as the nearest multiple of 1/65535. What a texture unit makes of such a number comes out as it was.
-FN float rounded_to_unorm16(float x)
-{
-    PRECISE float code = floor(clamp(x, 0.0f, 1.0f) * 65535.0f + 0.5f);
-    return code / 65535.0f;
-}
-
-const float HALF_MAXIMUM = 65504.0f;
-const float HALF_LEAST_NORMAL = 6.10351562e-5f;   // 2^-14; below it halves are 2^-24 apart
-
-/// x in [0, infinity) as the nearest half float, at most HALF_MAXIMUM.
-FN float rounded_to_half(float x)
-{
-    PRECISE float bounded = min(x, HALF_MAXIMUM);
-    PRECISE float scaled = 8193.0f * bounded;                 // 2^13 + 1 leaves 11 of 24 bits (Dekker)
-    PRECISE float normal = scaled - (scaled - bounded);
-    PRECISE float subnormal = (bounded + 0.5f) - 0.5f;        // floats in [.5, 1) are 2^-24 apart
-    return bounded < HALF_LEAST_NORMAL ? subnormal : normal;
-}
+#include "rounding.glsl"
 
 /// The linear part of the transform, or its inverse; linear, so it may act on moments that are not normalised. Theta*_m for
 /// power moments; b/2 + 1/2 for bases that make good use of [-1, 1] as they are.

@@ -17,7 +17,8 @@ protected:
     }
     const std::vector<Fragment>& fragments() { return state().ray->fragments; }
     PixelColors colors() {
-        return pixel_colors(measurement().capture.ray, measurement().history, glm::vec3(0.2f), true);
+        return pixel_colors(measurement().capture.ray, measurement().history, *measurement().curve.technique,
+                            measurement().curve.parameters, glm::vec3(0.2f));
     }
 };
 

@@ -63,8 +63,8 @@ TEST_P(SharpBoundsOf, FewSurfacesAreTheTruth) {
     for (std::size_t i = 0; i < depths.size(); ++i) {
         // Moments hold to 1e-9, and the mass that this lets past is magnified by the distance of the
         // surfaces.
-        EXPECT_NEAR(static_cast<double>(bounds->lower[i]), truth[i], 2e-3) << "at " << depths[i];
-        EXPECT_NEAR(static_cast<double>(bounds->upper[i]), truth[i], 2e-3) << "at " << depths[i];
+        EXPECT_NEAR(static_cast<double>(bounds->lower[i]), truth[i], 1e-6) << "at " << depths[i];
+        EXPECT_NEAR(static_cast<double>(bounds->upper[i]), truth[i], 1e-6) << "at " << depths[i];
     }
 }
 
@@ -134,6 +134,28 @@ TEST(SharpBounds, HoldWhereBetaDoesNot) {
     }
     EXPECT_GT(outside_beta, 10) << "then beta would be as good as the linear program";
     EXPECT_EQ(outside_sharp, 0);
+}
+
+// Depths of a plot that is zoomed in: their columns are all but the same. CLP must not cycle.
+TEST(SharpBounds, OfDepthsThatLieCloseAreThereAndHoldTheTruth) {
+    RandomNumbers random(16);
+    for (int i = 0; i < 60; ++i) {
+        const Technique& technique = require_technique(i % 2 == 0 ? "power8-32" : "trig2-32");
+        const ViewRay ray = random_ray(random, 1 + i % 7);
+        const float width = std::pow(10.0f, static_cast<float>(-(i % 5)));
+        std::vector<float> depths;
+        for (int k = -30; k <= 30; ++k)
+            depths.push_back(
+                std::clamp(ray.fragments[0].depth + width * static_cast<float>(k) / 60, -1.0f, 1.0f));
+        const auto bounds = sharp_bounds(ray, technique, PARAMETERS, depths);
+        ASSERT_TRUE(bounds);
+        const std::vector<double> truth = true_absorbance(ray, depths);
+        const double rounding = 1e-6 * total_absorbance(ray);
+        for (std::size_t k = 0; k < depths.size(); ++k) {
+            EXPECT_LE(static_cast<double>(bounds->lower[k]), truth[k] + rounding);
+            EXPECT_GE(static_cast<double>(bounds->upper[k]), truth[k] - rounding);
+        }
+    }
 }
 
 TEST(SharpBounds, OfNothingAreEmptyAndStopWhenTold) {

@@ -3,14 +3,18 @@
 #include "core/reference/exact_reconstruction.hpp"
 #include "core/techniques/moment_kernel.hpp"
 #include "core/techniques/technique.hpp"
+#include "core/techniques/techniques_page.hpp"
 #include "tests/unit/expect_error.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 
 #define SHARED_NAME bias4_16
@@ -83,7 +87,7 @@ TEST(Techniques, HaveUniqueWellFormedIdsAndFullRows) {
         EXPECT_TRUE(well_formed(technique.id));
         EXPECT_FALSE(std::string(technique.name).empty());
         expect_prose(technique.description);
-        EXPECT_NE(std::string(technique.source).find("20"), std::string::npos);  // names a year
+        EXPECT_TRUE(std::regex_search(technique.source, std::regex("(19|20)[0-9][0-9]"))) << "names a year";
         EXPECT_EQ(technique.geometry_passes == 0,
                   technique.path == RenderPath::peeling);  // grows with the layers
         EXPECT_EQ(find_technique(technique.id), &technique);
@@ -91,6 +95,35 @@ TEST(Techniques, HaveUniqueWellFormedIdsAndFullRows) {
     }
     for (const auto& [id, row] : MOMENT_TECHNIQUES) EXPECT_EQ(ids.count(id), 1u) << id;
     EXPECT_EQ(ids.count("sorted"), 1u);
+}
+
+TEST(Techniques, HaveTheirPage) {
+    std::ifstream file("docs/techniques.md");
+    std::stringstream text;
+    text << file.rdbuf();
+    EXPECT_EQ(text.str(), techniques_page())
+        << "momentscope list techniques --format markdown > docs/techniques.md";
+}
+
+TEST(Techniques, WithoutMomentsHaveMathFilesAndStatesThatFit) {
+    int count = 0;
+    for (const Technique& technique : techniques()) {
+        if (technique.method == nullptr) continue;
+        ++count;
+        SCOPED_TRACE(technique.id);
+        EXPECT_EQ(technique.kernel, nullptr);
+        EXPECT_FALSE(technique.is_truth());
+        EXPECT_TRUE(std::filesystem::exists(fmt::format("shaders/shared/{}.glsl", technique.math_file)));
+        EXPECT_EQ(technique.geometry_passes, technique.method->holds_colors ? 1 : 2);
+        EXPECT_EQ(technique.order_dependent, technique.method->accumulation != Accumulation::sum);
+        for (const ParameterId id : technique.parameters)
+            for (float value = parameter(id).minimum; value <= parameter(id).maximum; ++value) {
+                ParameterValues values;
+                values.set(id, value);
+                EXPECT_LE(technique.state_floats(technique.method_settings(values)), STATE_CAPACITY);
+            }
+    }
+    EXPECT_EQ(count, 6);
 }
 
 TEST(Techniques, OfMomentsHaveTableOnesBiasAndTheirBits) {

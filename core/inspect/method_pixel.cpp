@@ -1,0 +1,100 @@
+#include "core/inspect/method_pixel.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "core/glsl.hpp"
+#include "core/scene/camera.hpp"
+
+namespace momentscope {
+
+namespace glsl::method_pixel {
+#define MAX_STATE_FLOATS 4
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#include "shaders/shared/pixel_state.glsl"
+#pragma GCC diagnostic pop
+#undef MAX_STATE_FLOATS
+}  // namespace glsl::method_pixel
+
+MethodFragment method_fragment(const ViewRay& ray, const Fragment& fragment) {
+    MethodFragment result;
+    const bool known = ray.near_plane > 0 && ray.far_plane > ray.near_plane;
+    const float near = known ? ray.near_plane : NEAR_PLANE;
+    const float far = known ? ray.far_plane : FAR_PLANE;
+    result.depth = 0.5f * (fragment.depth + 1.0f);
+    result.view_depth = ray.warp.logarithmic ? fragment.view_depth : 2.0f + fragment.depth;
+    result.window_depth = glsl::method_pixel::window_depth_of(result.view_depth, near, far);
+    result.opacity = fragment.opacity;
+    result.red = fragment.color.r;
+    result.green = fragment.color.g;
+    result.blue = fragment.color.b;
+    return result;
+}
+
+PixelState pixel_state(const ViewRay& ray, const Technique& technique, const MethodSettings& settings) {
+    PixelState state = technique.method->empty_state(settings);
+    for (const Fragment& fragment : ray.fragments)
+        state = technique.method->with_fragment(state, method_fragment(ray, fragment), settings);
+    return state;
+}
+
+std::vector<float> method_transmittance(const ViewRay& ray, const Technique& technique,
+                                        const MethodSettings& settings, std::span<const float> depths) {
+    assert(technique.method->has_depths);
+    const PixelState state = pixel_state(ray, technique, settings);
+    Fragment mean;
+    for (const Fragment& fragment : ray.fragments)
+        mean.opacity += fragment.opacity / static_cast<float>(ray.fragments.size());
+    std::vector<float> t;
+    t.reserve(depths.size());
+    for (const float depth : depths) {
+        mean.depth = depth;
+        mean.view_depth = ray.warp.logarithmic ? to_view_depth(depth, ray.warp) : depth;
+        t.push_back(ray.fragments.empty()
+                        ? 1.0f
+                        : technique.method->transmittance_at(state, method_fragment(ray, mean), settings));
+    }
+    return t;
+}
+
+std::vector<float> own_transmittance(const ViewRay& ray, const Technique& technique,
+                                     const MethodSettings& settings) {
+    const MethodKernel& kernel = *technique.method;
+    std::vector<float> t;
+    t.reserve(ray.fragments.size());
+    if (kernel.has_depths) {
+        const PixelState state = pixel_state(ray, technique, settings);
+        for (const Fragment& fragment : ray.fragments)
+            t.push_back(kernel.transmittance_at(state, method_fragment(ray, fragment), settings));
+        return t;
+    }
+    ViewRay probe = ray;  // one white fragment at a time, all others black
+    for (Fragment& fragment : probe.fragments) fragment.color = glm::vec3(0);
+    for (Fragment& fragment : probe.fragments) {
+        fragment.color = glm::vec3(1);
+        const Composited all = kernel.composited(pixel_state(probe, technique, settings), settings);
+        t.push_back(fragment.opacity > 0 ? all.red / fragment.opacity : 1.0f);
+        fragment.color = glm::vec3(0);
+    }
+    return t;
+}
+
+glm::vec3 method_color(const ViewRay& ray, const Technique& technique, const ResolvedParameters& parameters,
+                       const glm::vec3& background) {
+    const MethodKernel& kernel = *technique.method;
+    const PixelState state = pixel_state(ray, technique, parameters.method);
+    const Composited all = kernel.composited(state, parameters.method);
+    glm::vec3 color(all.red, all.green, all.blue);
+    if (!kernel.holds_colors) {
+        glm::vec4 weighted(0);
+        for (const Fragment& fragment : ray.fragments)
+            weighted += glm::vec4(fragment.color, 1) * fragment.opacity *
+                        kernel.transmittance_at(state, method_fragment(ray, fragment), parameters.method);
+        const bool scaled = parameters.renormalize && weighted.a > 0;
+        color = glm::vec3(weighted) * (scaled ? (1 - all.transmittance) / weighted.a : 1.0f);
+    }
+    return color + background * all.transmittance;
+}
+
+}  // namespace momentscope

@@ -1,0 +1,32 @@
+// method_pixel.hpp -- techniques without moments on one view ray: what the pixel stores, its colour, and what
+// is seen of each fragment.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "core/ray/view_ray.hpp"
+#include "core/techniques/technique.hpp"
+
+namespace momentscope {
+
+/// What math files know of a fragment. Rays without a depth warp count as 1 to 3 scene units deep.
+MethodFragment method_fragment(const ViewRay& ray, const Fragment& fragment);
+
+/// What the pixel stores after all fragments, in submission order. Needs technique.method.
+PixelState pixel_state(const ViewRay& ray, const Technique& technique, const MethodSettings& settings);
+
+/// T at `depths` in [-1, 1], for techniques whose weight depends on opacity, too, that of a fragment of the
+/// ray's mean opacity. Needs technique.method->has_depths.
+std::vector<float> method_transmittance(const ViewRay& ray, const Technique& technique,
+                                        const MethodSettings& settings, std::span<const float> depths);
+
+/// What is seen of each fragment relative to its opacity, in submission order: T at its depth or, where there
+/// is no such thing, its share of the pixel's colour, for which the pixel is composited once per fragment.
+std::vector<float> own_transmittance(const ViewRay& ray, const Technique& technique,
+                                     const MethodSettings& settings);
+
+/// The pixel's colour over `background`, linear RGB. Needs technique.method.
+glm::vec3 method_color(const ViewRay& ray, const Technique& technique, const ResolvedParameters& parameters,
+                       const glm::vec3& background);
+
+}  // namespace momentscope

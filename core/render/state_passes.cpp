@@ -1,0 +1,137 @@
+#include "core/render/state_passes.hpp"
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "core/gl/texture.hpp"
+
+namespace momentscope {
+
+namespace {
+
+constexpr GLuint FIRST_STATE_UNIT = 2;  // passes/stored_state.glsl
+
+int texel_count(const Technique& technique, const MethodSettings& settings) {
+    return (technique.state_floats(settings) + 3) / 4;
+}
+
+}  // namespace
+
+ShaderVariant state_variant(const Technique& technique, const MethodSettings& settings) {
+    return {.defines = {{"PIXEL_STATE", "1"},
+                        {"METHOD_SIZE", std::to_string(settings.size)},
+                        {"METHOD_OPTION", std::to_string(settings.option)},
+                        {"STATE_TEXELS", std::to_string(texel_count(technique, settings))}},
+            .technique = fmt::format("shared/{}.glsl", technique.math_file)};
+}
+
+ShaderVariant state_building_variant(const Technique& technique, const MethodSettings& settings,
+                                     OrderedAccess access) {
+    ShaderVariant variant = state_variant(technique, settings);
+    if (access != OrderedAccess::none)
+        variant.defines[access == OrderedAccess::interlock ? "INTERLOCK" : "FRAMEBUFFER_FETCH"] = "1";
+    return variant;
+}
+
+StatePasses::StatePasses(const Technique& technique, glm::ivec2 size, GLuint depth, OrderedAccess access)
+    : technique_(technique),
+      size_(size),
+      depth_(depth),
+      access_(needs_order(technique) ? access : OrderedAccess::none) {
+    if (const std::string why = why_unavailable(technique, access); !why.empty())
+        throw Error(fmt::format("{} cannot be drawn here. {}", technique.name, why));
+    depth_target_ = make_framebuffer({}, depth);
+    if (technique.method->holds_colors) return;
+    weighted_color_ = make_texture(GL_RGBA32F, size);
+    color_target_ = make_framebuffer({weighted_color_}, depth);
+}
+
+// How many numbers a pixel stores depends on parameters.
+void StatePasses::make_states(const MethodSettings& settings) {
+    const auto count = static_cast<std::size_t>(texel_count(technique_, settings));
+    settings_ = settings;
+    if (states_.size() == count) return;
+    states_.clear();
+    std::vector<GLuint> names;
+    for (std::size_t i = 0; i < count; ++i) {
+        states_.push_back(make_texture(GL_RGBA32F, size_));
+        names.push_back(states_.back());
+    }
+    state_target_ = make_framebuffer(names.data(), static_cast<int>(count), depth_);
+}
+
+void StatePasses::clear_states() const {
+    const PixelState empty = technique_.method->empty_state(settings_);
+    for (std::size_t i = 0; i < states_.size(); ++i)
+        glClearNamedFramebufferfv(state_target_, GL_COLOR, static_cast<GLint>(i), &empty.f[4 * i]);
+}
+
+GLuint StatePasses::program(const char* vertex, const char* fragment, const ShaderVariant& variant) {
+    const auto key = std::pair(fragment, variant);
+    auto found = programs_.find(key);
+    if (found == programs_.end())
+        found = programs_.emplace(key, link_program(vertex, fragment, variant)).first;
+    return found->second;
+}
+
+void StatePasses::draw_moments(const PassInput& input) {
+    make_states(input.parameters.method);
+    clear_states();
+    const bool by_images = access_ == OrderedAccess::interlock;
+    glBindFramebuffer(GL_FRAMEBUFFER, by_images ? depth_target_ : state_target_);
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_FALSE);
+    if (access_ == OrderedAccess::none) glEnable(GL_BLEND);
+    const bool over = technique_.method->accumulation == Accumulation::over;
+    glBlendFunc(GL_ONE, over ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
+    for (std::size_t i = 0; by_images && i < states_.size(); ++i)
+        glBindImageTexture(static_cast<GLuint>(i), states_[i], 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+    glUseProgram(program("passes/scene.vert", "passes/state.frag",
+                         state_building_variant(technique_, settings_, access_)));
+    input.scene.draw(Surfaces::transparent);
+    glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_DEPTH_TEST);
+    if (by_images) glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+}
+
+void StatePasses::draw_color(const PassInput& input) {
+    settings_ = input.parameters.method;  // an option may have changed that stores nothing
+    if (technique_.method->holds_colors) return;
+    const float zero[4] = {0, 0, 0, 0};
+    glClearNamedFramebufferfv(color_target_, GL_COLOR, 0, zero);
+    glBindFramebuffer(GL_FRAMEBUFFER, color_target_);
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    glUseProgram(
+        program("passes/scene.vert", "passes/state_color.frag", state_variant(technique_, settings_)));
+    bind_states();
+    input.scene.draw(Surfaces::transparent);
+    glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_DEPTH_TEST);
+}
+
+void StatePasses::draw_composite(const PassInput& input) {
+    glUseProgram(program("passes/fullscreen.vert", "passes/state_composite.frag",
+                         state_variant(technique_, settings_)));
+    glBindTextureUnit(0, input.opaque_color);
+    glBindTextureUnit(1, weighted_color_);
+    bind_states();
+    draw_fullscreen();
+}
+
+std::optional<ShaderVariant> StatePasses::bind_for_capture(const ResolvedParameters& parameters) const {
+    if (!technique_.method->has_depths) return std::nullopt;
+    bind_states();
+    return state_variant(technique_, parameters.method);
+}
+
+void StatePasses::bind_states() const {
+    for (std::size_t i = 0; i < states_.size(); ++i)
+        glBindTextureUnit(FIRST_STATE_UNIT + static_cast<GLuint>(i), states_[i]);
+}
+
+}  // namespace momentscope

@@ -1,0 +1,45 @@
+// state_passes.hpp -- techniques that store something else than moments: what a pixel stores is built in one
+// geometry pass, by blending or in order, and holds the colour already or weighs it in a second one.
+#pragma once
+#include <map>
+
+#include "core/render/transparency.hpp"
+
+namespace momentscope {
+
+/// The shader variant that knows a technique with these settings, and reads what it stores.
+ShaderVariant state_variant(const Technique& technique, const MethodSettings& settings);
+
+/// The one that builds it. access: none for what blending can do.
+ShaderVariant state_building_variant(const Technique& technique, const MethodSettings& settings,
+                                     OrderedAccess access);
+
+class StatePasses : public Transparency {
+public:
+    /// Throws Error when the technique needs ordered access and there is none.
+    StatePasses(const Technique& technique, glm::ivec2 size, GLuint depth, OrderedAccess access);
+    void draw_moments(const PassInput& input) override;
+    void draw_color(const PassInput& input) override;
+    void draw_composite(const PassInput& input) override;
+    std::optional<ShaderVariant> bind_for_capture(const ResolvedParameters& parameters) const override;
+
+private:
+    void make_states(const MethodSettings& settings);
+    void clear_states() const;
+    void bind_states() const;
+    GLuint program(const char* vertex, const char* fragment, const ShaderVariant& variant);
+
+    const Technique& technique_;
+    glm::ivec2 size_;
+    GLuint depth_;
+    OrderedAccess access_;  // none where blending does it
+    MethodSettings settings_;
+    std::vector<GlTexture> states_;  // of four floats each
+    GlFramebuffer state_target_, depth_target_;
+    GlTexture weighted_color_;
+    GlFramebuffer color_target_;
+    std::map<std::pair<const char*, ShaderVariant>, GlProgram>
+        programs_;  // linked when they are first asked for
+};
+
+}  // namespace momentscope

@@ -1,0 +1,26 @@
+// state_composite.frag -- transparent over opaque, for techniques without moments.
+#include "passes/blocks.glsl"
+#include "shared/portable_math.glsl"
+#include "shared/fragment.glsl"
+#include "technique"
+#include "passes/stored_state.glsl"
+
+layout(binding = 0) uniform sampler2D opaque_texture;
+layout(binding = 1) uniform sampler2D weighted_color_texture;
+
+layout(location = 0) out vec4 color;
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec3 opaque = texelFetch(opaque_texture, pixel, 0).rgb;
+    Composited all = composited(stored_state(pixel), method_settings());
+#ifdef HOLDS_COLORS
+    vec3 transparent_color = vec3(all.red, all.green, all.blue);
+#else
+    vec4 weighted = texelFetch(weighted_color_texture, pixel, 0);
+    float scale = frame.parameters.w > 0.5 && weighted.a > 0.0 ? (1.0 - all.transmittance) / weighted.a : 1.0;   // Eq. 2
+    vec3 transparent_color = weighted.rgb * scale;
+#endif
+    color = vec4(opaque * all.transmittance + transparent_color, 1.0);
+}

@@ -1,0 +1,92 @@
+// adaptive.glsl -- adaptive transparency (Salvi, Montgomery and Lefohn 2011): the transmittance as a step function of few nodes,
+// which loses the one that matters least. Settings: size nodes, 2 to 8.
+#define MAX_STATE_FLOATS 16
+#define STATE_ORDERED
+#include "pixel_state.glsl"
+
+const int MAX_NODES = 8;
+const float NO_DEPTH = 2.0f;   // of a node that holds nothing yet: behind every fragment
+
+struct NodeList { float depth[9]; float t[9]; };
+
+/// Depth and transmittance behind it in turn, ascending in depth. Empty nodes have the transmittance of all.
+FN PixelState empty_state(IN(MethodSettings) settings)
+{
+    PixelState state;
+    UNROLL
+    for (int i = 0; i < MAX_NODES; ++i)
+    {
+        state.f[2 * i] = NO_DEPTH;
+        state.f[2 * i + 1] = 1.0f;
+    }
+    return state;
+}
+
+/// The nodes with one more: it occludes itself and all behind.
+FN NodeList with_node(IN(PixelState) stored, IN(MethodFragment) fragment, int size)
+{
+    NodeList list;
+    float through = 1.0f - fragment.opacity;
+    float depth_before = -1.0f;
+    float t_before = 1.0f;
+    UNROLL
+    for (int i = 0; i <= MAX_NODES; ++i)
+    {
+        bool last = i == size;
+        float depth = last || i >= MAX_NODES ? NO_DEPTH : stored.f[2 * min(i, MAX_NODES - 1)];
+        float t = last || i >= MAX_NODES ? t_before : stored.f[2 * min(i, MAX_NODES - 1) + 1];
+        bool stays = depth < fragment.depth;
+        bool is_new = !stays && depth_before < fragment.depth;
+        list.depth[i] = stays ? depth : (is_new ? fragment.depth : depth_before);
+        list.t[i] = stays ? t : t_before * through;
+        depth_before = depth;
+        t_before = t;
+    }
+    return list;
+}
+
+/// Which of size + 1 nodes to remove: never the first, and the last only while it is empty.
+FN int least_node(IN(NodeList) list, int size)
+{
+    int least = size;
+    float least_area = 1.0e30f;
+    bool full = list.depth[size] < NO_DEPTH;
+    UNROLL
+    for (int i = 1; i < MAX_NODES; ++i)
+    {
+        PRECISE float area = (list.depth[i] - list.depth[i - 1]) * (list.t[i - 1] - list.t[i]);
+        bool better = full && i < size && area < least_area;
+        least = better ? i : least;
+        least_area = better ? area : least_area;
+    }
+    return least;
+}
+
+FN PixelState with_fragment(IN(PixelState) stored, IN(MethodFragment) fragment, IN(MethodSettings) settings)
+{
+    NodeList list = with_node(stored, fragment, settings.size);
+    int removed = least_node(list, settings.size);
+    PixelState state = empty_state(settings);
+    UNROLL
+    for (int i = 0; i < MAX_NODES; ++i)
+    {
+        bool there = i < settings.size;
+        state.f[2 * i] = there ? (i < removed ? list.depth[i] : list.depth[i + 1]) : NO_DEPTH;
+        state.f[2 * i + 1] = i < removed - 1 ? list.t[i] : list.t[i + 1];   // underestimates T between the two
+    }
+    return state;
+}
+
+/// T of the last node strictly in front.
+FN float transmittance_at(IN(PixelState) state, IN(MethodFragment) fragment, IN(MethodSettings) settings)
+{
+    float t = 1.0f;
+    UNROLL
+    for (int i = 0; i < MAX_NODES; ++i) t = i < settings.size && state.f[2 * i] < fragment.depth ? state.f[2 * i + 1] : t;
+    return t;
+}
+
+FN Composited composited(IN(PixelState) state, IN(MethodSettings) settings)
+{
+    return transparent(state.f[2 * settings.size - 1]);
+}

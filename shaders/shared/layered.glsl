@@ -1,0 +1,120 @@
+// layered.glsl -- multi-layer alpha blending (Salvi and Vaidyanathan 2014): the nearest fragments in layers of their own, all others
+// merged into the last one as they come. Settings: size layers, 1 to 6; option 0 for 16 bits per number, 1 for 8 bits per colour
+// and transmittance, 2 for floats.
+#define MAX_STATE_FLOATS 32
+#define STATE_ORDERED
+#define HOLDS_COLORS
+#include "pixel_state.glsl"
+#include "rounding.glsl"
+
+const int MAX_LAYERS = 6;
+const float NO_DEPTH = 2.0f;   // of a layer that holds nothing yet
+
+/// Colour is multiplied by opacity.
+struct Layer { float depth; float red; float green; float blue; float transmittance; };
+
+FN Layer layer_of(IN(PixelState) state, int i)
+{
+    Layer layer;
+    layer.depth = state.f[5 * i];
+    layer.red = state.f[5 * i + 1];
+    layer.green = state.f[5 * i + 2];
+    layer.blue = state.f[5 * i + 3];
+    layer.transmittance = state.f[5 * i + 4];
+    return layer;
+}
+
+/// Colours beyond 1 are lost in 8 bits.
+FN float stored_color(float x, int option)
+{
+    return option == 0 ? rounded_to_half(x) : (option == 1 ? rounded_to_unorm8(x) : x);
+}
+
+FN float stored_transmittance(float x, int option)
+{
+    return option == 0 ? rounded_to_unorm16(x) : (option == 1 ? rounded_to_unorm8(x) : x);
+}
+
+FN PixelState empty_state(IN(MethodSettings) settings)
+{
+    PixelState state = zero_state();
+    UNROLL
+    for (int i = 0; i < MAX_LAYERS; ++i)
+    {
+        state.f[5 * i] = NO_DEPTH;
+        state.f[5 * i + 4] = 1.0f;
+    }
+    return state;
+}
+
+/// `front` over `behind`, at the depth of the front one.
+FN Layer merged(IN(Layer) front, IN(Layer) behind)
+{
+    Layer layer;
+    PRECISE float red = front.red + front.transmittance * behind.red;
+    PRECISE float green = front.green + front.transmittance * behind.green;
+    PRECISE float blue = front.blue + front.transmittance * behind.blue;
+    layer.depth = front.depth;
+    layer.red = red;
+    layer.green = green;
+    layer.blue = blue;
+    layer.transmittance = front.transmittance * behind.transmittance;
+    return layer;
+}
+
+/// One bubble through the sorted layers; what comes out behind the last one is merged into it.
+FN PixelState with_fragment(IN(PixelState) stored, IN(MethodFragment) fragment, IN(MethodSettings) settings)
+{
+    PixelState state = empty_state(settings);
+    Layer carried;
+    carried.depth = settings.option == 2 ? fragment.depth : rounded_to_unorm16(fragment.depth);
+    carried.red = fragment.red * fragment.opacity;
+    carried.green = fragment.green * fragment.opacity;
+    carried.blue = fragment.blue * fragment.opacity;
+    carried.transmittance = 1.0f - fragment.opacity;
+    UNROLL
+    for (int i = 0; i < MAX_LAYERS; ++i)
+    {
+        Layer layer = layer_of(stored, i);
+        Layer front = layer;
+        Layer behind = carried;
+        if (carried.depth < layer.depth)
+        {
+            front = carried;
+            behind = layer;
+        }
+        bool last = i == settings.size - 1;
+        if (last) front = merged(front, behind);
+        bool there = i < settings.size;
+        state.f[5 * i] = there ? front.depth : NO_DEPTH;
+        state.f[5 * i + 1] = there ? stored_color(front.red, settings.option) : 0.0f;
+        state.f[5 * i + 2] = there ? stored_color(front.green, settings.option) : 0.0f;
+        state.f[5 * i + 3] = there ? stored_color(front.blue, settings.option) : 0.0f;
+        state.f[5 * i + 4] = there ? stored_transmittance(front.transmittance, settings.option) : 1.0f;
+        carried = behind;
+    }
+    return state;
+}
+
+/// The product of the layers strictly in front.
+FN float transmittance_at(IN(PixelState) state, IN(MethodFragment) fragment, IN(MethodSettings) settings)
+{
+    float depth = settings.option == 2 ? fragment.depth : rounded_to_unorm16(fragment.depth);
+    float t = 1.0f;
+    UNROLL
+    for (int i = 0; i < MAX_LAYERS; ++i) t = state.f[5 * i] < depth ? t * state.f[5 * i + 4] : t;
+    return t;
+}
+
+FN Composited composited(IN(PixelState) state, IN(MethodSettings) settings)
+{
+    Layer sum = layer_of(state, 0);
+    UNROLL
+    for (int i = 1; i < MAX_LAYERS; ++i) sum = merged(sum, layer_of(state, i));
+    Composited result;
+    result.red = sum.red;
+    result.green = sum.green;
+    result.blue = sum.blue;
+    result.transmittance = sum.transmittance;
+    return result;
+}

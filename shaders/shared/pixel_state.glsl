@@ -1,0 +1,54 @@
+// pixel_state.glsl -- what a pixel stores under a technique without moments: up to MAX_STATE_FLOATS numbers, which the math
+// file defines before it includes this. A math file says with one of
+//   STATE_SUMS     states of fragments are summed, by additive blending
+//   STATE_OVER     states of fragments are put over what is there, by alpha blending
+//   STATE_ORDERED  with_fragment changes the state, fragment after fragment
+// how a state comes about, with HOLDS_COLORS that it contains the pixel's colour, so that there is no second pass, and with
+// WITHOUT_DEPTHS that it knows no transmittance at a depth.
+
+struct PixelState { float f[MAX_STATE_FLOATS]; };
+
+/// Which variant of the technique: how many nodes, layers or frequencies, and the choice of a parameter.
+struct MethodSettings { int size; int option; };
+
+/// One transparent fragment. Depths are 0 at the near end of the depth range and 1 at its far end, window depth those of the
+/// depth buffer; colour is not multiplied by opacity.
+struct MethodFragment
+{
+    float depth;
+    float view_depth;
+    float window_depth;
+    float opacity;
+    float red;
+    float green;
+    float blue;
+};
+
+/// Colour of all fragments, multiplied by what is seen of it, and the transmittance of all.
+struct Composited { float red; float green; float blue; float transmittance; };
+
+/// Nothing but zeros.
+FN PixelState zero_state()
+{
+    PixelState state;
+    UNROLL
+    for (int i = 0; i < MAX_STATE_FLOATS; ++i) state.f[i] = 0.0f;
+    return state;
+}
+
+/// For states that hold no colour.
+FN Composited transparent(float transmittance)
+{
+    Composited result;
+    result.red = 0.0f;
+    result.green = 0.0f;
+    result.blue = 0.0f;
+    result.transmittance = transmittance;
+    return result;
+}
+
+/// Depth of the depth buffer of a perspective projection; view_depth in [near, far].
+FN float window_depth_of(float view_depth, float near, float far)
+{
+    return far * (view_depth - near) / (view_depth * (far - near));
+}

@@ -1,0 +1,56 @@
+// weighted.glsl -- weighted blended transparency (McGuire and Bavoil 2013): colours weighted by a guess of what is seen of them,
+// from their own depth and opacity alone. Settings: option chooses the weight.
+#define MAX_STATE_FLOATS 8
+#define STATE_SUMS
+#define HOLDS_COLORS
+#include "pixel_state.glsl"
+
+FN PixelState empty_state(IN(MethodSettings) settings)
+{
+    return zero_state();
+}
+
+/// 0: clamp((10 (1 - .99 z) alpha)^3, .01, 30) of window depth z. 1: of view depth (2013). 2: as in G3D (2016).
+FN float blending_weight(IN(MethodFragment) fragment, IN(MethodSettings) settings)
+{
+    float near_and_opaque = 10.0f * (1.0f - 0.99f * fragment.window_depth) * fragment.opacity;
+    float phenomenological = clamp(near_and_opaque * near_and_opaque * near_and_opaque, 0.01f, 30.0f);
+    float distance = fragment.view_depth / 200.0f;
+    float falloff = clamp(0.03f / (1.0e-5f + distance * distance * distance * distance), 0.01f, 3.0e3f);
+    float brightest = max(max(fragment.red, fragment.green), fragment.blue) * fragment.opacity;
+    float bright = min(1.0f, 40.0f * max(brightest, fragment.opacity) + 0.01f);
+    float g3d = (8.0f * fragment.opacity + 0.01f) * (1.0f - 0.95f * fragment.window_depth);
+    float g3d_weight = clamp(1.0e3f * g3d * g3d * g3d, 0.01f, 300.0f);
+    return settings.option == 0 ? phenomenological : (settings.option == 1 ? falloff * bright * bright : g3d_weight);
+}
+
+/// Weighted colour, weighted opacity, absorbance.
+FN PixelState fragment_state(IN(MethodFragment) fragment, IN(MethodSettings) settings)
+{
+    PixelState state = zero_state();
+    float weight = blending_weight(fragment, settings) * fragment.opacity;
+    state.f[0] = weight * fragment.red;
+    state.f[1] = weight * fragment.green;
+    state.f[2] = weight * fragment.blue;
+    state.f[3] = weight;
+    state.f[4] = absorbance_of_opacity(fragment.opacity);
+    return state;
+}
+
+/// What is seen of the fragment, relative to its opacity: its share of the coverage. Not bounded by 1.
+FN float transmittance_at(IN(PixelState) state, IN(MethodFragment) fragment, IN(MethodSettings) settings)
+{
+    float coverage = 1.0f - transmittance_of(state.f[4]);
+    return blending_weight(fragment, settings) * coverage / max(state.f[3], 1.0e-30f);
+}
+
+FN Composited composited(IN(PixelState) state, IN(MethodSettings) settings)
+{
+    Composited result;
+    result.transmittance = transmittance_of(state.f[4]);
+    float scale = (1.0f - result.transmittance) / max(state.f[3], 1.0e-30f);
+    result.red = state.f[0] * scale;
+    result.green = state.f[1] * scale;
+    result.blue = state.f[2] * scale;
+    return result;
+}

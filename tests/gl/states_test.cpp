@@ -1,0 +1,100 @@
+// states_test.cpp -- pictures of techniques without moments against the same pixels composed in C++ from
+// their fragments.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/inspect/method_pixel.hpp"
+#include "core/inspect/pixel_history.hpp"
+#include "tests/gl/gl_fixture.hpp"
+#include "tests/property/moment_rows.hpp"
+
+namespace momentscope::test {
+namespace {
+
+constexpr glm::ivec2 SIZE(160, 90);
+constexpr std::size_t PIXELS = 200;
+
+std::vector<const Technique*> method_techniques() {
+    std::vector<const Technique*> rows;
+    for (const Technique& row : techniques())
+        if (row.method != nullptr) rows.push_back(&row);
+    return rows;
+}
+
+// All at their standard, and every other value of one parameter at a time.
+std::vector<ParameterValues> choices_of(const Technique& technique) {
+    std::vector<ParameterValues> all = {{}};
+    for (const ParameterId id : technique.parameters) {
+        const Parameter& row = parameter(id);
+        for (float value = row.minimum; value <= row.maximum; ++value) {
+            all.emplace_back();
+            all.back().set(id, value);
+        }
+    }
+    return all;
+}
+
+Scene opaque_part(Scene scene) {
+    std::erase_if(scene.objects, [](const Object& object) { return !object.opaque(); });
+    return scene;
+}
+
+class StatesTest : public GlTest<::testing::TestWithParam<const Technique*>> {};
+
+TEST_P(StatesTest, EveryPixelIsWhatCppComposes) {
+    const Technique& technique = *GetParam();
+    for (const SceneEntry& entry : scene_entries()) {
+        const Scene scene = load_scene(entry.id, 0.4f);
+        Renderer renderer, opaque;
+        renderer.set_scene(scene);
+        opaque.set_scene(opaque_part(scene));
+        opaque.render(view_of(scene, "sorted", SIZE));
+        const Image behind = opaque.read_picture();
+        View view = view_of(scene, technique.id, SIZE);
+        if (const std::string why = why_unavailable(technique, renderer.ordered_access()); !why.empty())
+            GTEST_SKIP() << why;
+        for (const ParameterValues& values : choices_of(technique)) {
+            view.parameters = values;
+            renderer.render(view);
+            const Image picture = renderer.read_picture();
+            const auto captures = renderer.capture_region({0, 0}, SIZE);
+            std::vector<std::size_t> covered;
+            for (std::size_t i = 0; i < captures.size(); ++i)
+                if (!captures[i].ray.fragments.empty()) covered.push_back(i);
+            ASSERT_FALSE(covered.empty());
+            const ResolvedParameters parameters = resolve(values, technique);
+            // Eight bits: a product that rounds the other way is 1/255, and is merged into what follows.
+            const bool coarse = technique.uses(ParameterId::layer_bits) && parameters.method.option == 1;
+            const float tolerance = coarse ? 8e-3f : 2e-4f;
+            const std::size_t step = std::max<std::size_t>(covered.size() / PIXELS, 1);
+            int off = 0;
+            float worst = 0;
+            for (std::size_t k = 0; k < covered.size(); k += step) {
+                const PixelCapture& capture = captures[covered[k]];
+                const int x = static_cast<int>(covered[k]) % SIZE.x,
+                          y = static_cast<int>(covered[k]) / SIZE.x;
+                const glm::vec3 expected =
+                    method_color(capture.ray, technique, parameters, glm::vec3(behind.at(x, y)));
+                const glm::vec3 apart = glm::abs(glm::vec3(picture.at(x, y)) - expected);
+                const float most = std::max({apart.r, apart.g, apart.b});
+                worst = std::max(worst, most);
+                off += most > tolerance ? 1 : 0;
+                if (technique.method->has_depths) {
+                    const auto rows = pixel_history(capture.ray, capture.transmittance, technique, values);
+                    for (const PixelHistoryRow& row : rows) {
+                        EXPECT_NEAR(*row.gl_transmittance, row.transmittance,
+                                    tolerance * std::max(row.transmittance, 1.0f));
+                    }
+                }
+            }
+            EXPECT_EQ(off, 0) << technique.id << " on " << entry.id << ", worst " << worst;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Techniques, StatesTest, ::testing::ValuesIn(method_techniques()),
+                         [](const auto& one) { return test_name(*one.param); });
+
+}  // namespace
+}  // namespace momentscope::test
