@@ -36,7 +36,8 @@ std::string text_of_steps(const std::vector<Curve>& curves, const std::vector<fl
     std::string text;
     for (const Curve& curve : curves) {
         if (curve.technique->kernel == nullptr)
-            throw Error(fmt::format("'{}' has no steps: it reconstructs nothing.", curve.technique->id));
+            throw Error(fmt::format("'{}' has no steps: it has no moments to reconstruct from.",
+                                    curve.technique->id));
         for (const float depth : depths) text += steps_to_text(reconstruction_steps(curve, depth));
     }
     return text;

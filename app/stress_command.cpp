@@ -31,8 +31,8 @@ void run_stress_command(const Options& options) {
     if (!options.techniques.empty()) stress.techniques = parse_techniques(options, "");
     for (const Technique* technique : stress.techniques)
         if (technique->kernel == nullptr)
-            throw Error(
-                fmt::format("'{}' reconstructs nothing that could fail; leave it out.", technique->id));
+            throw Error(fmt::format("'{}' has no moments, so no reconstruction could fail; leave it out.",
+                                    technique->id));
     for (const Condition& condition : conditions())
         if (options.conditions.empty()) stress.conditions.push_back(&condition);
     for (const std::string& id : split_list(options.conditions))

@@ -87,7 +87,7 @@ void draw_failure_counts(ImDrawList& list, const Rect& area, const ScenePicture&
     const std::string counts = picture.failures
                                    ? fmt::format("failed: {} pixels (hatched)   clamped: {} pixels (plain)",
                                                  picture.failures->failed, picture.failures->clamped)
-                                   : std::string("this technique reconstructs nothing that could fail");
+                                   : std::string("no moments, so no reconstruction could fail");
     const float above_lens = lens ? 18 * em() : 0;
     draw_label(list, {area.low.x + pad, area.high.y - pad - ImGui::GetTextLineHeight() - above_lens}, counts,
                colors, colors.text);

@@ -172,8 +172,9 @@ void draw_figures(const Ui& ui, const Steps& steps, const std::string& title, bo
 
 void draw_steps_panel(const Ui& ui, const Measurement& m) {
     if (m.curve.technique->kernel == nullptr) {
-        ImGui::TextWrapped("%s has no steps: it reconstructs nothing. Choose a technique with moments.",
-                           m.curve.technique->name);
+        ImGui::TextWrapped(
+            "%s has no steps: it has no moments to reconstruct from. Choose a technique with moments.",
+            m.curve.technique->name);
         return;
     }
     const Steps& steps = m.steps;

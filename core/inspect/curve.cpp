@@ -36,7 +36,7 @@ Curve sample_curve(const ViewRay& ray, const Technique& technique, const Paramet
         if (!technique.method->has_depths) return curve;
         constexpr float LEAST_T = 1e-30f;
         for (const float t : method_transmittance(ray, technique, curve.parameters.method, depths))
-            curve.reconstructed.push_back(-std::log(std::max(t, LEAST_T)));
+            curve.reconstructed.push_back(0.0f - std::log(std::max(t, LEAST_T)));
         return curve;
     }
     if (technique.kernel == nullptr) {  // the ground truth reconstructs itself

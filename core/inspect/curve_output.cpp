@@ -109,8 +109,9 @@ std::string curves_to_table(const ViewRay& ray, const std::vector<Curve>& curves
     for (const Curve& curve : curves) {
         const char* low = curve.technique->has_bounds ? "lower" : "beta = 0";
         const char* high = curve.technique->has_bounds ? "upper" : "beta = 1";
-        fmt::format_to(out, "\n{}\n{:>12}{:>12}{:>15}{:>12}{:>12}", curve.technique->id, "depth", "true",
-                       "reconstructed", low, high);
+        fmt::format_to(out, "\n{}\n{:>12}{:>12}", curve.technique->id, "depth", "true");
+        if (!curve.reconstructed.empty()) fmt::format_to(out, "{:>15}", "reconstructed");
+        if (!curve.beta0.empty()) fmt::format_to(out, "{:>12}{:>12}", low, high);
         if (!curve.sharp_lower.empty()) fmt::format_to(out, "{:>13}{:>13}", "sharp lower", "sharp upper");
         text += "\n";
         for (std::size_t i = 0; i < curve.depth.size(); ++i) {
