@@ -99,6 +99,20 @@ void add_tune(CLI::App& app, Options& options) {
     add_parameter_options(*tune, options);
 }
 
+void add_compare(CLI::App& app, Options& options) {
+    CLI::App* compare = app.add_subcommand("compare", "tell how far a picture is from a reference");
+    compare
+        ->add_option("pictures", options.pictures,
+                     "reference and test: picture files, or ids of techniques that draw the scene")
+        ->required()
+        ->expected(2);
+    add_scene_options(*compare, options);
+    compare->add_option("--metric", options.metric, "rmse, delta-e or flip; all if left out");
+    compare->add_option("--region", options.region, "x,y,width,height to average over, instead of all");
+    compare->add_option("-o,--output", options.output, "where to write a map of the metric as .png");
+    add_parameter_options(*compare, options);
+}
+
 void add_commands(CLI::App& app, Options& options, std::string& what) {
     add_explore_options(app, options);
     CLI::App* explore = app.add_subcommand("explore", "open the window (the default)");
@@ -111,6 +125,7 @@ void add_commands(CLI::App& app, Options& options, std::string& what) {
     add_parameter_options(*render, options);
 
     add_inspect(app, options);
+    add_compare(app, options);
     add_stress(app, options);
     add_tune(app, options);
 
@@ -126,6 +141,7 @@ void add_commands(CLI::App& app, Options& options, std::string& what) {
 void run(const CLI::App& app, const Options& options, const std::string& what) {
     if (app.got_subcommand("render")) return run_render(options);
     if (app.got_subcommand("inspect")) return run_inspect(options);
+    if (app.got_subcommand("compare")) return run_compare(options);
     if (app.got_subcommand("stress")) return run_stress_command(options);
     if (app.got_subcommand("tune")) return run_tune_command(options);
     if (app.got_subcommand("list")) return run_list(what, options.format.empty() ? "table" : options.format);

@@ -26,6 +26,9 @@ struct Options {
     std::string seed = "1";
     std::string random;
     std::string max_failures = "0.001";
+    std::vector<std::string> pictures;  // of compare: reference and test
+    std::string metric;
+    std::string region;
     bool steps = false;
     bool sharp_bounds = false;
     bool headless = false;

@@ -21,6 +21,10 @@ void write_pixels(const std::filesystem::path& path, const OIIO::ImageSpec& spec
     });
 }
 
+std::string first_line(const std::string& text) {
+    return text.substr(0, text.find('\n'));
+}
+
 }  // namespace
 
 void Image::flip_rows() {
@@ -31,6 +35,38 @@ void Image::flip_rows() {
 float srgb_from_linear(float linear) {
     const float x = std::clamp(linear, 0.0f, 1.0f);
     return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
+}
+
+float linear_from_srgb(float srgb) {
+    return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f);
+}
+
+Image read_image(const std::filesystem::path& path) {
+    constexpr int MOST_SIDE = 16384;
+    const auto file = OIIO::ImageInput::open(path.string());
+    if (!file)
+        throw Error(fmt::format("'{}' is no picture that can be read ({}).", path.string(),
+                                first_line(OIIO::geterror())));
+    const OIIO::ImageSpec& spec = file->spec();
+    if (spec.width < 1 || spec.height < 1 || spec.width > MOST_SIDE || spec.height > MOST_SIDE ||
+        spec.nchannels < 1 || spec.depth > 1)
+        throw Error(fmt::format("'{}' is a picture of {}x{} pixels, more than can be compared.",
+                                path.string(), spec.width, spec.height));
+    const auto channels = static_cast<std::size_t>(spec.nchannels);
+    Image image(spec.width, spec.height);
+    std::vector<float> values(image.pixels.size() * channels);
+    if (!file->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data()))
+        throw Error(fmt::format("'{}' ends before its picture does ({}).", path.string(),
+                                first_line(file->geterror())));
+    const bool linear = spec.format.is_floating_point();
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            const float value = values[i * channels + (channels >= 3 ? c : 0)];
+            image.pixels[i][static_cast<int>(c)] = linear ? value : linear_from_srgb(value);
+        }
+        image.pixels[i].a = 1;
+    }
+    return image;
 }
 
 void write_image(const Image& image, const std::filesystem::path& path) {

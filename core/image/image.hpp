@@ -31,6 +31,13 @@ private:
 /// sRGB value in [0, 1] of a linear one (IEC 61966-2-1); clamps.
 float srgb_from_linear(float linear);
 
+/// Linear value of an sRGB one in [0, 1].
+float linear_from_srgb(float srgb);
+
+/// Reads any picture that OpenImageIO knows: whole numbers as sRGB, floats as linear; alpha is dropped.
+/// Throws Error.
+Image read_image(const std::filesystem::path& path);
+
 /// Writes .exr (linear floats) or .png (8-bit sRGB), to a temporary file that is then renamed. Throws Error.
 void write_image(const Image& image, const std::filesystem::path& path);
 

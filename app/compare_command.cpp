@@ -1,0 +1,101 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+#include <regex>
+
+#include "app/commands.hpp"
+#include "app/gl_context.hpp"
+#include "core/compare/difference.hpp"
+#include "core/compare/false_color.hpp"
+#include "core/error.hpp"
+#include "core/output_file.hpp"
+#include "core/render/renderer.hpp"
+
+namespace momentscope {
+
+namespace {
+
+struct Region {
+    int x = 0, y = 0, width = 0, height = 0;
+};
+
+Region parse_region(const std::string& text, const Image& image) {
+    if (text.empty()) return {0, 0, image.width, image.height};
+    std::smatch parts;
+    const std::regex form("(\\d{1,5}),(\\d{1,5}),(\\d{1,5}),(\\d{1,5})");
+    if (!std::regex_match(text, parts, form))
+        throw Error(fmt::format("'{}' is no region; give x,y,width,height in pixels, as 10,20,64,48.", text));
+    const Region region = {std::stoi(parts[1]), std::stoi(parts[2]), std::stoi(parts[3]),
+                           std::stoi(parts[4])};
+    if (region.width < 1 || region.height < 1 || region.x + region.width > image.width ||
+        region.y + region.height > image.height)
+        throw Error(fmt::format("The region {} does not lie within pictures of {}x{}.", text, image.width,
+                                image.height));
+    return region;
+}
+
+std::vector<float> part_of(const std::vector<float>& map, int width, const Region& region) {
+    std::vector<float> part;
+    for (int y = region.y; y < region.y + region.height; ++y)
+        for (int x = region.x; x < region.x + region.width; ++x)
+            part.push_back(map[static_cast<std::size_t>(y * width + x)]);
+    return part;
+}
+
+/// Pictures from files, or drawn here by a technique.
+class Pictures {
+public:
+    explicit Pictures(const Options& options) : options_(options), parameters_(parse_parameters(options)) {}
+
+    Image get(const std::string& name) {
+        const Technique* technique = find_technique(name);
+        if (technique == nullptr) return read_image(name);
+        if (renderer_ == nullptr) {
+            scene_ = load_scene_option(options_, parameters_);
+            context_ = make_gl_context("osmesa", {16, 16});
+            renderer_ = std::make_unique<Renderer>();
+            renderer_->set_scene(scene_);
+        }
+        const glm::ivec2 size = parse_size(options_.size.empty() ? "960x540" : options_.size);
+        renderer_->render({scene_.camera, size, technique, parameters_});
+        return renderer_->read_picture();
+    }
+
+private:
+    const Options& options_;
+    ParameterValues parameters_;
+    Scene scene_;
+    std::unique_ptr<GlContext> context_;
+    std::unique_ptr<Renderer> renderer_;  // after the context that it needs
+};
+
+}  // namespace
+
+void run_compare(const Options& options) {
+    const MetricRow* only = options.metric.empty() ? nullptr : &require_metric(options.metric);
+    if (!options.output.empty()) {
+        if (only == nullptr) throw Error("A map shows one metric; give --metric beside -o.");
+        if (std::filesystem::path(options.output).extension() != ".png")
+            throw Error("A map of differences ends in .png; give -o such a name.");
+        require_writable(options.output);
+    }
+    Pictures pictures(options);
+    const Image reference = pictures.get(options.pictures.at(0));
+    const Image test = pictures.get(options.pictures.at(1));
+    if (reference.width != test.width || reference.height != test.height)
+        throw Error(fmt::format("Pictures of {}x{} and of {}x{} cannot be compared; make them the same size.",
+                                reference.width, reference.height, test.width, test.height));
+    const Region region = parse_region(options.region, reference);
+    for (const MetricRow& row : metrics()) {
+        if (only != nullptr && only != &row) continue;
+        const std::vector<float> map = difference_map(reference, test, row.id);
+        const double mean = mean_difference(part_of(map, reference.width, region), row.id);
+        std::puts(fmt::format("{:<32}{:.6g}", fmt::format("{} ({})", row.name, row.key), mean).c_str());
+        if (options.output.empty()) continue;
+        write_image(false_color(map, reference.width, reference.height, row.full_scale), options.output);
+        std::puts(fmt::format("map: black is 0, the brightest {:g} and more", row.full_scale).c_str());
+    }
+}
+
+}  // namespace momentscope
