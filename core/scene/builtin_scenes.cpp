@@ -1,4 +1,5 @@
-// builtin_scenes.cpp -- planes, spheres, teapots: the pictures of the paper, as far as they need no asset.
+// builtin_scenes.cpp -- planes, spheres, teapots, ties: the pictures of the paper, as far as they need no
+// asset.
 #include "core/scene/builtin_scenes.hpp"
 
 #include "core/scene/shapes.hpp"
@@ -23,12 +24,6 @@ constexpr glm::vec3 UP(0.0f, 1.0f, 0.0f);
 glm::mat4 placed_at(const glm::vec3& position, float turn = 0.0f, float scale = 1.0f) {
     const glm::mat4 moved = glm::translate(glm::mat4(1.0f), position);
     return glm::scale(glm::rotate(moved, turn, UP), glm::vec3(scale));
-}
-
-/// The direction from a camera's target to the camera.
-glm::vec3 towards_camera(const Camera& camera) {
-    return {std::sin(camera.azimuth) * std::cos(camera.elevation), std::sin(camera.elevation),
-            std::cos(camera.azimuth) * std::cos(camera.elevation)};
 }
 
 /// A transparent teapot's colour: the hue turns by the golden angle, so that neighbours differ much.
@@ -76,6 +71,11 @@ void add_hall(Scene& scene) {
 }
 
 }  // namespace
+
+glm::vec3 towards_camera(const Camera& camera) {
+    return {std::sin(camera.azimuth) * std::cos(camera.elevation), std::sin(camera.elevation),
+            std::cos(camera.azimuth) * std::cos(camera.elevation)};
+}
 
 std::uint32_t add_mesh(Scene& scene, Mesh mesh) {
     scene.meshes.push_back(std::move(mesh));
@@ -152,6 +152,30 @@ Scene build_teapots() {
     add_teapots(scene);
     add_curtains(scene);
     add_hall(scene);
+    return scene;
+}
+
+// Pairs of sheets that overlap: at the same depth, a hair apart and a step apart; and two that cross. At a
+// tie the order of submission decides what the truth is, so that no technique can be right about it.
+Scene build_ties() {
+    Scene scene;
+    scene.id = "ties";
+    scene.camera = {glm::vec3(0.0f), 6.0f, 0.0f, 0.0f, 0.8f};
+    scene.picked = {0.27f, 0.32f};  // the tie
+    const std::uint32_t sheet = add_mesh(scene, make_rectangle(1.7f, 1.1f, 1, 1));
+    const auto add = [&](const glm::vec3& position, float turn, std::uint32_t color) {
+        scene.objects.push_back({sheet, placed_at(position, turn), linear_color(color), 0.6f});
+    };
+    const std::array<std::pair<glm::vec3, float>, 3> pairs{
+        {{{-1.7f, 0.9f, 0.0f}, 0.0f}, {{1.7f, 0.9f, 0.0f}, 1e-3f}, {{-1.7f, -0.9f, 0.0f}, 0.1f}}};
+    for (const auto& [corner, apart] : pairs) {
+        add(corner + glm::vec3(-0.35f, 0.15f, 0.0f), 0.0f, ORANGE);
+        add(corner + glm::vec3(0.35f, -0.15f, apart), 0.0f, SKY_BLUE);
+    }
+    add({1.7f, -0.9f, 0.0f}, 0.5f, ORANGE);
+    add({1.7f, -0.9f, 0.0f}, -0.5f, SKY_BLUE);
+    const std::uint32_t wall = add_mesh(scene, make_rectangle(30.0f, 16.0f, 1, 1));
+    scene.objects.push_back({wall, placed_at({0.0f, 0.0f, -3.0f}), linear_color(0xE4E1DA)});
     return scene;
 }
 

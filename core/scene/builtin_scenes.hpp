@@ -7,6 +7,11 @@ namespace momentscope {
 Scene build_planes();
 Scene build_spheres();
 Scene build_teapots();
+Scene build_ties();
+Scene build_cloud();
+
+/// The direction from a camera's target to the camera.
+glm::vec3 towards_camera(const Camera& camera);
 
 /// Adds a mesh and returns its index for Object::mesh.
 std::uint32_t add_mesh(Scene& scene, Mesh mesh);

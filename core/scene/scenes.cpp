@@ -20,6 +20,9 @@ constexpr SceneEntry ENTRIES[] = {
     {"spheres", "Three spheres that intersect, in a depth range of more than ten radii, as in Fig. 8.",
      build_spheres},
     {"teapots", "Seventeen Utah teapots in a row behind transparent curtains, as in Fig. 6.", build_teapots},
+    {"ties", "Pairs of sheets at the same depth, a hair and a step apart, and two that cross.", build_ties},
+    {"cloud", "A cloud of particles, tens of them on a ray, with a disk of 94 % in it, as in Fig. 2.",
+     build_cloud},
 };
 
 std::string scene_ids() {

@@ -88,13 +88,14 @@ std::vector<Technique> make_rows() {
 #include "core/techniques/method_techniques.def"
 #undef METHOD_TECHNIQUE
 #undef PARAMETERS
-    rows.push_back({.id = "sorted",
-                    .name = "sorted fragments",
-                    .description =
-                        "The ground truth: every fragment of every pixel is captured, sorted by depth and "
-                        "composited front to back. Fragments at the same depth keep their submission order.",
-                    .source = "Carpenter 1984; Yang et al. 2010",
-                    .path = RenderPath::sorted});
+    rows.push_back(
+        {.id = "sorted",
+         .name = "sorted fragments",
+         .description =
+             "The ground truth: every fragment of every pixel is captured, sorted by depth and "
+             "composited front to back. Of fragments at the same depth the one that was submitted last lies on top.",
+         .source = "Carpenter 1984; Yang et al. 2010",
+         .path = RenderPath::sorted});
     rows.push_back(
         {.id = "peeling",
          .name = "depth peeling",

@@ -41,6 +41,30 @@ TEST_F(ExplorerTest, EveryParameterChangesPlotAndPicture) {
     }
 }
 
+// What other methods of the field read, with a plot of their own.
+TEST_F(ExplorerTest, ParametersOfOtherMethodsChangePlotOrPicture) {
+    for (const char* id : {"wboit", "fourier", "at", "mlab"}) {
+        for (const ParameterId parameter_id : require_technique(id).parameters) {
+            const Parameter& row = parameter(parameter_id);
+            if (parameter_id == ParameterId::renormalize) continue;  // of all techniques, tested above
+            SCOPED_TRACE(std::string(id) + " " + row.key);
+            open("teapots", id);
+            const auto before = screen();
+            if (row.scale == Scale::choice)
+                play(fmt::format("click @parameter.{0}\nclick @parameter.{0}.{1}\nmove 5 790", row.key,
+                                 row.choices[1]));
+            else if (row.scale == Scale::toggle)
+                play(fmt::format("click @parameter.{}\nmove 5 790", row.key));
+            else
+                play(fmt::format("drag @parameter.{0} 0.3 0.5 to @parameter.{0} 0.02 0.5\nmove 5 790",
+                                 row.key));
+            EXPECT_NE(state().parameters[parameter_id], ParameterValues()[parameter_id]);
+            EXPECT_TRUE(explorer().message().empty()) << explorer().message();
+            EXPECT_GT(changed("plot", before, screen()) + changed("scene", before, screen()), 50);
+        }
+    }
+}
+
 TEST_F(ExplorerTest, ClickDragAndArrowsPick) {
     open();
     play("click " + on_scene({100, 200}));

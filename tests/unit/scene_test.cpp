@@ -186,7 +186,7 @@ TEST(Scenes, AreWellFormed) {
         EXPECT_TRUE(glm::all(glm::greaterThan(scene.picked, glm::vec2(0.0f))));
         EXPECT_TRUE(glm::all(glm::lessThan(scene.picked, glm::vec2(1.0f))));
     }
-    EXPECT_EQ(ids, (std::set<std::string>{"planes", "spheres", "teapots"}));
+    EXPECT_EQ(ids, (std::set<std::string>{"planes", "spheres", "teapots", "ties", "cloud"}));
 }
 
 TEST(Scenes, FollowThePaper) {
@@ -224,6 +224,14 @@ TEST(Scenes, TeapotsAreNotSubmittedInOrder) {
     EXPECT_GT(farther, 3);
 }
 
+TEST(Scenes, TheCloudIsTheSameOnEveryMachine) {
+    const Scene scene = load_scene("cloud", 0.5f);
+    const Mesh& particles = scene.meshes[scene.objects[0].mesh];
+    EXPECT_EQ(particles.positions.size(), 6000u);
+    EXPECT_EQ(load_scene("cloud", 0.5f).meshes[0].positions, particles.positions);
+    EXPECT_EQ(scene.objects[1].opacity, 0.94f);
+}
+
 TEST(Scenes, UnknownNameListsTheIds) {
     try {
         load_scene("xyz", 0.5f);
@@ -231,7 +239,7 @@ TEST(Scenes, UnknownNameListsTheIds) {
     } catch (const Error& error) {
         EXPECT_STREQ(
             error.what(),
-            "There is no scene 'xyz'; use one of planes, spheres, teapots, or the path of a mesh file.");
+            "There is no scene 'xyz'; use one of planes, spheres, teapots, ties, cloud, or the path of a mesh file.");
     }
     EXPECT_THROW(load_scene("", 0.5f), Error);
     EXPECT_THROW(load_scene(std::string(100'000, 'x'), 0.5f), Error);
