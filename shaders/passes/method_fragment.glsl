@@ -1,14 +1,14 @@
 // method_fragment.glsl -- the fragment at hand as math files know it, and states as groups of four floats.
 
-#define TEXEL(state, i) vec4(state.f[4 * (i)], state.f[4 * (i) + 1], state.f[4 * (i) + 2], state.f[4 * (i) + 3])
-#define SET_TEXEL(state, i, texel)                                                                                     \
-    {                                                                                                                  \
-        vec4 four = texel;                                                                                             \
-        state.f[4 * (i)] = four.x;                                                                                     \
-        state.f[4 * (i) + 1] = four.y;                                                                                 \
-        state.f[4 * (i) + 2] = four.z;                                                                                 \
-        state.f[4 * (i) + 3] = four.w;                                                                                 \
-    }
+/// The state with its i-th group of four floats replaced.
+PixelState with_texel(PixelState state, int i, vec4 texel)
+{
+    state.f[4 * i] = texel.x;
+    state.f[4 * i + 1] = texel.y;
+    state.f[4 * i + 2] = texel.z;
+    state.f[4 * i + 3] = texel.w;
+    return state;
+}
 
 MethodSettings method_settings()
 {
