@@ -40,7 +40,7 @@ void draw_scene_combo(const Ui& ui, ExplorerState& state) {
 
 void draw_technique_combo(const Ui& ui, OrderedAccess access, ExplorerState& state) {
     const bool open = ImGui::BeginCombo("##technique", technique_label(*state.technique).c_str(),
-                                        ImGuiComboFlags_HeightLarge);
+                                        ImGuiComboFlags_HeightLargest);
     ui.mark("controls.technique");
     tooltip("The technique that draws the picture and the orange curve; 1 to 9 choose one.", "--technique");
     if (!open) return;
@@ -60,8 +60,8 @@ void draw_compared_combo(const Ui& ui, ExplorerState& state) {
     std::string shown;
     for (const Technique* technique : state.compared)
         shown += fmt::format("{}{}", shown.empty() ? "" : ", ", technique->id);
-    const bool open =
-        ImGui::BeginCombo("##compared", shown.empty() ? "none" : shown.c_str(), ImGuiComboFlags_HeightLarge);
+    const bool open = ImGui::BeginCombo("##compared", shown.empty() ? "none" : shown.c_str(),
+                                        ImGuiComboFlags_HeightLargest);
     ui.mark("controls.compared");
     tooltip("Techniques whose reconstruction the plot shows beside that of the picture.");
     if (!open) return;

@@ -48,7 +48,7 @@ void place(Fragment& fragment, float depth, const DepthWarp& warp) {
 
 void draw_sources(const Ui& ui, const Measurement& m, ExplorerState& state) {
     ImGui::SetNextItemWidth(10 * em());
-    const bool open = ImGui::BeginCombo("##preset", "start from ...", ImGuiComboFlags_HeightLarge);
+    const bool open = ImGui::BeginCombo("##preset", "start from ...", ImGuiComboFlags_HeightLargest);
     ui.mark("editor.preset");
     tooltip("Puts a ray to experiment with in place of this one; Ctrl+Z brings it back.");
     if (open) {
