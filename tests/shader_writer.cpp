@@ -55,7 +55,7 @@ void write_method(const std::filesystem::path& folder, const Technique& techniqu
     write(folder, technique.id, "passes/state_composite.frag", variant);
     if (!technique.method->holds_colors) write(folder, technique.id, "passes/state_color.frag", variant);
     variant.defines["WITH_TRANSMITTANCE"] = "1";
-    if (technique.method->has_depths) write(folder, technique.id, "passes/capture.frag", variant);
+    if (technique.method->has_depths()) write(folder, technique.id, "passes/capture.frag", variant);
 }
 
 }  // namespace

@@ -186,7 +186,7 @@ void draw_steps_panel(const Ui& ui, const Measurement& m) {
         ImGui::TextWrapped(
             "These are the steps of the robust solver. The picture is drawn by the textbook's, which takes the same "
             "way with fewer precautions.");
-    const bool circle = std::string_view(m.curve.technique->basis) == "trigonometric";
+    const bool circle = m.curve.technique->on_circle();
     for (const StepText& step : step_texts(steps)) {
         ImGui::PushFont(bold_font());
         ImGui::TextUnformatted(step.title.c_str());

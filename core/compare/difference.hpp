@@ -33,4 +33,9 @@ std::vector<float> difference_map(const Image& reference, const Image& test, Met
 /// Of a map: its root mean square for rmse, its mean for the others.
 double mean_difference(std::span<const float> map, Metric metric);
 
+/// Of the whole pictures.
+inline double mean_difference(const Image& reference, const Image& test, Metric metric) {
+    return mean_difference(difference_map(reference, test, metric), metric);
+}
+
 }  // namespace momentscope

@@ -111,4 +111,12 @@ GlProgram link_compute_program(std::string_view path, const ShaderVariant& varia
     return link(shaders, path);
 }
 
+GLuint ProgramCache::get(const char* vertex, const char* fragment, const ShaderVariant& variant) {
+    const auto key = std::tuple(std::string(vertex), std::string(fragment), variant);
+    auto found = programs_.find(key);
+    if (found == programs_.end())
+        found = programs_.emplace(key, link_program(vertex, fragment, variant)).first;
+    return found->second;
+}
+
 }  // namespace momentscope

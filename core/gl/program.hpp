@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "core/gl/handle.hpp"
@@ -29,5 +30,14 @@ std::string expand_shader(std::string_view path, const ShaderVariant& variant,
 /// Compiles and links. Throws Error with the first line of the driver's log.
 GlProgram link_program(std::string_view vertex, std::string_view fragment, const ShaderVariant& variant = {});
 GlProgram link_compute_program(std::string_view compute, const ShaderVariant& variant = {});
+
+/// Programs of a few files and many variants, linked when they are first asked for.
+class ProgramCache {
+public:
+    GLuint get(const char* vertex, const char* fragment, const ShaderVariant& variant = {});
+
+private:
+    std::map<std::tuple<std::string, std::string, ShaderVariant>, GlProgram> programs_;
+};
 
 }  // namespace momentscope

@@ -94,15 +94,4 @@ void write_png(const std::vector<unsigned char>& rgba, int width, int height,
     write_pixels(path, spec, OIIO::TypeDesc::UINT8, rgba.data());
 }
 
-double rms_difference(const Image& a, const Image& b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.pixels.size(); ++i)
-        for (int c = 0; c < 3; ++c) {
-            const double difference =
-                static_cast<double>(a.pixels[i][c]) - static_cast<double>(b.pixels[i][c]);
-            sum += difference * difference;
-        }
-    return std::sqrt(sum / (3.0 * static_cast<double>(a.pixels.size())));
-}
-
 }  // namespace momentscope

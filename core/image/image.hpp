@@ -45,7 +45,4 @@ void write_image(const Image& image, const std::filesystem::path& path);
 void write_png(const std::vector<unsigned char>& rgba, int width, int height,
                const std::filesystem::path& path);
 
-/// Root mean square of the difference of the RGB channels. Images of equal size.
-double rms_difference(const Image& a, const Image& b);
-
 }  // namespace momentscope

@@ -17,7 +17,7 @@ bool knows(std::string_view basis) {
 }  // namespace
 
 float node_depth(float t, float query, const Curve& curve) {
-    if (std::string_view(curve.technique->basis) != "trigonometric") return query + 1.0f / t;
+    if (!curve.technique->on_circle()) return query + 1.0f / t;
     const float phase_per_depth = PI - 0.5f * curve.parameters.theta;
     const float phase = (query + 1) * phase_per_depth + 2 * std::atan2(1.0f, t);
     return std::fmod(phase, 2 * PI) / phase_per_depth - 1;

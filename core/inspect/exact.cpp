@@ -206,8 +206,7 @@ std::vector<double> exact_absorbance(const std::optional<ExactFunction>& exact, 
     for (const float depth : depths) {
         const auto at = static_cast<Real>(depth);
         if (exact) {
-            const ExactFraction fraction = (*exact)(at);
-            const Real share = fraction.in_front + here * fraction.query_weight;
+            const Real share = (*exact)(at).with(beta);
             absorbance.push_back(static_cast<double>(total * std::clamp(share, Real(0), Real(1))));
         } else {
             Real sum = 0;

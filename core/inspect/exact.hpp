@@ -15,6 +15,7 @@ using Real = long double;
 struct ExactFraction {
     Real in_front = 0;
     Real query_weight = 0;
+    Real with(float beta) const { return in_front + static_cast<Real>(beta) * query_weight; }
 };
 using ExactFunction = std::function<ExactFraction(Real depth)>;
 

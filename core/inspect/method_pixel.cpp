@@ -41,7 +41,7 @@ PixelState pixel_state(const ViewRay& ray, const Technique& technique, const Met
 
 std::vector<float> method_transmittance(const ViewRay& ray, const Technique& technique,
                                         const MethodSettings& settings, std::span<const float> depths) {
-    assert(technique.method->has_depths);
+    assert(technique.method->has_depths());
     const PixelState state = pixel_state(ray, technique, settings);
     Fragment mean;
     for (const Fragment& fragment : ray.fragments)
@@ -61,21 +61,18 @@ std::vector<float> method_transmittance(const ViewRay& ray, const Technique& tec
 std::vector<float> own_transmittance(const ViewRay& ray, const Technique& technique,
                                      const MethodSettings& settings) {
     const MethodKernel& kernel = *technique.method;
-    std::vector<float> t;
-    t.reserve(ray.fragments.size());
-    if (kernel.has_depths) {
+    std::vector<float> t(ray.fragments.size());
+    if (kernel.has_depths()) {
         const PixelState state = pixel_state(ray, technique, settings);
-        for (const Fragment& fragment : ray.fragments)
-            t.push_back(kernel.transmittance_at(state, method_fragment(ray, fragment), settings));
+        for (std::size_t i = 0; i < t.size(); ++i)
+            t[i] = kernel.transmittance_at(state, method_fragment(ray, ray.fragments[i]), settings);
         return t;
     }
-    ViewRay probe = ray;  // one white fragment at a time, all others black
-    for (Fragment& fragment : probe.fragments) fragment.color = glm::vec3(0);
-    for (Fragment& fragment : probe.fragments) {
-        fragment.color = glm::vec3(1);
-        const Composited all = kernel.composited(pixel_state(probe, technique, settings), settings);
-        t.push_back(fragment.opacity > 0 ? all.red / fragment.opacity : 1.0f);
-        fragment.color = glm::vec3(0);
+    assert(kernel.accumulation == Accumulation::over);
+    PixelState drawn_later = kernel.empty_state(settings);
+    for (std::size_t i = t.size(); i-- > 0;) {
+        t[i] = kernel.composited(drawn_later, settings).transmittance;
+        drawn_later = kernel.with_fragment(drawn_later, method_fragment(ray, ray.fragments[i]), settings);
     }
     return t;
 }

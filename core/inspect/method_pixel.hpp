@@ -16,12 +16,12 @@ MethodFragment method_fragment(const ViewRay& ray, const Fragment& fragment);
 PixelState pixel_state(const ViewRay& ray, const Technique& technique, const MethodSettings& settings);
 
 /// T at `depths` in [-1, 1], for techniques whose weight depends on opacity, too, that of a fragment of the
-/// ray's mean opacity. Needs technique.method->has_depths.
+/// ray's mean opacity. Needs technique.method->has_depths().
 std::vector<float> method_transmittance(const ViewRay& ray, const Technique& technique,
                                         const MethodSettings& settings, std::span<const float> depths);
 
-/// What is seen of each fragment relative to its opacity, in submission order: T at its depth or, where there
-/// is no such thing, its share of the pixel's colour, for which the pixel is composited once per fragment.
+/// What is seen of each fragment relative to its opacity, in submission order: T at its depth or, where
+/// fragments are put over each other, what those submitted later let through.
 std::vector<float> own_transmittance(const ViewRay& ray, const Technique& technique,
                                      const MethodSettings& settings);
 

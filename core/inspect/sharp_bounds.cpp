@@ -8,7 +8,6 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
-#include <string_view>
 
 #include "core/inspect/curve.hpp"
 
@@ -29,15 +28,15 @@ double grid_depth(int k) {
     return -1 + 2.0 * k / (GRID - 1);
 }
 
-bool on_circle(const Technique& technique) {
-    return std::string_view(technique.basis) == "trigonometric";
+bool is_new(const std::vector<double>& depths, double depth) {
+    return std::ranges::none_of(depths, [&](double other) { return std::abs(other - depth) < APART; });
 }
 
 // The moment-generating function at a depth. On the line T_j(z) for any basis: the same constraints as z^j,
 // better conditioned.
 Eigen::VectorXd moments_at(double depth, const Technique& technique, double theta) {
     const int count = technique.moment_count;
-    if (on_circle(technique)) {
+    if (technique.on_circle()) {
         Eigen::VectorXd moments(2 * count + 1);
         const double angle = (std::numbers::pi - 0.5 * theta) * (depth + 1);
         moments[0] = 1;
@@ -93,7 +92,7 @@ public:
     /// neighbouring ones differ in few pivots. `at` is a depth where cost jumps. nullopt if CLP fails.
     template <typename Cost>
     std::optional<double> least(double at, const Cost& cost) {
-        add_if_new(at);
+        if (is_new(depths_, at)) add(at);
         for (std::size_t k = 0; k < depths_.size(); ++k)
             solver_.setObjectiveCoefficient(static_cast<int>(k), cost(depths_[k]));
         for (int round = 0; round < MOST_ROUNDS; ++round) {
@@ -114,11 +113,6 @@ private:
         solver_.allSlackBasis(true);
         solver_.dual();
         return solver_.isProvenOptimal();
-    }
-
-    void add_if_new(double depth) {
-        const auto same = [&](double other) { return std::abs(other - depth) < APART; };
-        if (std::ranges::none_of(depths_, same)) add(depth);
     }
 
     void add(double depth, double cost = 0) {
@@ -158,12 +152,11 @@ private:
 // m/2 surfaces, or on the circle m, are the only distribution with their moments (Section 4.1).
 bool determined(const ViewRay& ray, const Technique& technique) {
     const auto most =
-        static_cast<std::size_t>(on_circle(technique) ? technique.moment_count : technique.moment_count / 2);
+        static_cast<std::size_t>(technique.on_circle() ? technique.moment_count : technique.moment_count / 2);
     std::vector<double> surfaces;
     for (const Fragment& fragment : ray.fragments) {
         const double depth = fragment.depth;
-        const auto same = [&](double other) { return std::abs(other - depth) < APART; };
-        if (std::ranges::none_of(surfaces, same)) surfaces.push_back(depth);
+        if (fragment.opacity > 0 && is_new(surfaces, depth)) surfaces.push_back(depth);
         if (surfaces.size() > most) return false;
     }
     return true;
@@ -172,16 +165,12 @@ bool determined(const ViewRay& ray, const Technique& technique) {
 SharpBounds of_truth(const ViewRay& ray, std::span<const float> depths) {
     SharpBounds bounds;
     bounds.depth.assign(depths.begin(), depths.end());
-    for (const float depth : depths) {
-        double in_front = 0, here = 0;
-        for (const Fragment& fragment : ray.fragments) {
-            const double absorbance = fragment_absorbance(fragment.opacity);
-            in_front += fragment.depth < depth ? absorbance : 0;
-            here += fragment.depth == depth ? absorbance : 0;
-        }
-        bounds.lower.push_back(static_cast<float>(in_front));
-        bounds.upper.push_back(static_cast<float>(in_front + here));
-    }
+    const std::vector<double> in_front = true_absorbance(ray, depths);
+    bounds.lower.assign(in_front.begin(), in_front.end());
+    bounds.upper = bounds.lower;
+    for (std::size_t i = 0; i < depths.size(); ++i)
+        for (const Fragment& fragment : ray.fragments)
+            bounds.upper[i] += fragment.depth == depths[i] ? fragment_absorbance(fragment.opacity) : 0;
     return bounds;
 }
 

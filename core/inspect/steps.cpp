@@ -13,18 +13,14 @@ namespace {
 
 constexpr double PI = 3.14159265358979;
 
-bool on_circle(const Technique& technique) {
-    return std::string_view(technique.basis) == "trigonometric";
-}
-
 // E[u_i conj(u_j)] for the functions u_k of the basis.
 std::complex<double> matrix_entry(const Technique& technique, const MomentVector& normalised, int i, int j) {
     const auto moment = [&](int k) {
         return k == 0 ? 1.0 : static_cast<double>(normalised.b[static_cast<std::size_t>(k - 1)]);
     };
-    const std::string_view basis = technique.basis;
-    if (basis == "chebyshev") return 0.5 * (moment(i + j) + moment(std::abs(i - j)));
-    if (basis != "trigonometric") return moment(i + j);
+    if (std::string_view(technique.basis) == "chebyshev")
+        return 0.5 * (moment(i + j) + moment(std::abs(i - j)));
+    if (!technique.on_circle()) return moment(i + j);
     if (i == j) return 1.0;
     const auto k = static_cast<std::size_t>(2 * (std::abs(i - j) - 1));
     const std::complex<double> b(static_cast<double>(normalised.b[k]),
@@ -93,7 +89,7 @@ StepText bias_text(const Steps& s) {
 }
 
 StepText matrix_text(const Steps& s) {
-    const bool circle = on_circle(*s.technique);
+    const bool circle = s.technique->on_circle();
     const bool chebyshev = std::string_view(s.technique->basis) == "chebyshev";
     const char* name = circle ? "Toeplitz matrix" : chebyshev ? "Gram matrix" : "Hankel matrix";
     const char* entry = circle ? "b_{i−j}" : chebyshev ? "(b_{i+j} + b_{|i−j|}) / 2" : "b_{i+j}";
@@ -116,7 +112,7 @@ StepText factor_text(const Steps& s) {
 }
 
 StepText kernel_text(const Steps& s) {
-    const bool circle = on_circle(*s.technique);
+    const bool circle = s.technique->on_circle();
     const std::vector<float> below(s.kernel.begin() + 1, s.kernel.end());
     return {"5  Kernel polynomial",
             fmt::format(
@@ -128,7 +124,7 @@ StepText kernel_text(const Steps& s) {
 }
 
 StepText roots_text(const Steps& s) {
-    const bool circle = on_circle(*s.technique);
+    const bool circle = s.technique->on_circle();
     const std::string zone = fmt::format("; beyond φ = 2π − θ = {:.4f} lies the wrapping zone",
                                          2 * PI - static_cast<double>(s.parameters.theta));
     std::string roots;
@@ -150,7 +146,7 @@ StepText weights_text(const Steps& s) {
             fmt::format("\nw = {:.6f} at z = {:<10.5g} v = {:.4f}", node.weight, node.depth, node.value);
     return {
         "7  Weights and values",
-        on_circle(*s.technique)
+        s.technique->on_circle()
             ? "Each mass is 1/K at its node. v is 1 in front of the query, 0 behind, and a ramp of ψ in the "
               "wrapping zone (Equation 6)."
             : "Each mass is 1/K at its node. v is 1 in front of the query and 0 behind (Equation 4).",

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/gl/texture.hpp"
+#include "core/render/geometry_pass.hpp"
 
 namespace momentscope {
 
@@ -37,15 +38,10 @@ std::size_t FragmentList::capture(const PassInput& input, GLuint program, glm::i
     glClearTexSubImage(heads_, 0, corner.x, corner.y, 0, extent.x, extent.y, 1, GL_RED_INTEGER,
                        GL_UNSIGNED_INT, &end_of_list);
     bind();
-    glBindFramebuffer(GL_FRAMEBUFFER, target_);
     glEnable(GL_SCISSOR_TEST);
     glScissor(corner.x, corner.y, extent.x, extent.y);
-    glEnable(GL_DEPTH_TEST);
-    glDepthMask(GL_FALSE);
     glUseProgram(program);
-    input.scene.draw(Surfaces::transparent);
-    glDepthMask(GL_TRUE);
-    glDisable(GL_DEPTH_TEST);
+    draw_transparent(input.scene, target_, Blending::none);
     glDisable(GL_SCISSOR_TEST);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
                     GL_BUFFER_UPDATE_BARRIER_BIT);

@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "core/gl/texture.hpp"
+#include "core/render/geometry_pass.hpp"
 #include "core/techniques/moment_kernel.hpp"
 #include "core/techniques/quantisation_glsl.hpp"
 
@@ -11,6 +12,7 @@ namespace momentscope {
 
 namespace {
 
+constexpr const char* SCENE = "passes/scene.vert";
 constexpr const char* MOMENTS = "passes/moments.frag";
 constexpr const char* COLOR = "passes/color.frag";
 constexpr const char* FAILURES = "passes/failures.frag";
@@ -22,25 +24,6 @@ struct Formats {
 Formats formats_of(const MomentKernel& kernel) {
     if (kernel.bits == 16) return {GL_R16F, GL_RGBA16, GL_RG16};
     return {GL_R32F, GL_RGBA32F, GL_RG32F};
-}
-
-void begin_drawing(GLuint target, bool blending) {
-    glBindFramebuffer(GL_FRAMEBUFFER, target);
-    glEnable(GL_DEPTH_TEST);
-    glDepthMask(GL_FALSE);
-    if (blending) glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE);
-}
-
-void end_drawing() {
-    glDisable(GL_BLEND);
-    glDepthMask(GL_TRUE);
-    glDisable(GL_DEPTH_TEST);
-}
-
-void clear(GLuint target, int color_count) {
-    const float zero[4] = {0, 0, 0, 0};
-    for (int i = 0; i < color_count; ++i) glClearNamedFramebufferfv(target, GL_COLOR, i, zero);
 }
 
 }  // namespace
@@ -63,8 +46,7 @@ ShaderVariant reconstruction_variant(const Technique& technique, const ResolvedP
 
 ShaderVariant accumulation_variant(const Technique& technique, bool ordered, OrderedAccess access) {
     ShaderVariant variant = moment_variant(technique);
-    const bool interlock = access == OrderedAccess::interlock;
-    variant.defines[!ordered ? "BLENDING" : interlock ? "INTERLOCK" : "FRAMEBUFFER_FETCH"] = "1";
+    define_access(variant, ordered ? access : OrderedAccess::none);
     return variant;
 }
 
@@ -87,21 +69,12 @@ MomentPasses::MomentPasses(const Technique& technique, glm::ivec2 size, GLuint d
     composite_program_ = link_program("passes/fullscreen.vert", "passes/composite.frag");
 }
 
-GLuint MomentPasses::program(const char* fragment, const ShaderVariant& variant) {
-    const auto key = std::pair(fragment, variant);
-    auto found = programs_.find(key);
-    if (found == programs_.end())
-        found = programs_.emplace(key, link_program("passes/scene.vert", fragment, variant)).first;
-    return found->second;
-}
-
 void MomentPasses::draw_moments(const PassInput& input) {
     const bool ordered = input.parameters.ordered;
     if (ordered && access_ == OrderedAccess::none)
         throw Error(fmt::format("{} Set --accumulation to blending.", NO_ORDERED_ACCESS));
     const bool by_images = ordered && access_ == OrderedAccess::interlock;
-    clear(moment_target_, moments_5_to_8_ != 0 ? 3 : 2);
-    begin_drawing(by_images ? depth_target_ : moment_target_, !ordered);
+    clear_colors(moment_target_, moments_5_to_8_ != 0 ? 3 : 2);
     if (by_images) {
         const Formats formats = formats_of(*technique_.kernel);
         const bool two = technique_.kernel->moment_floats == 6;
@@ -111,19 +84,17 @@ void MomentPasses::draw_moments(const PassInput& input) {
             glBindImageTexture(2, moments_5_to_8_, 0, GL_FALSE, 0, GL_READ_WRITE,
                                two ? formats.two_moments : formats.four_moments);
     }
-    glUseProgram(program(MOMENTS, accumulation_variant(technique_, ordered, access_)));
-    input.scene.draw(Surfaces::transparent);
-    end_drawing();
+    glUseProgram(programs_.get(SCENE, MOMENTS, accumulation_variant(technique_, ordered, access_)));
+    draw_transparent(input.scene, by_images ? depth_target_ : moment_target_,
+                     ordered ? Blending::none : Blending::add);
     if (by_images) glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
 }
 
 void MomentPasses::draw_color(const PassInput& input) {
-    clear(color_target_, 1);
-    begin_drawing(color_target_, true);
-    glUseProgram(program(COLOR, reconstruction_variant(technique_, input.parameters)));
+    clear_colors(color_target_, 1);
+    glUseProgram(programs_.get(SCENE, COLOR, reconstruction_variant(technique_, input.parameters)));
     bind_moments();
-    input.scene.draw(Surfaces::transparent);
-    end_drawing();
+    draw_transparent(input.scene, color_target_, Blending::add);
 }
 
 void MomentPasses::draw_composite(const PassInput& input) {
@@ -137,11 +108,9 @@ void MomentPasses::draw_composite(const PassInput& input) {
 bool MomentPasses::draw_failures(const PassInput& input) {
     GLint target = 0;
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
-    begin_drawing(static_cast<GLuint>(target), true);
-    glUseProgram(program(FAILURES, reconstruction_variant(technique_, input.parameters)));
+    glUseProgram(programs_.get(SCENE, FAILURES, reconstruction_variant(technique_, input.parameters)));
     bind_moments();
-    input.scene.draw(Surfaces::transparent);
-    end_drawing();
+    draw_transparent(input.scene, static_cast<GLuint>(target), Blending::add);
     return true;
 }
 

@@ -1,7 +1,5 @@
 // moment_passes.hpp -- moment-based transparency: the paper's two geometry passes and its composite.
 #pragma once
-#include <map>
-
 #include "core/gl/program.hpp"
 #include "core/render/transparency.hpp"
 
@@ -30,14 +28,12 @@ public:
 
 private:
     void bind_moments() const;
-    GLuint program(const char* fragment, const ShaderVariant& variant);
 
     const Technique& technique_;
     OrderedAccess access_;
     GlTexture total_absorbance_, moments_1_to_4_, moments_5_to_8_, weighted_color_;
     GlFramebuffer moment_target_, depth_target_, color_target_;
-    std::map<std::pair<const char*, ShaderVariant>, GlProgram>
-        programs_;  // linked when they are first asked for
+    ProgramCache programs_;
     GlProgram composite_program_;
 };
 

@@ -235,12 +235,7 @@ GLuint Renderer::capture_program(bool& has_transmittance) {
     has_transmittance = reconstructing.has_value();
     ShaderVariant variant = reconstructing.value_or(ShaderVariant());
     if (has_transmittance) variant.defines["WITH_TRANSMITTANCE"] = "1";
-    auto program = capture_programs_.find(variant);
-    if (program == capture_programs_.end())
-        program = capture_programs_
-                      .emplace(variant, link_program("passes/scene.vert", "passes/capture.frag", variant))
-                      .first;
-    return program->second;
+    return capture_programs_.get("passes/scene.vert", "passes/capture.frag", variant);
 }
 
 PixelCapture Renderer::capture_pixel(glm::ivec2 pixel) {

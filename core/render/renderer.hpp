@@ -1,6 +1,5 @@
 // renderer.hpp -- pictures of a scene by any technique, and the exact fragments of a pixel.
 #pragma once
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -110,7 +109,7 @@ private:
     std::unique_ptr<Transparency> transparency_;
     const Technique* transparency_of_ = nullptr;
     std::unique_ptr<FragmentList> pixel_list_;
-    std::map<ShaderVariant, GlProgram> capture_programs_;
+    ProgramCache capture_programs_;
 
     GlQuery timer_;
     GlTexture failure_counts_, failure_color_;  // made when they are first asked for

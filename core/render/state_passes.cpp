@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "core/gl/texture.hpp"
+#include "core/render/geometry_pass.hpp"
 
 namespace momentscope {
 
@@ -13,6 +14,11 @@ constexpr GLuint FIRST_STATE_UNIT = 2;  // passes/stored_state.glsl
 
 int texel_count(const Technique& technique, const MethodSettings& settings) {
     return (technique.state_floats(settings) + 3) / 4;
+}
+
+Blending blending_of(Accumulation accumulation) {
+    if (accumulation == Accumulation::ordered) return Blending::none;
+    return accumulation == Accumulation::over ? Blending::over : Blending::add;
 }
 
 }  // namespace
@@ -28,8 +34,7 @@ ShaderVariant state_variant(const Technique& technique, const MethodSettings& se
 ShaderVariant state_building_variant(const Technique& technique, const MethodSettings& settings,
                                      OrderedAccess access) {
     ShaderVariant variant = state_variant(technique, settings);
-    if (access != OrderedAccess::none)
-        variant.defines[access == OrderedAccess::interlock ? "INTERLOCK" : "FRAMEBUFFER_FETCH"] = "1";
+    define_access(variant, access);
     return variant;
 }
 
@@ -66,57 +71,32 @@ void StatePasses::clear_states() const {
         glClearNamedFramebufferfv(state_target_, GL_COLOR, static_cast<GLint>(i), &empty.f[4 * i]);
 }
 
-GLuint StatePasses::program(const char* vertex, const char* fragment, const ShaderVariant& variant) {
-    const auto key = std::pair(fragment, variant);
-    auto found = programs_.find(key);
-    if (found == programs_.end())
-        found = programs_.emplace(key, link_program(vertex, fragment, variant)).first;
-    return found->second;
-}
-
 void StatePasses::draw_moments(const PassInput& input) {
     make_states(input.parameters.method);
     clear_states();
     const bool by_images = access_ == OrderedAccess::interlock;
-    glBindFramebuffer(GL_FRAMEBUFFER, by_images ? depth_target_ : state_target_);
-    glEnable(GL_DEPTH_TEST);
-    glDepthMask(GL_FALSE);
-    if (access_ == OrderedAccess::none) glEnable(GL_BLEND);
-    const bool over = technique_.method->accumulation == Accumulation::over;
-    glBlendFunc(GL_ONE, over ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
     for (std::size_t i = 0; by_images && i < states_.size(); ++i)
         glBindImageTexture(static_cast<GLuint>(i), states_[i], 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
-    glUseProgram(program("passes/scene.vert", "passes/state.frag",
-                         state_building_variant(technique_, settings_, access_)));
-    input.scene.draw(Surfaces::transparent);
-    glDisable(GL_BLEND);
-    glDepthMask(GL_TRUE);
-    glDisable(GL_DEPTH_TEST);
+    glUseProgram(programs_.get("passes/scene.vert", "passes/state.frag",
+                               state_building_variant(technique_, settings_, access_)));
+    draw_transparent(input.scene, by_images ? depth_target_ : state_target_,
+                     blending_of(technique_.method->accumulation));
     if (by_images) glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
 }
 
 void StatePasses::draw_color(const PassInput& input) {
     settings_ = input.parameters.method;  // an option may have changed that stores nothing
     if (technique_.method->holds_colors) return;
-    const float zero[4] = {0, 0, 0, 0};
-    glClearNamedFramebufferfv(color_target_, GL_COLOR, 0, zero);
-    glBindFramebuffer(GL_FRAMEBUFFER, color_target_);
-    glEnable(GL_DEPTH_TEST);
-    glDepthMask(GL_FALSE);
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE);
+    clear_colors(color_target_, 1);
     glUseProgram(
-        program("passes/scene.vert", "passes/state_color.frag", state_variant(technique_, settings_)));
+        programs_.get("passes/scene.vert", "passes/state_color.frag", state_variant(technique_, settings_)));
     bind_states();
-    input.scene.draw(Surfaces::transparent);
-    glDisable(GL_BLEND);
-    glDepthMask(GL_TRUE);
-    glDisable(GL_DEPTH_TEST);
+    draw_transparent(input.scene, color_target_, Blending::add);
 }
 
 void StatePasses::draw_composite(const PassInput& input) {
-    glUseProgram(program("passes/fullscreen.vert", "passes/state_composite.frag",
-                         state_variant(technique_, settings_)));
+    glUseProgram(programs_.get("passes/fullscreen.vert", "passes/state_composite.frag",
+                               state_variant(technique_, settings_)));
     glBindTextureUnit(0, input.opaque_color);
     glBindTextureUnit(1, weighted_color_);
     bind_states();
@@ -124,7 +104,7 @@ void StatePasses::draw_composite(const PassInput& input) {
 }
 
 std::optional<ShaderVariant> StatePasses::bind_for_capture(const ResolvedParameters& parameters) const {
-    if (!technique_.method->has_depths) return std::nullopt;
+    if (!technique_.method->has_depths()) return std::nullopt;
     bind_states();
     return state_variant(technique_, parameters.method);
 }

@@ -1,8 +1,6 @@
 // state_passes.hpp -- techniques that store something else than moments: what a pixel stores is built in one
 // geometry pass, by blending or in order, and holds the colour already or weighs it in a second one.
 #pragma once
-#include <map>
-
 #include "core/render/transparency.hpp"
 
 namespace momentscope {
@@ -27,7 +25,6 @@ private:
     void make_states(const MethodSettings& settings);
     void clear_states() const;
     void bind_states() const;
-    GLuint program(const char* vertex, const char* fragment, const ShaderVariant& variant);
 
     const Technique& technique_;
     glm::ivec2 size_;
@@ -38,8 +35,7 @@ private:
     GlFramebuffer state_target_, depth_target_;
     GlTexture weighted_color_;
     GlFramebuffer color_target_;
-    std::map<std::pair<const char*, ShaderVariant>, GlProgram>
-        programs_;  // linked when they are first asked for
+    ProgramCache programs_;
 };
 
 }  // namespace momentscope

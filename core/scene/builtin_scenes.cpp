@@ -2,6 +2,7 @@
 // asset.
 #include "core/scene/builtin_scenes.hpp"
 
+#include "core/image/image.hpp"
 #include "core/scene/shapes.hpp"
 
 #include <array>
@@ -90,10 +91,7 @@ void add_ground(Scene& scene, float side, float y) {
 }
 
 glm::vec3 linear_color(std::uint32_t srgb) {
-    const auto channel = [&](int shift) {
-        const float encoded = float((srgb >> shift) & 0xFFu) / 255.0f;  // IEC 61966-2-1
-        return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
-    };
+    const auto channel = [&](int shift) { return linear_from_srgb(float((srgb >> shift) & 0xFFu) / 255.0f); };
     return {channel(16), channel(8), channel(0)};
 }
 

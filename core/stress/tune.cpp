@@ -27,8 +27,7 @@ std::vector<double> exact_of_stored(const MomentVector& stored, const Technique&
     std::vector<double> t;
     const auto exact = exact_function_of_stored(stored, technique, parameters);
     for (std::size_t i = 0; exact && i < depths.size(); ++i) {
-        const ExactFraction fraction = (*exact)(static_cast<Real>(depths[i]));
-        const Real share = fraction.in_front + static_cast<Real>(parameters.beta) * fraction.query_weight;
+        const Real share = (*exact)(static_cast<Real>(depths[i])).with(parameters.beta);
         t.push_back(transmittance_of_fraction(static_cast<float>(share), stored.b0));
     }
     return t;

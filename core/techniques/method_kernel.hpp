@@ -38,7 +38,6 @@ enum class Accumulation { sum, over, ordered };
 struct MethodKernel {
     Accumulation accumulation;
     bool holds_colors;  // one geometry pass; else a second one weighs colours by transmittance_at
-    bool has_depths;    // is there a transmittance at a depth?
 
     PixelState (*empty_state)(const MethodSettings& settings);
 
@@ -46,10 +45,12 @@ struct MethodKernel {
     PixelState (*with_fragment)(const PixelState& state, const MethodFragment& fragment,
                                 const MethodSettings& settings);
 
-    /// Of a fragment, or of a depth with a fragment's opacity; null without has_depths. Not bounded by 1 for
-    /// every technique.
+    /// Of a fragment, or of a depth with a fragment's opacity; null where it is none of depth, as of
+    /// fragments that are put over each other. Not bounded by 1 for every technique.
     float (*transmittance_at)(const PixelState& state, const MethodFragment& fragment,
                               const MethodSettings& settings);
+
+    bool has_depths() const { return transmittance_at != nullptr; }
 
     Composited (*composited)(const PixelState& state, const MethodSettings& settings);
 };

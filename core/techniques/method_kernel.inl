@@ -73,44 +73,39 @@ Composited composited(const PixelState& state, const MethodSettings& settings) {
     return {result.red, result.green, result.blue, result.transmittance};
 }
 
-#ifndef WITHOUT_DEPTHS
+#ifdef WITHOUT_DEPTHS
+constexpr auto transmittance_at = nullptr;
+#else
 float transmittance_at(const PixelState& state, const MethodFragment& fragment,
                        const MethodSettings& settings) {
     return g::transmittance_at(to_shared(state), to_shared(fragment), to_shared(settings));
 }
 #endif
 
-constexpr MethodKernel KERNEL = {
 #if defined(STATE_SUMS)
-    .accumulation = Accumulation::sum,
+constexpr Accumulation ACCUMULATION = Accumulation::sum;
 #elif defined(STATE_OVER)
-    .accumulation = Accumulation::over,
+constexpr Accumulation ACCUMULATION = Accumulation::over;
 #else
-    .accumulation = Accumulation::ordered,
+constexpr Accumulation ACCUMULATION = Accumulation::ordered;
 #endif
+
 #ifdef HOLDS_COLORS
-    .holds_colors = true,
+constexpr bool COLORS = true;
 #else
-    .holds_colors = false,
+constexpr bool COLORS = false;
 #endif
-#ifdef WITHOUT_DEPTHS
-    .has_depths = false,
-#else
-    .has_depths = true,
-#endif
-    .empty_state = empty_state,
-    .with_fragment = with_fragment,
-#ifdef WITHOUT_DEPTHS
-    .transmittance_at = nullptr,
-#else
-    .transmittance_at = transmittance_at,
-#endif
-    .composited = composited};
 
 }  // namespace
 
 const MethodKernel& method_kernel(MethodKernelTag<MethodTechnique::KERNEL_ID>) {
-    return KERNEL;
+    static constexpr MethodKernel kernel = {.accumulation = ACCUMULATION,
+                                            .holds_colors = COLORS,
+                                            .empty_state = empty_state,
+                                            .with_fragment = with_fragment,
+                                            .transmittance_at = transmittance_at,
+                                            .composited = composited};
+    return kernel;
 }
 
 }  // namespace momentscope

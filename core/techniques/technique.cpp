@@ -168,7 +168,7 @@ bool needs_order(const Technique& technique) {
 }
 
 bool has_function(const Technique& technique) {
-    return technique.kernel != nullptr || (technique.method != nullptr && technique.method->has_depths);
+    return technique.kernel != nullptr || (technique.method != nullptr && technique.method->has_depths());
 }
 
 ReconstructionSettings settings_of(const ResolvedParameters& parameters) {

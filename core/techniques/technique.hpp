@@ -40,6 +40,7 @@ struct Technique {
     bool order_dependent = false;  // does the submission order of geometry change the picture?
 
     bool uses(ParameterId parameter_id) const;
+    bool on_circle() const { return basis != nullptr && std::string_view(basis) == "trigonometric"; }
     bool is_truth() const { return kernel == nullptr && method == nullptr; }
 };
 

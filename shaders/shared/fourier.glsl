@@ -12,27 +12,51 @@ FN PixelState empty_state(IN(MethodSettings) settings)
     return zero_state();
 }
 
+/// cos(k angle) and sin(k angle) for k = 0, 1, ...
+struct Waves { float cosine[MAX_FREQUENCY + 1]; float sine[MAX_FREQUENCY + 1]; };
+
+/// From the sine and cosine for k = 1.
+FN Waves waves_of(IN(SinCos) first)
+{
+    Waves waves;
+    waves.cosine[0] = 1.0f;
+    waves.sine[0] = 0.0f;
+    UNROLL
+    for (int k = 1; k <= MAX_FREQUENCY; ++k)
+    {
+        PRECISE float cosine = waves.cosine[k - 1] * first.cosine - waves.sine[k - 1] * first.sine;
+        PRECISE float sine = waves.cosine[k - 1] * first.sine + waves.sine[k - 1] * first.cosine;
+        waves.cosine[k] = cosine;
+        waves.sine[k] = sine;
+    }
+    return waves;
+}
+
+/// Of the angle 2 pi depth.
+FN Waves depth_waves(float depth)
+{
+    SinCos half_angle = portable_sincos(PI * depth);
+    PRECISE float cosine = half_angle.cosine * half_angle.cosine - half_angle.sine * half_angle.sine;
+    PRECISE float sine = 2.0f * (half_angle.sine * half_angle.cosine);
+    SinCos angle;
+    angle.cosine = cosine;
+    angle.sine = sine;
+    return waves_of(angle);
+}
+
 /// 2 A_l cos(2 pi k d_l) and 2 A_l sin(2 pi k d_l).
 FN PixelState fragment_state(IN(MethodFragment) fragment, IN(MethodSettings) settings)
 {
     PixelState state = zero_state();
     float absorbance = absorbance_of_opacity(fragment.opacity);
-    SinCos half_angle = portable_sincos(PI * fragment.depth);
-    PRECISE float c = half_angle.cosine * half_angle.cosine - half_angle.sine * half_angle.sine;
-    PRECISE float s = 2.0f * (half_angle.sine * half_angle.cosine);
-    float cosine = 1.0f;
-    float sine = 0.0f;
+    Waves waves = depth_waves(fragment.depth);
     state.f[0] = 2.0f * absorbance;
     UNROLL
     for (int k = 1; k <= MAX_FREQUENCY; ++k)
     {
-        PRECISE float next_cosine = cosine * c - sine * s;
-        PRECISE float next_sine = cosine * s + sine * c;
-        cosine = next_cosine;
-        sine = next_sine;
         bool there = k <= settings.size;
-        state.f[2 * k - 1] = there ? 2.0f * absorbance * cosine : 0.0f;
-        state.f[2 * k] = there ? 2.0f * absorbance * sine : 0.0f;
+        state.f[2 * k - 1] = there ? 2.0f * absorbance * waves.cosine[k] : 0.0f;
+        state.f[2 * k] = there ? 2.0f * absorbance * waves.sine[k] : 0.0f;
     }
     return state;
 }
@@ -40,29 +64,16 @@ FN PixelState fragment_state(IN(MethodFragment) fragment, IN(MethodSettings) set
 /// A(d) = a_0 d / 2 + sum of (a_k sin(2 pi k d) + b_k (1 - cos(2 pi k d))) / (2 pi k). It rings: neither monotone nor positive.
 FN float absorbance_at(IN(PixelState) state, float depth, IN(MethodSettings) settings)
 {
-    SinCos half_angle = portable_sincos(PI * depth);
-    PRECISE float c = half_angle.cosine * half_angle.cosine - half_angle.sine * half_angle.sine;
-    PRECISE float s = 2.0f * (half_angle.sine * half_angle.cosine);
-    SinCos lanczos = portable_sincos(PI / (float(settings.size) + 1.0f));
-    float cosine = 1.0f;
-    float sine = 0.0f;
-    float lanczos_cosine = 1.0f;
-    float lanczos_sine = 0.0f;
+    Waves waves = depth_waves(depth);
+    float lanczos_angle = PI / (float(settings.size) + 1.0f);
+    Waves lanczos = waves_of(portable_sincos(lanczos_angle));
     PRECISE float absorbance = 0.5f * state.f[0] * depth;
     UNROLL
     for (int k = 1; k <= MAX_FREQUENCY; ++k)
     {
-        PRECISE float next_cosine = cosine * c - sine * s;
-        PRECISE float next_sine = cosine * s + sine * c;
-        cosine = next_cosine;
-        sine = next_sine;
-        PRECISE float next_lanczos_cosine = lanczos_cosine * lanczos.cosine - lanczos_sine * lanczos.sine;
-        PRECISE float next_lanczos_sine = lanczos_cosine * lanczos.sine + lanczos_sine * lanczos.cosine;
-        lanczos_cosine = next_lanczos_cosine;
-        lanczos_sine = next_lanczos_sine;
-        float x = PI * float(k) / (float(settings.size) + 1.0f);
-        float sigma = settings.option == 1 ? lanczos_sine / x : 1.0f;
-        PRECISE float wave = (state.f[2 * k - 1] * sine + state.f[2 * k] * (1.0f - cosine)) / (2.0f * PI * float(k));
+        float sigma = settings.option == 1 ? lanczos.sine[k] / (lanczos_angle * float(k)) : 1.0f;
+        PRECISE float wave = (state.f[2 * k - 1] * waves.sine[k] + state.f[2 * k] * (1.0f - waves.cosine[k]))
+            / (2.0f * PI * float(k));
         absorbance = absorbance + (k <= settings.size ? sigma * wave : 0.0f);
     }
     return absorbance;

@@ -80,7 +80,7 @@ TEST_P(StatesTest, EveryPixelIsWhatCppComposes) {
                 const float most = std::max({apart.r, apart.g, apart.b});
                 worst = std::max(worst, most);
                 off += most > tolerance ? 1 : 0;
-                if (technique.method->has_depths) {
+                if (technique.method->has_depths()) {
                     const auto rows = pixel_history(capture.ray, capture.transmittance, technique, values);
                     for (const PixelHistoryRow& row : rows) {
                         EXPECT_NEAR(*row.gl_transmittance, row.transmittance,

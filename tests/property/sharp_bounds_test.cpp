@@ -49,7 +49,7 @@ TEST_P(SharpBoundsOf, RandomRaysHoldTheTruth) {
 
 // m/2 surfaces are determined by m moments of a basis on the line, m by m trigonometric ones.
 TEST_P(SharpBoundsOf, FewSurfacesAreTheTruth) {
-    const bool circle = GetParam()->basis == std::string_view("trigonometric");
+    const bool circle = GetParam()->on_circle();
     const int most = circle ? GetParam()->moment_count : GetParam()->moment_count / 2;
     ViewRay ray;
     for (int i = 0; i < most; ++i) {

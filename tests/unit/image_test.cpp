@@ -24,7 +24,7 @@ TEST(Srgb, FollowsTheStandard) {
     EXPECT_NEAR(srgb_from_linear(40), 1, 1e-6);
 }
 
-TEST(ImageValue, FlipsRowsAndMeasuresDifference) {
+TEST(ImageValue, FlipsRows) {
     Image image(2, 3);
     for (int y = 0; y < 3; ++y)
         for (int x = 0; x < 2; ++x) image.at(x, y) = glm::vec4(static_cast<float>(10 * y + x));
@@ -32,10 +32,6 @@ TEST(ImageValue, FlipsRowsAndMeasuresDifference) {
     flipped.flip_rows();
     EXPECT_EQ(flipped.at(1, 0), image.at(1, 2));
     EXPECT_EQ(flipped.at(0, 1), image.at(0, 1));
-    EXPECT_EQ(rms_difference(image, image), 0);
-    Image brighter = image;
-    for (glm::vec4& pixel : brighter.pixels) pixel += 0.5f;
-    EXPECT_NEAR(rms_difference(image, brighter), 0.5, 1e-6);
 }
 
 TEST(OutputFile, AFailureLeavesTheOldFileAndNoOther) {

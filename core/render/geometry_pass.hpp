@@ -1,0 +1,23 @@
+// geometry_pass.hpp -- the transparent surfaces in front of the opaque ones, drawn once.
+#pragma once
+#include "core/gl/gl_info.hpp"
+#include "core/gl/program.hpp"
+#include "core/render/scene_buffers.hpp"
+
+namespace momentscope {
+
+/// What becomes of a fragment's outputs: they take the place of what is there, are added to it, or put over
+/// it.
+enum class Blending { none, add, over };
+
+/// Draws with the program in use into `target`, whose depth is tested and not written. Leaves blending and
+/// depth test off.
+void draw_transparent(const SceneBuffers& scene, GLuint target, Blending blending);
+
+/// Zeros in the first `color_count` colours of a framebuffer.
+void clear_colors(GLuint target, int color_count);
+
+/// Tells a shader by which access it reads and writes in order; by none it is blended.
+void define_access(ShaderVariant& variant, OrderedAccess access);
+
+}  // namespace momentscope
