@@ -20,7 +20,7 @@ void main()
     uint index = atomicAdd(fragment_list.count, 1u);
     if (index >= fragment_list.capacity) return;
     FragmentNode node;
-    node.color_opacity = vec4(shaded(object.color_opacity.rgb), object.color_opacity.a);
+    node.color_opacity = vec4(shaded(object.color_opacity.rgb), fragment_opacity());
     node.view_depth = fragment_view_depth();
     node.depth = fragment_depth();
 #ifdef WITH_TRANSMITTANCE

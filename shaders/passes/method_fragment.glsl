@@ -25,7 +25,7 @@ MethodFragment method_fragment(vec3 color)
     fragment.view_depth = fragment_view_depth();
     fragment.depth = 0.5 * (fragment_depth() + 1.0);
     fragment.window_depth = window_depth_of(fragment.view_depth, frame.depth_warp.z, frame.depth_warp.w);
-    fragment.opacity = object.color_opacity.a;
+    fragment.opacity = fragment_opacity();
     fragment.red = color.r;
     fragment.green = color.g;
     fragment.blue = color.b;

@@ -16,7 +16,7 @@ layout(early_fragment_tests) in;
 void main()
 {
     Basis basis = make_basis(frame.parameters.y);
-    Moments moments = fragment_moments(fragment_depth(), absorbance_of_opacity(object.color_opacity.a), basis);
+    Moments moments = fragment_moments(fragment_depth(), absorbance_of_opacity(fragment_opacity()), basis);
 #ifdef INTERLOCK
     beginInvocationInterlockARB();
 #endif

@@ -1,6 +1,7 @@
 // peel.frag -- one layer of depth peeling: of all fragments behind the layer before, the depth test keeps the nearest.
 #include "passes/blocks.glsl"
 #include "passes/shading.glsl"
+#include "passes/transparent_fragment.glsl"
 
 layout(binding = 0) uniform sampler2D previous_depth;   // window depth of the layer before; 0 for the first
 
@@ -9,6 +10,6 @@ layout(location = 0) out vec4 layer;   // colour times opacity, opacity
 void main()
 {
     if (gl_FragCoord.z <= texelFetch(previous_depth, ivec2(gl_FragCoord.xy), 0).x) discard;
-    float opacity = object.color_opacity.a;
+    float opacity = fragment_opacity();
     layer = vec4(shaded(object.color_opacity.rgb) * opacity, opacity);
 }

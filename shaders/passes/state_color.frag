@@ -12,6 +12,6 @@ layout(location = 0) out vec4 weighted_color;
 
 void main()
 {
-    float weight = object.color_opacity.a * fragment_transmittance();
+    float weight = fragment_opacity() * fragment_transmittance();
     weighted_color = vec4(shaded(object.color_opacity.rgb) * weight, weight);
 }

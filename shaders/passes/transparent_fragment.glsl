@@ -1,7 +1,12 @@
-// transparent_fragment.glsl -- depth and absorbance of the fragment at hand, for all transparent passes.
+// transparent_fragment.glsl -- opacity and depth of the fragment at hand, for all transparent passes.
 #define TRANSPARENT_FRAGMENT
 #include "shared/portable_math.glsl"
 #include "shared/fragment.glsl"
+
+float fragment_opacity()
+{
+    return object.color_opacity.a;
+}
 
 float fragment_view_depth()
 {
