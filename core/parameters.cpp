@@ -20,6 +20,11 @@ constexpr std::array ACCUMULATIONS = {"blending", "ordered"};
 constexpr std::array WEIGHTS = {"window-depth", "view-depth", "g3d"};
 constexpr std::array COEFFICIENTS = {"7", "15"};
 constexpr std::array LAYER_BITS = {"16", "8", "32"};
+constexpr std::array RESOLUTIONS = {"full", "half", "quarter", "eighth"};
+constexpr std::array READ_FORMATS = {"float", "theta16", "nlqm64", "nlqm32"};
+constexpr std::array MOMENT_PASSES = {"one", "opacity", "visibility"};
+constexpr std::array ORDERS = {"submitted", "reversed", "shuffled"};
+constexpr std::array DEPTH_RANGES = {"corrected", "published"};
 
 const std::array<Parameter, PARAMETER_COUNT> ROWS = {{
     {ParameterId::beta, "beta", "β", "overestimation weight", "", 0.0f, 1.0f, 0.25f, Scale::linear,
@@ -74,6 +79,34 @@ const std::array<Parameter, PARAMETER_COUNT> ROWS = {{
      "How a layer is stored: colour in half floats, depth and transmittance in 16 bits; all but depth in 8 bits; or all "
      "in floats, which rounds nothing.",
      "Münstermann et al. 2018, supplementary, Table 3", LAYER_BITS},
+    {ParameterId::samples, "samples", "S", "samples", "", 1.0f, 64.0f, 8.0f, Scale::whole, Stage::moments,
+     "How many samples a pixel has. Four times as many halve the noise.", "Enderton et al. 2010, Section 4"},
+    {ParameterId::resolution, "resolution", "1/n", "moment resolution", "", 0.0f, 3.0f, 0.0f, Scale::choice,
+     Stage::moments,
+     "The resolution of the moments: that of the picture, or a half, a quarter or an eighth of it in each direction, "
+     "which pixels read bilinearly. A pixel's function is then a mixture of its neighbours'.",
+     "Sharpe 2018, Section 4.1", RESOLUTIONS},
+    {ParameterId::read_format, "read-format", "bits", "read format", "", 0.0f, 3.0f, 0.0f, Scale::choice,
+     Stage::moments,
+     "What moments are converted to before the second pass reads them: nothing, 16 bits each after the transform Θ_4, "
+     "or non-linearly quantised moments of 64 or 32 bits, which cannot be read at low resolution.",
+     "Sharpe 2018, Section 4.2; Peters and Klein 2015; Peters 2017", READ_FORMATS},
+    {ParameterId::moment_passes, "moment-passes", "n", "moment passes", "", 0.0f, 2.0f, 0.0f, Scale::choice,
+     Stage::moments,
+     "One set of moments, or a second one that knows from the first what is seen of a fragment. The paper does not say how "
+     "both are put together; these are two readings: the second set of opacities as they are seen, or of the visibility.",
+     "Sharpe 2018, Section 4.4", MOMENT_PASSES},
+    {ParameterId::depth_range, "depth-range", "z'", "depth range of moments", "", 0.0f, 1.0f, 0.0f,
+     Scale::choice, Stage::moments,
+     "Moments of depth in [0, 1], as published, where the bias vector does not belong, or corrected to [-1, 1].",
+     "Sharpe 2018, Section 3.3", DEPTH_RANGES},
+    {ParameterId::order, "order", "1, 2, ...", "order of submission", "", 0.0f, 2.0f, 0.0f, Scale::choice,
+     Stage::moments,
+     "The order in which objects and their triangles are drawn: as the scene has them, backwards, or shuffled. What "
+     "changes with it depends on order.",
+     "Münstermann et al. 2018, Section 2", ORDERS},
+    {ParameterId::order_seed, "order-seed", "s", "seed of the shuffled order", "", 1.0f, 1000.0f, 1.0f,
+     Scale::whole, Stage::moments, "Which of the shuffled orders.", "Momentscope 2026"},
     {ParameterId::opacity, "opacity", "α_l", "opacity of mesh files", "", 0.0f, 0.99f, 0.4f, Scale::linear,
      Stage::scene,
      "Opacity of every fragment of a mesh that was loaded from a file. Built-in scenes bring their own.",

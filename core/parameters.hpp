@@ -26,9 +26,16 @@ enum class ParameterId : std::size_t {
     nodes,
     layers,
     layer_bits,
+    samples,
+    resolution,
+    read_format,
+    moment_passes,
+    depth_range,
+    order,
+    order_seed,
     opacity
 };
-constexpr std::size_t PARAMETER_COUNT = 14;
+constexpr std::size_t PARAMETER_COUNT = 21;
 
 /// How a slider maps its way to a value; decides nothing but the looks.
 enum class Scale { linear, logarithmic, toggle, choice, whole };
@@ -49,6 +56,9 @@ struct Parameter {
     const char* source;                         // paper and section
     std::span<const char* const> choices = {};  // names of the values 0, 1, ...; for Scale::choice alone
 };
+
+/// Those that say how the scene is drawn, whatever the technique.
+inline constexpr std::array SCENE_PARAMETERS = {ParameterId::order, ParameterId::order_seed};
 
 /// All parameters, in the order of ParameterId.
 std::span<const Parameter> parameters();

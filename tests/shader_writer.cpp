@@ -15,10 +15,10 @@ namespace {
 using namespace momentscope;
 
 constexpr const char* PLAIN[] = {
-    "passes/scene.vert",     "passes/fullscreen.vert",    "passes/opaque.frag",
-    "passes/composite.frag", "passes/display.frag",       "passes/capture.frag",
-    "passes/sorted.frag",    "passes/peel.frag",          "passes/peel_composite.frag",
-    "passes/copy.frag",      "passes/failure_colors.frag"};
+    "passes/scene.vert",     "passes/fullscreen.vert",     "passes/opaque.frag",
+    "passes/composite.frag", "passes/display.frag",        "passes/capture.frag",
+    "passes/sorted.frag",    "passes/peel.frag",           "passes/peel_composite.frag",
+    "passes/copy.frag",      "passes/failure_colors.frag", "passes/farthest_depth.frag"};
 constexpr const char* RECONSTRUCTING[] = {"passes/color.frag", "passes/capture.frag", "passes/failures.frag"};
 
 void write(const std::filesystem::path& folder, const std::string& prefix, const std::string& path,
@@ -54,6 +54,14 @@ void write_method(const std::filesystem::path& folder, const Technique& techniqu
     ShaderVariant variant = state_variant(technique, settings);
     write(folder, technique.id, "passes/state_composite.frag", variant);
     if (!technique.method->holds_colors) write(folder, technique.id, "passes/state_color.frag", variant);
+    if (technique.method->with_fragment_again != nullptr) {
+        write(folder, technique.id, "passes/state_convert.frag", variant);
+        ShaderVariant second = state_building_variant(technique, settings, access);
+        second.defines.insert({{"SECOND_PASS", "1"}, {"FIRST_TEXEL", "2"}, {"WRITTEN_TEXELS", "2"}});
+        write(folder, std::string(technique.id) + ".second", "passes/state.frag", second);
+        variant.defines["LOW_RESOLUTION"] = "1";
+        write(folder, std::string(technique.id) + ".low", "passes/state_color.frag", variant);
+    }
     variant.defines["WITH_TRANSMITTANCE"] = "1";
     if (technique.method->has_depths()) write(folder, technique.id, "passes/capture.frag", variant);
 }

@@ -162,8 +162,7 @@ void Explorer::update(glm::ivec2 size) {
 void Explorer::update_ray() {
     const bool changed = !(shown_state_.ray == state_.ray) || measurement_.curve.technique == nullptr;
     if (changed) {
-        measurement_.capture.ray = *state_.ray;
-        measurement_.capture.transmittance.clear();
+        measurement_.capture = {.ray = *state_.ray, .transmittance = {}, .stored = {}};
         measurement_.pins.clear();
         shown_view_.technique = nullptr;  // the picture is not shown any more
     }
@@ -179,7 +178,7 @@ void Explorer::update_picture(glm::ivec2 size) {
     if (stage != Stage::nothing) renderer_.render(view);
     report_passes(before);
     update_capture(view, stage);
-    update_pins(stage);
+    update_pins(view, stage);
     update_scene_picture(view, stage);
     shown_view_ = view;
     measure_if_changed(report_.capture);
@@ -193,11 +192,18 @@ void Explorer::report_passes(const PassCounts& before) {
     report_.composite = now.composite > before.composite;
 }
 
-// The fragments of a pixel depend on nothing that comes after the opaque pass; the second pass's T is only
-// captured where it is shown.
+bool Explorer::fragments_stale(const View& view, Stage stage) const {
+    if (stage <= Stage::opaque) return true;
+    const bool reordered = std::ranges::any_of(
+        SCENE_PARAMETERS, [&](ParameterId id) { return view.parameters[id] != shown_view_.parameters[id]; });
+    return reordered || (stage <= Stage::moments && view.technique->uses(ParameterId::resolution));
+}
+
+// The fragments of a pixel depend on nothing that comes after the opaque pass but their order, and what
+// moments at low resolution mix; the second pass's T is only captured where it is shown.
 void Explorer::update_capture(const View& view, Stage stage) {
     const glm::ivec2 pixel = pixel_of(state_.picked, scene_, view.size);
-    const bool moved = stage <= Stage::opaque || pixel != measurement_.pixel;
+    const bool moved = fragments_stale(view, stage) || pixel != measurement_.pixel;
     transmittance_stale_ |= stage <= Stage::color;
     if (!moved && !(transmittance_stale_ && state_.panel == Panel::fragments)) {
         if (transmittance_stale_) measurement_.capture.transmittance.clear();
@@ -210,8 +216,8 @@ void Explorer::update_capture(const View& view, Stage stage) {
     report_.capture = true;
 }
 
-void Explorer::update_pins(Stage stage) {
-    if (stage > Stage::opaque && shown_state_.pins == state_.pins &&
+void Explorer::update_pins(const View& view, Stage stage) {
+    if (!fragments_stale(view, stage) && shown_state_.pins == state_.pins &&
         measurement_.pins.size() == state_.pins.size())
         return;
     measurement_.pins.clear();
@@ -269,6 +275,8 @@ void Explorer::measure_if_changed(bool captured) {
     report_.plot = captured || first || !same_curves(shown_state_, state_);
     if (captured || first) sharp_input_.reset();
     if (report_.plot) measure_curves(measurement_, state_);
+    if (report_.plot || !(shown_state_.parameters == state_.parameters))
+        measure_verdict(measurement_, state_);
     const ViewRay& ray = measurement_.capture.ray;
     report_.query = report_.plot || query_depth(ray, state_) != measurement_.canonical.query;
     if (report_.query) measure_query(measurement_, state_);

@@ -106,7 +106,8 @@ private:
     void update_ray();
     void update_picture(glm::ivec2 size);
     void update_capture(const View& view, Stage stage);
-    void update_pins(Stage stage);
+    bool fragments_stale(const View& view, Stage stage) const;
+    void update_pins(const View& view, Stage stage);
     void update_scene_picture(const View& view, Stage stage);
     void show_truth(const View& view);
     void update_lens(glm::ivec2 size, bool picture_changed);

@@ -123,6 +123,15 @@ std::string summary(const Measurement& m) {
                        std::sqrt(squares / static_cast<double>(std::max<std::size_t>(m.history.size(), 1))));
 }
 
+std::string verdict_help(const Verdict& verdict) {
+    std::string text =
+        "What the pixel's error is made of, step by step from the truth to what is shown; negative shares make "
+        "up for others. Distances in linear RGB.";
+    for (const Contribution& one : verdict.contributions)
+        text += fmt::format("\n{:+.4f}  {}", one.share, one.cause);
+    return text;
+}
+
 }  // namespace
 
 void draw_fragment_panel(const Ui& ui, const Measurement& m, ExplorerState& state) {
@@ -130,6 +139,9 @@ void draw_fragment_panel(const Ui& ui, const Measurement& m, ExplorerState& stat
         ImGui::TextWrapped("No transparent surface covers this pixel. Click one in the scene.");
         return;
     }
+    ImGui::TextWrapped("%s", m.verdict.sentence.c_str());
+    ui.mark("fragments.verdict");
+    tooltip(verdict_help(m.verdict));
     ImGui::TextUnformatted(summary(m).c_str());
     const ImGuiTableFlags flags = ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg |
                                   ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingFixedFit |

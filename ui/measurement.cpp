@@ -115,6 +115,10 @@ void measure_curves(Measurement& m, const ExplorerState& state) {
             sample_curve(pin.ray, *state.technique, state.parameters, plot_depths(pin.ray, SAMPLES / 2));
 }
 
+void measure_verdict(Measurement& m, const ExplorerState& state) {
+    m.verdict = pixel_verdict(m.capture.ray, *state.technique, state.parameters, m.capture.behind);
+}
+
 void measure_query(Measurement& m, const ExplorerState& state) {
     const float query = query_depth(m.capture.ray, state);
     m.canonical = canonical_representation(m.curve, query);

@@ -8,6 +8,7 @@
 #include "core/inspect/pixel_history.hpp"
 #include "core/inspect/sharp_bounds.hpp"
 #include "core/inspect/steps.hpp"
+#include "core/inspect/verdict.hpp"
 #include "core/render/renderer.hpp"
 #include "ui/state.hpp"
 
@@ -45,6 +46,7 @@ struct Measurement {
     CanonicalRepresentation canonical;
     Steps steps;                           // at the same query depth
     std::vector<PixelHistoryRow> history;  // front to back
+    Verdict verdict;                       // on the pixel's colour
     BandExit exit;
     SolverFailure failure;
     std::vector<Pinned> pins;
@@ -71,6 +73,9 @@ bool same_curves(const ExplorerState& a, const ExplorerState& b);
 
 /// Recomputes what follows from the captures: curves, band, history, pins' curves.
 void measure_curves(Measurement& measurement, const ExplorerState& state);
+
+/// Recomputes why the pixel's colour is wrong; depends on all parameters.
+void measure_verdict(Measurement& measurement, const ExplorerState& state);
 
 /// Recomputes the canonical representation and the steps at the query depth, from the curve's moments.
 void measure_query(Measurement& measurement, const ExplorerState& state);

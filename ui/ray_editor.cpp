@@ -34,7 +34,6 @@ struct EditorCanvas {
 namespace {
 
 constexpr std::size_t MOST_HANDLES = 2000;  // more would cover each other
-const glm::vec3 BACKGROUND(0.2f);           // what lies behind the ray, linear
 
 ImVec4 display_color(const glm::vec3& linear) {
     return {srgb_from_linear(linear.r), srgb_from_linear(linear.g), srgb_from_linear(linear.b), 1};
@@ -95,7 +94,7 @@ void draw_clipboard(const Ui& ui, const Measurement& m, ExplorerState& state, st
 
 void draw_swatches(const Ui& ui, const Measurement& m, const ExplorerState& state) {
     const PixelColors colors =
-        pixel_colors(m.capture.ray, m.history, *m.curve.technique, m.curve.parameters, BACKGROUND);
+        pixel_colors(m.capture.ray, m.history, *m.curve.technique, m.curve.parameters, m.capture.behind);
     const auto swatch = [&](const char* name, const glm::vec3& color) {
         ImGui::ColorButton(name, display_color(color), ImGuiColorEditFlags_NoTooltip,
                            {2.2f * em(), 1.2f * em()});

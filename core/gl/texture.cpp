@@ -8,15 +8,32 @@
 
 namespace momentscope {
 
+namespace {
+
+void use_without_filter(GLuint texture) {
+    glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTextureParameteri(texture, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTextureParameteri(texture, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+}  // namespace
+
 GlTexture make_texture(GLenum format, glm::ivec2 size) {
     GLuint name = 0;
     glCreateTextures(GL_TEXTURE_2D, 1, &name);
     GlTexture texture(name);
     glTextureStorage2D(texture, 1, format, size.x, size.y);
-    glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTextureParameteri(texture, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTextureParameteri(texture, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    use_without_filter(texture);
+    return texture;
+}
+
+GlTexture make_layered_texture(GLenum format, glm::ivec2 size, int layers) {
+    GLuint name = 0;
+    glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &name);
+    GlTexture texture(name);
+    glTextureStorage3D(texture, 1, format, size.x, size.y, layers);
+    use_without_filter(texture);
     return texture;
 }
 

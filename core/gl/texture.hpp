@@ -11,6 +11,9 @@ namespace momentscope {
 /// A texture of one level without filtering, contents undefined. format is sized, as GL_RGBA32F.
 GlTexture make_texture(GLenum format, glm::ivec2 size);
 
+/// The same with `layers` layers.
+GlTexture make_layered_texture(GLenum format, glm::ivec2 size, int layers);
+
 /// A framebuffer that draws to the colour textures in their order, and tests depth if depth != 0. Throws
 /// Error when this GL cannot render to them.
 GlFramebuffer make_framebuffer(std::initializer_list<GLuint> colors, GLuint depth);

@@ -12,6 +12,8 @@ namespace glsl::method_pixel {
 #define MAX_STATE_FLOATS 4
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
+#include "shaders/shared/portable_math.glsl"
+// portable_math first: pixel_state.glsl builds on it
 #include "shaders/shared/pixel_state.glsl"
 #pragma GCC diagnostic pop
 #undef MAX_STATE_FLOATS
@@ -25,17 +27,49 @@ MethodFragment method_fragment(const ViewRay& ray, const Fragment& fragment) {
     result.depth = 0.5f * (fragment.depth + 1.0f);
     result.view_depth = ray.warp.logarithmic ? fragment.view_depth : 2.0f + fragment.depth;
     result.window_depth = glsl::method_pixel::window_depth_of(result.view_depth, near, far);
+    result.plane_depth = glsl::method_pixel::plane_depth_of(result.view_depth, near, far);
     result.opacity = fragment.opacity;
     result.red = fragment.color.r;
     result.green = fragment.color.g;
     result.blue = fragment.color.b;
+    result.seed = fragment.seed;
+    result.threshold = fragment.threshold;
     return result;
 }
 
+namespace {
+
+// What the passes store for the fragments of one pixel, as later passes read it.
+PixelState state_of(const std::vector<Fragment>& fragments, const ViewRay& ray, const MethodKernel& kernel,
+                    const MethodSettings& settings) {
+    PixelState state = kernel.empty_state(settings);
+    for (const Fragment& fragment : fragments)
+        state = kernel.with_fragment(state, method_fragment(ray, fragment), settings);
+    const PixelState read = kernel.readable(state, settings);
+    if (kernel.with_fragment_again == nullptr) return read;
+    for (const Fragment& fragment : fragments)
+        state = kernel.with_fragment_again(state, read, method_fragment(ray, fragment), settings);
+    return kernel.readable(state, settings);
+}
+
+}  // namespace
+
 PixelState pixel_state(const ViewRay& ray, const Technique& technique, const MethodSettings& settings) {
-    PixelState state = technique.method->empty_state(settings);
-    for (const Fragment& fragment : ray.fragments)
-        state = technique.method->with_fragment(state, method_fragment(ray, fragment), settings);
+    const MethodKernel& kernel = *technique.method;
+    PixelState state;
+    if (settings.divisor == 1 || ray.shares.empty()) {
+        state = state_of(ray.fragments, ray, kernel, settings);
+    } else {
+        for (const FragmentShare& share : ray.shares) {
+            const PixelState part = state_of(share.fragments, ray, kernel, settings);
+            for (std::size_t i = 0; i < part.f.size(); ++i) state.f[i] += share.weight * part.f[i];
+        }
+    }
+    if (kernel.own_absorbance >= 0) {
+        float& own = state.f[static_cast<std::size_t>(kernel.own_absorbance)];
+        own = 0;
+        for (const Fragment& fragment : ray.fragments) own += fragment_absorbance(fragment.opacity);
+    }
     return state;
 }
 
@@ -46,6 +80,7 @@ std::vector<float> method_transmittance(const ViewRay& ray, const Technique& tec
     Fragment mean;
     for (const Fragment& fragment : ray.fragments)
         mean.opacity += fragment.opacity / static_cast<float>(ray.fragments.size());
+    mean.threshold = 0;  // drawn where there is a test
     std::vector<float> t;
     t.reserve(depths.size());
     for (const float depth : depths) {

@@ -12,7 +12,8 @@ namespace momentscope {
 /// What math files know of a fragment. Rays without a depth warp count as 1 to 3 scene units deep.
 MethodFragment method_fragment(const ViewRay& ray, const Fragment& fragment);
 
-/// What the pixel stores after all fragments, in submission order. Needs technique.method.
+/// What the pixel stores after all fragments, in submission order, as the last pass reads it; at low
+/// resolution the mixture of the ray's shares. Needs technique.method.
 PixelState pixel_state(const ViewRay& ray, const Technique& technique, const MethodSettings& settings);
 
 /// T at `depths` in [-1, 1], for techniques whose weight depends on opacity, too, that of a fragment of the

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 namespace momentscope {
@@ -11,7 +12,14 @@ Fragment plain_fragment(float depth, float opacity, std::size_t index) {
         // Okabe and Ito 2008, in linear RGB: told apart by the colour-blind too
         glm::vec3(0.79f, 0.35f, 0.00f), glm::vec3(0.09f, 0.46f, 0.81f), glm::vec3(0.00f, 0.34f, 0.17f),
         glm::vec3(0.87f, 0.77f, 0.05f), glm::vec3(0.00f, 0.17f, 0.45f), glm::vec3(0.66f, 0.11f, 0.00f)};
-    return {.depth = depth, .view_depth = depth, .opacity = opacity, .color = COLORS[index % COLORS.size()]};
+    const std::uint32_t seed =
+        fragment_seed(std::bit_cast<std::uint32_t>(depth), static_cast<std::uint32_t>(index), 0);
+    return {.depth = depth,
+            .view_depth = depth,
+            .opacity = opacity,
+            .color = COLORS[index % COLORS.size()],
+            .seed = seed,
+            .threshold = unit_random(seed, 0)};
 }
 
 ViewRay random_ray(RandomNumbers& random, int count, float least_opacity, float most_opacity) {

@@ -67,6 +67,15 @@ glm::vec3 color_from(const json& entry, const std::string& where) {
     return color;
 }
 
+std::uint32_t seed_from(const json& entry, std::uint32_t standard, const std::string& where) {
+    const auto found = entry.find("seed");
+    if (found == entry.end()) return standard;
+    if (!found->is_number_unsigned() || found->get<std::uint64_t>() > 0xffffffffU)
+        throw Error(
+            fmt::format("The view ray's {} needs a \"seed\" that is a whole number below 2^32.", where));
+    return found->get<std::uint32_t>();
+}
+
 Fragment fragment_from(const json& entry, std::size_t index, const DepthWarp& warp) {
     const std::string where = fmt::format("fragment {}", index);
     if (!entry.is_object()) throw Error(fmt::format("The view ray's {} must be an object.", where));
@@ -75,6 +84,9 @@ Fragment fragment_from(const json& entry, std::size_t index, const DepthWarp& wa
     fragment.opacity = number(entry, "opacity", where);
     fragment.color = color_from(entry, where);
     fragment.draw = static_cast<std::uint32_t>(index);
+    fragment.seed = seed_from(entry, fragment_seed(0, fragment.draw, 0), where);
+    fragment.threshold =
+        entry.contains("threshold") ? number(entry, "threshold", where) : unit_random(fragment.seed, 0);
     if (!(fragment.opacity >= 0 && fragment.opacity <= 1))
         throw Error(
             fmt::format("The view ray's {} has opacity {}; give one from 0 to 1.", where, fragment.opacity));
@@ -87,18 +99,55 @@ Fragment fragment_from(const json& entry, std::size_t index, const DepthWarp& wa
     return fragment;
 }
 
+std::vector<Fragment> fragments_from(const json& entries, const DepthWarp& warp) {
+    if (entries.size() > MAX_RAY_FRAGMENTS)
+        throw Error(fmt::format("The view ray has {} fragments; at most {} are read.", entries.size(),
+                                MAX_RAY_FRAGMENTS));
+    std::vector<Fragment> fragments;
+    for (std::size_t i = 0; i < entries.size(); ++i) fragments.push_back(fragment_from(entries[i], i, warp));
+    return fragments;
+}
+
+constexpr std::size_t MAX_SHARES = 16;
+
+std::vector<FragmentShare> shares_from(const json& root, const DepthWarp& warp) {
+    const auto found = root.find("shares");
+    if (found == root.end()) return {};
+    const auto good = [](const json& entry) {
+        return entry.is_object() && entry.contains("fragments") && entry["fragments"].is_array();
+    };
+    if (!found->is_array() || found->size() > MAX_SHARES || !std::ranges::all_of(*found, good))
+        throw Error(fmt::format(
+            "The view ray's \"shares\" must be a list of at most {} objects, each with a \"weight\" and "
+            "\"fragments\".",
+            MAX_SHARES));
+    std::vector<FragmentShare> shares;
+    for (const json& entry : *found)
+        shares.push_back({number(entry, "weight", "share"), fragments_from(entry["fragments"], warp)});
+    return shares;
+}
+
+json fragments_to_json(const std::vector<Fragment>& fragments, const DepthWarp& warp) {
+    json list = json::array();
+    for (const Fragment& f : fragments)
+        list.push_back({{"depth", warp.logarithmic ? f.view_depth : f.depth},
+                        {"opacity", f.opacity},
+                        {"color", {f.color.r, f.color.g, f.color.b}},
+                        {"seed", f.seed},
+                        {"threshold", f.threshold}});
+    return list;
+}
+
 }  // namespace
 
 json ray_to_json(const ViewRay& ray) {
-    json fragments = json::array();
-    for (const Fragment& f : ray.fragments)
-        fragments.push_back({{"depth", ray.warp.logarithmic ? f.view_depth : f.depth},
-                             {"opacity", f.opacity},
-                             {"color", {f.color.r, f.color.g, f.color.b}}});
     json warp = {{"kind", ray.warp.logarithmic ? "log" : "none"}};
     if (ray.warp.logarithmic) warp.update({{"z_min", ray.warp.z_min}, {"z_max", ray.warp.z_max}});
-    json root = {{"fragments", fragments}, {"warp", warp}};
+    json root = {{"fragments", fragments_to_json(ray.fragments, ray.warp)}, {"warp", warp}};
     if (ray.far_plane > 0) root.update({{"near", ray.near_plane}, {"far", ray.far_plane}});
+    for (const FragmentShare& share : ray.shares)
+        root["shares"].push_back(
+            {{"weight", share.weight}, {"fragments", fragments_to_json(share.fragments, ray.warp)}});
     return root;
 }
 
@@ -106,18 +155,14 @@ ViewRay ray_from_json(const std::string& text) {
     const json root = parse_ray(text);
     if (!root.is_object() || !root.contains("fragments") || !root["fragments"].is_array())
         throw Error("The view ray needs a list \"fragments\"; see the README for its form.");
-    const json& entries = root["fragments"];
-    if (entries.size() > MAX_RAY_FRAGMENTS)
-        throw Error(fmt::format("The view ray has {} fragments; at most {} are read.", entries.size(),
-                                MAX_RAY_FRAGMENTS));
     ViewRay ray;
     ray.warp = warp_from(root);
     if (root.contains("near")) ray.near_plane = number(root, "near", "top level");
     if (root.contains("far")) ray.far_plane = number(root, "far", "top level");
     if (ray.near_plane < 0 || ray.far_plane < ray.near_plane)
         throw Error("The view ray needs 0 <= near <= far.");
-    for (std::size_t i = 0; i < entries.size(); ++i)
-        ray.fragments.push_back(fragment_from(entries[i], i, ray.warp));
+    ray.fragments = fragments_from(root["fragments"], ray.warp);
+    ray.shares = shares_from(root, ray.warp);
     return ray;
 }
 

@@ -13,7 +13,16 @@ namespace glsl::fragment {
 #include "shaders/shared/portable_math.glsl"
 // portable_math first: fragment.glsl builds on it
 #include "shaders/shared/fragment.glsl"
+#include "shaders/shared/random_bits.glsl"
 }  // namespace glsl::fragment
+
+std::uint32_t fragment_seed(std::uint32_t pixel, std::uint32_t object, std::uint32_t depth_bits) {
+    return glsl::fragment::fragment_seed(pixel, object, depth_bits);
+}
+
+float unit_random(std::uint32_t seed, int i) {
+    return glsl::fragment::unit_random(seed, i);
+}
 
 float fragment_absorbance(float opacity) {
     return glsl::fragment::absorbance_of_opacity(opacity);

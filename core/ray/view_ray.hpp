@@ -14,8 +14,10 @@ struct Fragment {
     float view_depth = 0;  // distance from the camera plane in scene units, > 0; equals depth without a warp
     float opacity = 0;     // alpha_l in [0, 1]
     glm::vec3 color{0};    // linear RGB, shaded, >= 0
-    std::uint32_t draw = 0;       // index of the draw call
+    std::uint32_t draw = 0;       // index of the draw call, in the order of submission
     std::uint32_t primitive = 0;  // index of the triangle within it
+    std::uint32_t seed = 0;       // of its random numbers, for techniques that draw some
+    float threshold = 0.5f;       // of hashed alpha testing, [0, 1]
     friend bool operator==(const Fragment&, const Fragment&) = default;
 };
 
@@ -27,14 +29,30 @@ struct DepthWarp {
     friend bool operator==(const DepthWarp&, const DepthWarp&) = default;
 };
 
+/// The fragments that moments at low resolution hold for a pixel that reads them, with its share.
+struct FragmentShare {
+    float weight = 1;  // [0, 1]; the shares of a pixel sum to 1
+    std::vector<Fragment> fragments;
+    friend bool operator==(const FragmentShare&, const FragmentShare&) = default;
+};
+
 /// All fragments of a ray in submission order, which is the order in which moments are summed.
 struct ViewRay {
     std::vector<Fragment> fragments;
     DepthWarp warp;
     float near_plane = 0;  // of the camera, 0 when unknown
     float far_plane = 0;
+    std::vector<FragmentShare> shares =
+        {};  // what the pixel's moments are mixed of; empty: its own fragments
     friend bool operator==(const ViewRay&, const ViewRay&) = default;
 };
+
+/// The seed of an object's fragment in a pixel, x + 65536 y counted from the lower left, with the bits of its
+/// view depth (shaders/shared/random_bits.glsl).
+std::uint32_t fragment_seed(std::uint32_t pixel, std::uint32_t object, std::uint32_t depth_bits);
+
+/// The i-th random number in [0, 1) of a seed.
+float unit_random(std::uint32_t seed, int i);
 
 /// Absorbance -ln(1 - alpha_l) as the shaders compute it, in [0, 10].
 float fragment_absorbance(float opacity);

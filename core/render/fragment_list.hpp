@@ -18,7 +18,7 @@ struct FragmentNode {
     std::uint32_t primitive;
     std::uint32_t next;
     std::uint32_t pixel;  // x + 65536 y, in GL pixels
-    std::uint32_t padding;
+    float threshold;
 };
 static_assert(sizeof(FragmentNode) == 48);
 

@@ -14,6 +14,15 @@ void draw_transparent(const SceneBuffers& scene, GLuint target, Blending blendin
     glDisable(GL_DEPTH_TEST);
 }
 
+void draw_nearest(const SceneBuffers& scene, GLuint target) {
+    glBindFramebuffer(GL_FRAMEBUFFER, target);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
+    scene.draw(Surfaces::transparent);
+    glDepthFunc(GL_LESS);
+    glDisable(GL_DEPTH_TEST);
+}
+
 void clear_colors(GLuint target, int color_count) {
     const float zero[4] = {0, 0, 0, 0};
     for (int i = 0; i < color_count; ++i) glClearNamedFramebufferfv(target, GL_COLOR, i, zero);

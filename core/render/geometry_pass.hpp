@@ -14,6 +14,9 @@ enum class Blending { none, add, over };
 /// depth test off.
 void draw_transparent(const SceneBuffers& scene, GLuint target, Blending blending);
 
+/// The same, but of all fragments of a pixel the nearest stays, and of such the latest; writes depth.
+void draw_nearest(const SceneBuffers& scene, GLuint target);
+
 /// Zeros in the first `color_count` colours of a framebuffer.
 void clear_colors(GLuint target, int color_count);
 

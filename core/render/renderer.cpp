@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 
 #include "core/error.hpp"
 #include "core/gl/texture.hpp"
+#include "core/render/low_footprint.hpp"
 #include "core/render/moment_passes.hpp"
 #include "core/render/uniform_blocks.hpp"
 #include "core/scene/camera.hpp"
@@ -27,6 +29,25 @@ void require_gl_4_5() {
             fmt::format("This GL is version {}.{}; Momentscope needs OpenGL 4.5. Update the driver, or use "
                         "--headless, which renders in software.",
                         major, minor));
+}
+
+// Which is not the order in which nodes were appended.
+std::vector<FragmentNode> in_submission_order(std::vector<FragmentNode> nodes) {
+    std::ranges::sort(nodes, {},
+                      [](const FragmentNode& node) { return std::pair(node.draw, node.primitive); });
+    return nodes;
+}
+
+Fragment fragment_of(const FragmentNode& node, const SceneBuffers& scene) {
+    return {.depth = node.depth,
+            .view_depth = node.view_depth,
+            .opacity = node.color_opacity.a,
+            .color = glm::vec3(node.color_opacity),
+            .draw = node.draw,
+            .primitive = node.primitive,
+            .seed = fragment_seed(node.pixel, scene.object_of_draw(node.draw),
+                                  std::bit_cast<std::uint32_t>(node.view_depth)),
+            .threshold = node.threshold};
 }
 
 // What draws next may put back what it found, which must then still exist.
@@ -63,6 +84,7 @@ void Renderer::set_scene(const Scene& scene) {
 void Renderer::render(const View& view) {
     const Stage stage = first_stale_stage(view_, view);
     if (stage == Stage::nothing) return;
+    if (const char* why = why_refused(*view.technique, view.parameters); why != nullptr) throw Error(why);
     view_.technique = nullptr;  // until all went well
     if (view.size != view_.size) {
         view_.size = {0, 0};  // a failure halfway must not leave textures of one size beside the other
@@ -75,6 +97,7 @@ void Renderer::render(const View& view) {
         transparency_of_ = view.technique;
     }
     view_ = view;
+    buffers_->set_order(submission_order(view.parameters));
     update_frame_block(view);
     try {
         run_from(stage);
@@ -111,7 +134,8 @@ void Renderer::update_frame_block(const View& view) {
     const float aspect = static_cast<float>(view.size.x) / static_cast<float>(view.size.y);
     const FrameBlock block = {view_matrix(view.camera), projection_matrix(view.camera, aspect),
                               glm::vec4(warp, NEAR_PLANE, FAR_PLANE),
-                              glm::vec4(p.beta, p.theta, p.alpha, p.renormalize ? 1 : 0)};
+                              glm::vec4(p.beta, p.theta, p.alpha, p.renormalize ? 1 : 0),
+                              glm::ivec4(view.size, 0, 0)};
     glNamedBufferSubData(frame_block_, 0, sizeof(block), &block);
 }
 
@@ -260,17 +284,46 @@ std::vector<PixelCapture> Renderer::capture_region(glm::ivec2 corner, glm::ivec2
     }
     std::vector<PixelCapture> captures =
         sort_captures(pixel_list_->read(count), lower_left, extent, has_transmittance);
+    if (const auto low = transparency_->low_target()) add_shares(captures, *low, lower_left, extent);
     leave_nothing_bound();
     check_gl("capturing pixels");
     return captures;
 }
 
-// Gives every pixel its fragments in the order of submission, which is not the order in which nodes were
-// appended.
+// Low-resolution moments are made of the fragments of their own pixels, which are captured there.
+void Renderer::add_shares(std::vector<PixelCapture>& captures, const Transparency::LowTarget& low,
+                          glm::ivec2 lower_left, glm::ivec2 extent) {
+    const LowFootprint footprint(view_.size, low.size, lower_left, extent);
+    FragmentList list(low.size, PIXEL_LIST_CAPACITY, low.depth);
+    glViewport(0, 0, low.size.x, low.size.y);
+    const GLuint program = capture_programs_.get("passes/scene.vert", "passes/capture.frag");
+    std::vector<std::vector<Fragment>> of_pixel;
+    for (int y = 0; y < footprint.extent().y; ++y) {  // row by row, so that the list holds them
+        const std::size_t count = list.capture(pass_input(), program, footprint.corner() + glm::ivec2(0, y),
+                                               {footprint.extent().x, 1});
+        if (count > list.capacity())
+            throw Error(
+                fmt::format("A row of low-resolution moments has {} fragments; at most {} can be "
+                            "captured. Choose a smaller picture.",
+                            count, list.capacity()));
+        of_pixel.resize(of_pixel.size() + static_cast<std::size_t>(footprint.extent().x));
+        for (const FragmentNode& node : in_submission_order(list.read(count))) {
+            const int x = static_cast<int>(node.pixel & 0xffffU) - footprint.corner().x;
+            of_pixel[of_pixel.size() - static_cast<std::size_t>(footprint.extent().x - x)].push_back(
+                fragment_of(node, *buffers_));
+        }
+    }
+    glViewport(0, 0, view_.size.x, view_.size.y);
+    for (std::size_t i = 0; i < captures.size(); ++i) {
+        const int column = static_cast<int>(i) % extent.x, row = static_cast<int>(i) / extent.x;
+        captures[i].ray.shares =
+            footprint.shares_of({lower_left.x + column, lower_left.y + extent.y - 1 - row}, of_pixel);
+    }
+}
+
+// Gives every pixel its fragments.
 std::vector<PixelCapture> Renderer::sort_captures(std::vector<FragmentNode> nodes, glm::ivec2 lower_left,
                                                   glm::ivec2 extent, bool has_transmittance) const {
-    std::ranges::sort(nodes, {},
-                      [](const FragmentNode& node) { return std::pair(node.draw, node.primitive); });
     PixelCapture empty;
     empty.ray.warp = warp_;
     empty.ray.near_plane = NEAR_PLANE;
@@ -279,12 +332,18 @@ std::vector<PixelCapture> Renderer::sort_captures(std::vector<FragmentNode> node
     const auto index_of = [&](int x, int y) {  // of a GL pixel
         return static_cast<std::size_t>((extent.y - 1 - (y - lower_left.y)) * extent.x + x - lower_left.x);
     };
-    for (const FragmentNode& node : nodes) {
+    for (const FragmentNode& node : in_submission_order(std::move(nodes))) {
         PixelCapture& capture =
             captures[index_of(static_cast<int>(node.pixel & 0xffffU), static_cast<int>(node.pixel >> 16))];
-        capture.ray.fragments.push_back({node.depth, node.view_depth, node.color_opacity.a,
-                                         glm::vec3(node.color_opacity), node.draw, node.primitive});
+        capture.ray.fragments.push_back(fragment_of(node, *buffers_));
         if (has_transmittance) capture.transmittance.push_back(node.transmittance);
+    }
+    std::vector<glm::vec4> behind(captures.size());
+    glGetTextureSubImage(opaque_color_, 0, lower_left.x, lower_left.y, 0, extent.x, extent.y, 1, GL_RGBA,
+                         GL_FLOAT, static_cast<GLsizei>(behind.size() * sizeof(glm::vec4)), behind.data());
+    for (std::size_t i = 0; i < behind.size(); ++i) {
+        const glm::ivec2 at(static_cast<int>(i) % extent.x, static_cast<int>(i) / extent.x);
+        captures[index_of(lower_left.x + at.x, lower_left.y + at.y)].behind = glm::vec3(behind[i]);
     }
     const std::vector<MomentVector> stored = transparency_->read_moments(lower_left, extent);
     for (std::size_t i = 0; i < stored.size(); ++i) {

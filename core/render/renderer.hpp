@@ -33,6 +33,7 @@ struct PixelCapture {
     std::vector<float>
         transmittance;  // of the second pass at each fragment; empty when the technique has none
     std::optional<MomentVector> stored;  // by the first pass, as the texture units give it
+    glm::vec3 behind{0.2f};              // linear RGB of the opaque surface behind; grey without a scene
 };
 
 /// Draws into its own textures; needs a current OpenGL 4.5 context as long as it lives. Pixels count from the
@@ -88,6 +89,9 @@ private:
     GLuint capture_program(bool& has_transmittance);
     std::vector<PixelCapture> sort_captures(std::vector<FragmentNode> nodes, glm::ivec2 lower_left,
                                             glm::ivec2 extent, bool has_transmittance) const;
+
+    void add_shares(std::vector<PixelCapture>& captures, const Transparency::LowTarget& low,
+                    glm::ivec2 lower_left, glm::ivec2 extent);
 
     template <typename Draw>
     void timed(double& milliseconds, const Draw& draw);

@@ -1,20 +1,34 @@
 #include "core/render/scene_buffers.hpp"
 
-#include "core/render/uniform_blocks.hpp"
+#include <algorithm>
+#include <numeric>
+
+#include "core/ray/random_ray.hpp"
 
 namespace momentscope {
 
 namespace {
 
 template <typename T>
-GlBuffer make_buffer(const std::vector<T>& data) {
+GlBuffer make_buffer(const std::vector<T>& data, GLbitfield flags = 0) {
     GLuint name = 0;
     glCreateBuffers(1, &name);
     GlBuffer buffer(name);
     // GL refuses empty storage; a scene without objects still has a buffer.
     const auto bytes = static_cast<GLsizeiptr>(data.size() * sizeof(T));
-    glNamedBufferStorage(buffer, bytes > 0 ? bytes : 4, bytes > 0 ? data.data() : nullptr, 0);
+    glNamedBufferStorage(buffer, bytes > 0 ? bytes : 4, bytes > 0 ? data.data() : nullptr, flags);
     return buffer;
+}
+
+// Numbers below count in an order.
+std::vector<std::uint32_t> ordered(std::size_t count, SubmissionOrder::Kind kind, RandomNumbers& random) {
+    std::vector<std::uint32_t> numbers(count);
+    std::iota(numbers.begin(), numbers.end(), 0U);
+    if (kind == SubmissionOrder::Kind::reversed) std::ranges::reverse(numbers);
+    for (std::size_t i = count; kind == SubmissionOrder::Kind::shuffled && i > 1; --i)
+        std::swap(numbers[i - 1],
+                  numbers[static_cast<std::size_t>(random.whole(0, static_cast<int>(i) - 1))]);
+    return numbers;
 }
 
 struct Vertex {
@@ -23,13 +37,46 @@ struct Vertex {
 
 }  // namespace
 
-SceneBuffers::SceneBuffers(const Scene& scene) : objects_(scene.objects) {
+SubmissionOrder submission_order(const ParameterValues& values) {
+    return {static_cast<SubmissionOrder::Kind>(values[ParameterId::order].value_or(0.0f)),
+            static_cast<std::uint32_t>(values[ParameterId::order_seed].value_or(1.0f))};
+}
+
+SceneBuffers::SceneBuffers(const Scene& scene) : objects_(scene.objects), sequence_(scene.objects.size()) {
     for (const Mesh& mesh : scene.meshes) meshes_.push_back(upload(mesh));
-    std::vector<ObjectBlock> blocks;
-    for (std::size_t i = 0; i < objects_.size(); ++i)
-        blocks.push_back({objects_[i].model, glm::vec4(objects_[i].color, objects_[i].opacity),
-                          glm::uvec4(static_cast<std::uint32_t>(i), 0, 0, 0)});
-    object_blocks_ = make_buffer(blocks);
+    std::iota(sequence_.begin(), sequence_.end(), 0U);
+    object_blocks_ = make_buffer(object_blocks(), GL_DYNAMIC_STORAGE_BIT);
+}
+
+std::vector<ObjectBlock> SceneBuffers::object_blocks() const {
+    std::vector<ObjectBlock> blocks(objects_.size());
+    for (std::uint32_t draw = 0; draw < sequence_.size(); ++draw) {
+        const std::uint32_t i = sequence_[draw];
+        blocks[i] = {objects_[i].model, glm::vec4(objects_[i].color, objects_[i].opacity),
+                     glm::uvec4(draw, i, 0, 0)};
+    }
+    return blocks;
+}
+
+void SceneBuffers::set_order(const SubmissionOrder& order) {
+    if (order == order_) return;
+    order_ = order;
+    RandomNumbers random(order.seed);
+    sequence_ = ordered(objects_.size(), order.kind, random);
+    const std::vector<ObjectBlock> blocks = object_blocks();
+    if (!blocks.empty())
+        glNamedBufferSubData(object_blocks_, 0, static_cast<GLsizeiptr>(blocks.size() * sizeof(ObjectBlock)),
+                             blocks.data());
+    for (MeshBuffers& mesh : meshes_) {
+        std::vector<std::uint32_t> indices;
+        indices.reserve(mesh.submitted.size());
+        for (const std::uint32_t triangle : ordered(mesh.submitted.size() / 3, order.kind, random))
+            indices.insert(indices.end(), &mesh.submitted[3 * triangle], &mesh.submitted[3 * triangle] + 3);
+        if (!indices.empty())
+            glNamedBufferSubData(mesh.indices, 0,
+                                 static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)),
+                                 indices.data());
+    }
 }
 
 SceneBuffers::MeshBuffers SceneBuffers::upload(const Mesh& mesh) {
@@ -39,8 +86,8 @@ SceneBuffers::MeshBuffers SceneBuffers::upload(const Mesh& mesh) {
         vertices.push_back({mesh.positions[i], mesh.normals[i]});
     MeshBuffers buffers;
     buffers.vertices = make_buffer(vertices);
-    buffers.indices = make_buffer(mesh.indices);
-    buffers.index_count = static_cast<GLsizei>(mesh.indices.size());
+    buffers.indices = make_buffer(mesh.indices, GL_DYNAMIC_STORAGE_BIT);
+    buffers.submitted = mesh.indices;
     GLuint name = 0;
     glCreateVertexArrays(1, &name);
     buffers.array = GlVertexArray(name);
@@ -56,13 +103,13 @@ SceneBuffers::MeshBuffers SceneBuffers::upload(const Mesh& mesh) {
 }
 
 void SceneBuffers::draw(Surfaces surfaces) const {
-    for (std::size_t i = 0; i < objects_.size(); ++i) {
+    for (const std::size_t i : sequence_) {
         if (objects_[i].opaque() != (surfaces == Surfaces::opaque)) continue;
         const MeshBuffers& mesh = meshes_[objects_[i].mesh];
         glBindBufferRange(GL_UNIFORM_BUFFER, 1, object_blocks_,
                           static_cast<GLintptr>(i * sizeof(ObjectBlock)), sizeof(ObjectBlock));
         glBindVertexArray(mesh.array);
-        glDrawElements(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_INT, nullptr);
+        glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(mesh.submitted.size()), GL_UNSIGNED_INT, nullptr);
     }
 }
 

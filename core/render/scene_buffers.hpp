@@ -3,9 +3,19 @@
 #include <vector>
 
 #include "core/gl/handle.hpp"
+#include "core/parameters.hpp"
+#include "core/render/uniform_blocks.hpp"
 #include "core/scene/scene.hpp"
 
 namespace momentscope {
+
+/// Values of ParameterId::order; the seed is that of a shuffled one.
+struct SubmissionOrder {
+    enum class Kind { submitted, reversed, shuffled } kind = Kind::submitted;
+    std::uint32_t seed = 1;
+    friend bool operator==(const SubmissionOrder&, const SubmissionOrder&) = default;
+};
+SubmissionOrder submission_order(const ParameterValues& values);
 
 enum class Surfaces { opaque, transparent };
 
@@ -14,20 +24,28 @@ class SceneBuffers {
 public:
     explicit SceneBuffers(const Scene& scene);
 
-    /// Draws the opaque or the transparent objects in submission order with the program in use. The index of
-    /// an object in Scene::objects is its draw id.
+    /// The order of objects and of the triangles of each: as in the scene, backwards, or shuffled.
+    void set_order(const SubmissionOrder& order);
+
+    /// Which object, by its index in Scene::objects, is the draw call of that index.
+    std::uint32_t object_of_draw(std::uint32_t draw) const { return sequence_[draw]; }
+
+    /// Draws the opaque or the transparent objects in submission order with the program in use.
     void draw(Surfaces surfaces) const;
 
 private:
     struct MeshBuffers {
         GlBuffer vertices, indices;
         GlVertexArray array;
-        GLsizei index_count = 0;
+        std::vector<std::uint32_t> submitted;  // the indices as the scene has them
     };
     static MeshBuffers upload(const Mesh& mesh);
+    std::vector<ObjectBlock> object_blocks() const;
 
     std::vector<MeshBuffers> meshes_;
     std::vector<Object> objects_;
+    std::vector<std::uint32_t> sequence_;  // objects in the order of submission
+    SubmissionOrder order_;
     GlBuffer object_blocks_;
 };
 

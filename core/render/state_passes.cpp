@@ -2,20 +2,23 @@
 
 #include <fmt/format.h>
 
+#include <bit>
+
 #include "core/error.hpp"
 #include "core/gl/texture.hpp"
 #include "core/render/geometry_pass.hpp"
+#include "core/techniques/quantisation_glsl.hpp"
 
 namespace momentscope {
 
 namespace {
 
-constexpr GLuint FIRST_STATE_UNIT = 2;  // passes/stored_state.glsl
+// passes/stored_state.glsl and state_composite.frag
+constexpr GLuint FIRST_STATE_UNIT = 2;
+constexpr GLuint SAMPLES_UNIT = 3;
+constexpr GLuint OWN_ABSORBANCE_UNIT = 10;
 
-int texel_count(const Technique& technique, const MethodSettings& settings) {
-    return (technique.state_floats(settings) + 3) / 4;
-}
-
+// Samples are taken beside the absorbance, which is blended.
 Blending blending_of(Accumulation accumulation) {
     if (accumulation == Accumulation::ordered) return Blending::none;
     return accumulation == Accumulation::over ? Blending::over : Blending::add;
@@ -23,12 +26,19 @@ Blending blending_of(Accumulation accumulation) {
 
 }  // namespace
 
+int texel_count(const Technique& technique, const MethodSettings& settings) {
+    return (technique.state_floats(settings) + 3) / 4;
+}
+
 ShaderVariant state_variant(const Technique& technique, const MethodSettings& settings) {
-    return {.defines = {{"PIXEL_STATE", "1"},
-                        {"METHOD_SIZE", std::to_string(settings.size)},
-                        {"METHOD_OPTION", std::to_string(settings.option)},
-                        {"STATE_TEXELS", std::to_string(texel_count(technique, settings))}},
-            .technique = fmt::format("shared/{}.glsl", technique.math_file)};
+    ShaderVariant variant = {.defines = {{"PIXEL_STATE", "1"},
+                                         {"METHOD_SIZE", std::to_string(settings.size)},
+                                         {"METHOD_OPTION", std::to_string(settings.option)},
+                                         {"STATE_TEXELS", std::to_string(texel_count(technique, settings))}},
+                             .technique = fmt::format("shared/{}.glsl", technique.math_file)};
+    if (settings.divisor > 1) variant.defines["LOW_RESOLUTION"] = "1";
+    if (technique.uses(ParameterId::read_format)) variant.constants = quantisation_glsl(4);
+    return variant;
 }
 
 ShaderVariant state_building_variant(const Technique& technique, const MethodSettings& settings,
@@ -48,13 +58,19 @@ StatePasses::StatePasses(const Technique& technique, glm::ivec2 size, GLuint dep
     depth_target_ = make_framebuffer({}, depth);
     if (technique.method->holds_colors) return;
     weighted_color_ = make_texture(GL_RGBA32F, size);
-    color_target_ = make_framebuffer({weighted_color_}, depth);
+    if (technique.method->own_absorbance < 0) {
+        color_target_ = make_framebuffer({weighted_color_}, depth);
+    } else {
+        own_absorbance_ = make_texture(GL_RGBA32F, size);
+        color_target_ = make_framebuffer({weighted_color_, own_absorbance_}, depth);
+    }
 }
 
 // How many numbers a pixel stores depends on parameters.
 void StatePasses::make_states(const MethodSettings& settings) {
     const auto count = static_cast<std::size_t>(texel_count(technique_, settings));
     settings_ = settings;
+    if (technique_.method->accumulation == Accumulation::samples) make_samples(settings.size);
     if (states_.size() == count) return;
     states_.clear();
     std::vector<GLuint> names;
@@ -62,32 +78,60 @@ void StatePasses::make_states(const MethodSettings& settings) {
         states_.push_back(make_texture(GL_RGBA32F, size_));
         names.push_back(states_.back());
     }
-    state_target_ = make_framebuffer(names.data(), static_cast<int>(count), depth_);
+    GLuint depth = depth_;
+    if (technique_.method->accumulation == Accumulation::nearest)
+        depth = nearest_depth_ = make_texture(GL_DEPTH_COMPONENT32F, size_);
+    state_target_ = make_framebuffer(names.data(), static_cast<int>(count), depth);
+}
+
+void StatePasses::make_samples(int count) {
+    if (sample_count_ == count) return;
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
+    if (count > most)
+        throw Error(fmt::format("This GL has textures of at most {} layers; choose no more samples.", most));
+    samples_ = make_layered_texture(GL_R32UI, size_, count);
+    sample_count_ = count;
 }
 
 void StatePasses::clear_states() const {
     const PixelState empty = technique_.method->empty_state(settings_);
     for (std::size_t i = 0; i < states_.size(); ++i)
         glClearNamedFramebufferfv(state_target_, GL_COLOR, static_cast<GLint>(i), &empty.f[4 * i]);
+    const GLuint nothing = std::bit_cast<GLuint>(empty.f[1]);
+    if (samples_ != 0) glClearTexImage(samples_, 0, GL_RED_INTEGER, GL_UNSIGNED_INT, &nothing);
+    if (nearest_depth_ != 0)
+        glCopyImageSubData(depth_, GL_TEXTURE_2D, 0, 0, 0, 0, nearest_depth_, GL_TEXTURE_2D, 0, 0, 0, 0,
+                           size_.x, size_.y, 1);
 }
 
 void StatePasses::draw_moments(const PassInput& input) {
     make_states(input.parameters.method);
     clear_states();
+    glUseProgram(programs_.get("passes/scene.vert", "passes/state.frag",
+                               state_building_variant(technique_, settings_, access_)));
+    draw_states(input);
+}
+
+void StatePasses::draw_states(const PassInput& input) const {
+    if (technique_.method->accumulation == Accumulation::nearest) {
+        draw_nearest(input.scene, state_target_);
+        return;
+    }
+    if (samples_ != 0) glBindImageTexture(0, samples_, 0, GL_TRUE, 0, GL_READ_WRITE, GL_R32UI);
     const bool by_images = access_ == OrderedAccess::interlock;
     for (std::size_t i = 0; by_images && i < states_.size(); ++i)
         glBindImageTexture(static_cast<GLuint>(i), states_[i], 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
-    glUseProgram(programs_.get("passes/scene.vert", "passes/state.frag",
-                               state_building_variant(technique_, settings_, access_)));
     draw_transparent(input.scene, by_images ? depth_target_ : state_target_,
                      blending_of(technique_.method->accumulation));
-    if (by_images) glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+    if (by_images || samples_ != 0)
+        glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
 }
 
 void StatePasses::draw_color(const PassInput& input) {
     settings_ = input.parameters.method;  // an option may have changed that stores nothing
     if (technique_.method->holds_colors) return;
-    clear_colors(color_target_, 1);
+    clear_colors(color_target_, own_absorbance_ != 0 ? 2 : 1);
     glUseProgram(
         programs_.get("passes/scene.vert", "passes/state_color.frag", state_variant(technique_, settings_)));
     bind_states();
@@ -99,6 +143,7 @@ void StatePasses::draw_composite(const PassInput& input) {
                                state_variant(technique_, settings_)));
     glBindTextureUnit(0, input.opaque_color);
     glBindTextureUnit(1, weighted_color_);
+    glBindTextureUnit(OWN_ABSORBANCE_UNIT, own_absorbance_);
     bind_states();
     draw_fullscreen();
 }
@@ -112,6 +157,7 @@ std::optional<ShaderVariant> StatePasses::bind_for_capture(const ResolvedParamet
 void StatePasses::bind_states() const {
     for (std::size_t i = 0; i < states_.size(); ++i)
         glBindTextureUnit(FIRST_STATE_UNIT + static_cast<GLuint>(i), states_[i]);
+    if (samples_ != 0) glBindTextureUnit(SAMPLES_UNIT, samples_);
 }
 
 }  // namespace momentscope

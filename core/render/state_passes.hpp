@@ -1,5 +1,6 @@
-// state_passes.hpp -- techniques that store something else than moments: what a pixel stores is built in one
-// geometry pass, by blending or in order, and holds the colour already or weighs it in a second one.
+// state_passes.hpp -- techniques that store something else than moments alone: what a pixel stores is built
+// in one geometry pass, by blending, atomically or in order, and holds the colour already or weighs it in a
+// second one.
 #pragma once
 #include "core/render/transparency.hpp"
 
@@ -12,6 +13,9 @@ ShaderVariant state_variant(const Technique& technique, const MethodSettings& se
 ShaderVariant state_building_variant(const Technique& technique, const MethodSettings& settings,
                                      OrderedAccess access);
 
+/// Groups of four numbers that a pixel stores.
+int texel_count(const Technique& technique, const MethodSettings& settings);
+
 class StatePasses : public Transparency {
 public:
     /// Throws Error when the technique needs ordered access and there is none.
@@ -21,21 +25,29 @@ public:
     void draw_composite(const PassInput& input) override;
     std::optional<ShaderVariant> bind_for_capture(const ResolvedParameters& parameters) const override;
 
-private:
-    void make_states(const MethodSettings& settings);
-    void clear_states() const;
-    void bind_states() const;
+protected:
+    virtual void bind_states() const;
 
     const Technique& technique_;
     glm::ivec2 size_;
-    GLuint depth_;
-    OrderedAccess access_;  // none where blending does it
     MethodSettings settings_;
-    std::vector<GlTexture> states_;  // of four floats each
-    GlFramebuffer state_target_, depth_target_;
-    GlTexture weighted_color_;
-    GlFramebuffer color_target_;
     ProgramCache programs_;
+
+private:
+    void make_states(const MethodSettings& settings);
+    void make_samples(int count);
+    void clear_states() const;
+    void draw_states(const PassInput& input) const;
+
+    GLuint depth_;
+    OrderedAccess access_;           // none where blending does it
+    std::vector<GlTexture> states_;  // of four floats each
+    GlTexture samples_;              // depths as bits, one layer per sample
+    int sample_count_ = 0;
+    GlTexture nearest_depth_;  // where the nearest fragment counts
+    GlFramebuffer state_target_, depth_target_;
+    GlTexture weighted_color_, own_absorbance_;
+    GlFramebuffer color_target_;
 };
 
 }  // namespace momentscope

@@ -1,5 +1,6 @@
 #include "core/render/transparency.hpp"
 
+#include "core/render/low_resolution_passes.hpp"
 #include "core/render/moment_passes.hpp"
 #include "core/render/peeling_passes.hpp"
 #include "core/render/sorted_passes.hpp"
@@ -16,6 +17,8 @@ std::unique_ptr<Transparency> make_transparency(const Technique& technique, glm:
         case RenderPath::peeling:
             return std::make_unique<PeelingPasses>(size, depth);
         case RenderPath::states:
+            if (technique.method->with_fragment_again != nullptr)
+                return std::make_unique<LowResolutionPasses>(technique, size, depth, access);
             return std::make_unique<StatePasses>(technique, size, depth, access);
         case RenderPath::moments:
             break;

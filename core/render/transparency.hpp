@@ -48,6 +48,13 @@ public:
         return {};
     }
 
+    /// Where the first pass is drawn, if not at the resolution of the picture.
+    struct LowTarget {
+        glm::ivec2 size;
+        GLuint depth;  // of the opaque surfaces there
+    };
+    virtual std::optional<LowTarget> low_target() const { return {}; }
+
     /// Counts failed and clamped reconstructions into the bound two-channel target, additively. False when
     /// the technique reconstructs nothing.
     virtual bool draw_failures(const PassInput&) { return false; }

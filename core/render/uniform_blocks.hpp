@@ -10,6 +10,7 @@ struct FrameBlock {
     glm::mat4 projection;
     glm::vec4 depth_warp;
     glm::vec4 parameters;
+    glm::ivec4 picture;
 };
 
 struct alignas(256)

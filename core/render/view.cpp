@@ -11,6 +11,8 @@ Stage first_stale_stage(const View& before, const View& after) {
     Stage first = Stage::nothing;
     for (const ParameterId id : after.technique->parameters)
         if (before.parameters[id] != after.parameters[id]) first = std::min(first, parameter(id).invalidates);
+    for (const ParameterId id : SCENE_PARAMETERS)
+        if (before.parameters[id] != after.parameters[id]) first = std::min(first, parameter(id).invalidates);
     return first;
 }
 

@@ -2,28 +2,35 @@
 // the CPU.
 #pragma once
 #include <array>
+#include <cstdint>
 
 namespace momentscope {
 
-constexpr int STATE_CAPACITY = 32;
+constexpr int STATE_CAPACITY = 68;
 
 /// What a pixel stores; the math file of the technique says what which number is.
 struct PixelState {
     std::array<float, STATE_CAPACITY> f{};
 };
 
-/// Which variant of a technique: how many nodes, layers or frequencies, and the choice of a parameter.
+/// Which variant of a technique: how many nodes, layers, samples or frequencies, and the choices of
+/// parameters.
 struct MethodSettings {
     int size = 0;
     int option = 0;
+    float overestimation = 0.25f;  // of techniques that have moments, too, as is
+    float bias = 0;
+    int divisor = 1;  // of the picture's resolution, which that of the moments is
     friend bool operator==(const MethodSettings&, const MethodSettings&) = default;
 };
 
 /// shaders/shared/pixel_state.glsl. Depth in [0, 1] of the depth range; colour not multiplied by opacity.
 struct MethodFragment {
-    float depth = 0, view_depth = 0, window_depth = 0;
+    float depth = 0, view_depth = 0, window_depth = 0, plane_depth = 0;
     float opacity = 0;
     float red = 0, green = 0, blue = 0;
+    std::uint32_t seed = 0;
+    float threshold = 0;
 };
 
 /// Colour of all fragments as far as it is seen, and the transmittance of all.
@@ -32,8 +39,8 @@ struct Composited {
     float transmittance = 1;
 };
 
-/// How states of fragments come together: summed, put over what is there, or one after the other.
-enum class Accumulation { sum, over, ordered };
+/// How states of fragments come together (shaders/shared/pixel_state.glsl).
+enum class Accumulation { sum, over, ordered, samples, nearest };
 
 struct MethodKernel {
     Accumulation accumulation;
@@ -49,6 +56,17 @@ struct MethodKernel {
     /// fragments that are put over each other. Not bounded by 1 for every technique.
     float (*transmittance_at)(const PixelState& state, const MethodFragment& fragment,
                               const MethodSettings& settings);
+
+    /// Where a second geometry pass adds to the state what it makes of the first one's; else null. `read` is
+    /// what the first one stored, filterable.
+    PixelState (*with_fragment_again)(const PixelState& state, const PixelState& read,
+                                      const MethodFragment& fragment, const MethodSettings& settings);
+
+    /// The state as later passes read it, in the numbers that may be mixed with those of other pixels.
+    PixelState (*readable)(const PixelState& state, const MethodSettings& settings);
+
+    /// Which number the second pass replaces by the pixel's own total absorbance; -1 for none.
+    int own_absorbance;
 
     bool has_depths() const { return transmittance_at != nullptr; }
 

@@ -3,6 +3,7 @@
 #include "core/glsl.hpp"
 #include "core/techniques/method_kernel.hpp"
 #include "core/techniques/method_techniques.hpp"
+#include "core/techniques/quantisation.hpp"
 
 #include <algorithm>
 
@@ -14,6 +15,13 @@ namespace glsl::KERNEL_ID {
 #include "shaders/shared/portable_math.glsl"
 // portable_math first: fragment.glsl builds on it
 #include "shaders/shared/fragment.glsl"
+#include "shaders/shared/random_bits.glsl"
+// For those that read moments in 16 bits.
+constexpr auto THETA_ODD = flat_floats(quantisation_transform<4>().odd);
+constexpr auto THETA_EVEN = flat_floats(quantisation_transform<4>().even);
+constexpr auto THETA_ODD_INVERSE = flat_floats(inverse(quantisation_transform<4>().odd));
+constexpr auto THETA_EVEN_INVERSE = flat_floats(inverse(quantisation_transform<4>().even));
+constexpr auto THETA_EVEN_OFFSET = floats(quantisation_transform<4>().even_offset);
 #include METHOD_FILE
 constexpr int STATE_FLOATS = MAX_STATE_FLOATS;
 #pragma GCC diagnostic pop
@@ -25,11 +33,12 @@ namespace g = glsl::KERNEL_ID;
 static_assert(g::STATE_FLOATS <= STATE_CAPACITY && g::STATE_FLOATS % 4 == 0);
 
 g::MethodSettings to_shared(const MethodSettings& settings) {
-    return {settings.size, settings.option};
+    return {settings.size, settings.option, settings.overestimation, settings.bias};
 }
 
 g::MethodFragment to_shared(const MethodFragment& f) {
-    return {f.depth, f.view_depth, f.window_depth, f.opacity, f.red, f.green, f.blue};
+    return {f.depth, f.view_depth, f.window_depth, f.plane_depth, f.opacity,
+            f.red,   f.green,      f.blue,         f.seed,        f.threshold};
 }
 
 g::PixelState to_shared(const PixelState& state) {
@@ -44,6 +53,13 @@ PixelState from_shared(const g::PixelState& shared) {
     return state;
 }
 
+// As blending does it.
+[[maybe_unused]] PixelState blended(const PixelState& state, const PixelState& added, float kept) {
+    PixelState sum = state;
+    for (std::size_t i = 0; i < std::size_t{g::STATE_FLOATS}; ++i) sum.f[i] = added.f[i] + kept * sum.f[i];
+    return sum;
+}
+
 PixelState empty_state(const MethodSettings& settings) {
     return from_shared(g::empty_state(to_shared(settings)));
 }
@@ -53,20 +69,49 @@ PixelState with_fragment(const PixelState& state, const MethodFragment& fragment
 #ifdef STATE_ORDERED
     return from_shared(g::with_fragment(to_shared(state), to_shared(fragment), to_shared(settings)));
 #else
-    const g::PixelState added = g::fragment_state(to_shared(fragment), to_shared(settings));
-    PixelState sum = state;
-#ifdef STATE_OVER
-    const float kept = 1.0f - added.f[3];
+    const PixelState added =
+        from_shared(g::fragment_state(to_shared(fragment), to_shared(settings)));
+#if defined(STATE_NEAREST)
+    return added.f[3] <= state.f[3] ? added : state;
+#elif defined(STATE_SAMPLES)
+    PixelState result = state;
+    result.f[0] += added.f[0];
+    for (std::size_t i = 1; i < result.f.size(); ++i) result.f[i] = std::min(result.f[i], added.f[i]);
+    return result;
+#elif defined(STATE_OVER)
+    return blended(state, added, 1.0f - added.f[3]);
 #else
-    const float kept = 1.0f;
+    return blended(state, added, 1.0f);
 #endif
-    for (int i = 0; i < g::STATE_FLOATS; ++i) {
-        float& number = sum.f[static_cast<std::size_t>(i)];
-        number = added.f[i] + kept * number;
-    }
-    return sum;
 #endif
 }
+
+#ifdef SECOND_STATE
+PixelState with_fragment_again(const PixelState& state, const PixelState& read,
+                               const MethodFragment& fragment, const MethodSettings& settings) {
+    return blended(state,
+                   from_shared(g::second_fragment_state(to_shared(read), to_shared(fragment),
+                                                        to_shared(settings))),
+                   1.0f);
+}
+
+PixelState readable(const PixelState& state, const MethodSettings& settings) {
+    return from_shared(
+        g::filterable(g::converted(to_shared(state), to_shared(settings)), to_shared(settings)));
+}
+#else
+constexpr auto with_fragment_again = nullptr;
+
+PixelState readable(const PixelState& state, const MethodSettings&) {
+    return state;
+}
+#endif
+
+#ifdef OWN_ABSORBANCE
+constexpr int OWN = OWN_ABSORBANCE;
+#else
+constexpr int OWN = -1;
+#endif
 
 Composited composited(const PixelState& state, const MethodSettings& settings) {
     const g::Composited result = g::composited(to_shared(state), to_shared(settings));
@@ -86,6 +131,10 @@ float transmittance_at(const PixelState& state, const MethodFragment& fragment,
 constexpr Accumulation ACCUMULATION = Accumulation::sum;
 #elif defined(STATE_OVER)
 constexpr Accumulation ACCUMULATION = Accumulation::over;
+#elif defined(STATE_SAMPLES)
+constexpr Accumulation ACCUMULATION = Accumulation::samples;
+#elif defined(STATE_NEAREST)
+constexpr Accumulation ACCUMULATION = Accumulation::nearest;
 #else
 constexpr Accumulation ACCUMULATION = Accumulation::ordered;
 #endif
@@ -104,6 +153,9 @@ const MethodKernel& method_kernel(MethodKernelTag<MethodTechnique::KERNEL_ID>) {
                                             .empty_state = empty_state,
                                             .with_fragment = with_fragment,
                                             .transmittance_at = transmittance_at,
+                                            .with_fragment_again = with_fragment_again,
+                                            .readable = readable,
+                                            .own_absorbance = OWN,
                                             .composited = composited};
     return kernel;
 }

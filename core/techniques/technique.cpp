@@ -50,6 +50,13 @@ int whole(const std::optional<float>& value) {
     return static_cast<int>(value.value_or(0.0f));
 }
 
+/// Sets of five numbers: what is added up in floats, and what is read where it is converted.
+int moment_transparency_bits(const MethodSettings& settings) {
+    constexpr int READ_BITS[] = {0, 80, 80, 48};  // with b_0 as a half float
+    const int sets = settings.size / 8;
+    return sets * (160 + READ_BITS[settings.option % 4]) / (settings.divisor * settings.divisor);
+}
+
 Technique method_technique(const MethodKernel& kernel, const char* file, const char* id, const char* name,
                            std::vector<ParameterId> parameters,
                            MethodSettings (*settings)(const ParameterValues&),
@@ -68,7 +75,8 @@ Technique method_technique(const MethodKernel& kernel, const char* file, const c
             .parameters = std::move(parameters),
             .bits_per_pixel = bits(settings(ParameterValues())),
             .geometry_passes = kernel.holds_colors ? 1 : 2,
-            .order_dependent = kernel.accumulation != Accumulation::sum};
+            .order_dependent =
+                kernel.accumulation == Accumulation::over || kernel.accumulation == Accumulation::ordered};
 }
 
 std::vector<Technique> make_rows() {
@@ -142,6 +150,11 @@ const Technique& require_technique(std::string_view id) {
 }
 
 float automatic_bias(const ParameterValues& values, const Technique& technique) {
+    if (technique.method != nullptr) {
+        ParameterValues automatic = values;
+        automatic.set(ParameterId::alpha, std::nullopt);
+        return technique.method_settings(automatic).bias;
+    }
     return values[ParameterId::preset].value_or(0.0f) >= 0.5f ? technique.robust_bias
                                                               : technique.recommended_bias;
 }
@@ -160,6 +173,14 @@ ResolvedParameters resolve(const ParameterValues& values, const Technique& techn
 int bits_per_pixel(const Technique& technique, const ParameterValues& values) {
     return technique.method != nullptr ? technique.state_bits(technique.method_settings(values))
                                        : technique.bits_per_pixel;
+}
+
+const char* why_refused(const Technique& technique, const ParameterValues& values) {
+    const bool low = technique.uses(ParameterId::resolution) && values[ParameterId::resolution] != 0.0f;
+    if (low && values[ParameterId::read_format].value_or(0.0f) >= 2.0f)
+        return "Non-linearly quantised moments cannot be filtered: read them at full resolution, or choose the read "
+               "format float or theta16.";
+    return nullptr;
 }
 
 bool needs_order(const Technique& technique) {

@@ -65,6 +65,10 @@ ResolvedParameters resolve(const ParameterValues& values, const Technique& techn
 /// Bits that a pixel needs beside the colour buffers; 0 where it grows with the fragments, or for none.
 int bits_per_pixel(const Technique& technique, const ParameterValues& values);
 
+/// Why values make no sense together for the technique, as a sentence that says what to do; nullptr when they
+/// do.
+const char* why_refused(const Technique& technique, const ParameterValues& values);
+
 /// Must fragments of a pixel be read, changed and written in order whatever the parameters say?
 bool needs_order(const Technique& technique);
 

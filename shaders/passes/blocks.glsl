@@ -6,11 +6,12 @@ layout(std140, binding = 0) uniform Frame
     mat4 projection;
     vec4 depth_warp;      // log_z_min, scale of shared/fragment.glsl; near and far plane
     vec4 parameters;      // beta, theta, alpha, renormalise (0 or 1)
+    ivec4 picture;        // width, height
 } frame;
 
 layout(std140, binding = 1) uniform Object
 {
     mat4 model;
     vec4 color_opacity;
-    uvec4 draw;           // x: index of the draw call
+    uvec4 draw;           // index of the draw call in the order of submission, index of the object
 } object;

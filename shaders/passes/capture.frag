@@ -17,6 +17,7 @@ layout(early_fragment_tests) in;
 
 void main()
 {
+    float threshold = fragment_threshold();
     uint index = atomicAdd(fragment_list.count, 1u);
     if (index >= fragment_list.capacity) return;
     FragmentNode node;
@@ -30,7 +31,8 @@ void main()
 #endif
     node.draw = object.draw.x;
     node.primitive = uint(gl_PrimitiveID);
-    node.pixel = uint(gl_FragCoord.x) + 65536u * uint(gl_FragCoord.y);
+    node.pixel = fragment_pixel();
+    node.threshold = threshold;
     node.next = imageAtomicExchange(list_heads, ivec2(gl_FragCoord.xy), index);
     fragment_list.nodes[index] = node;
 }

@@ -10,7 +10,7 @@ struct FragmentNode
     uint primitive;
     uint next;             // index of another fragment of the pixel, or END_OF_LIST
     uint pixel;            // x + 65536 y
-    uint padding;
+    float threshold;       // of hashed alpha testing
 };
 
 const uint END_OF_LIST = 0xffffffffu;

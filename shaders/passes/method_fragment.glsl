@@ -15,6 +15,8 @@ MethodSettings method_settings()
     MethodSettings settings;
     settings.size = METHOD_SIZE;
     settings.option = METHOD_OPTION;
+    settings.overestimation = frame.parameters.x;
+    settings.bias = frame.parameters.z;
     return settings;
 }
 
@@ -25,10 +27,13 @@ MethodFragment method_fragment(vec3 color)
     fragment.view_depth = fragment_view_depth();
     fragment.depth = 0.5 * (fragment_depth() + 1.0);
     fragment.window_depth = window_depth_of(fragment.view_depth, frame.depth_warp.z, frame.depth_warp.w);
+    fragment.plane_depth = plane_depth_of(fragment.view_depth, frame.depth_warp.z, frame.depth_warp.w);
     fragment.opacity = fragment_opacity();
     fragment.red = color.r;
     fragment.green = color.g;
     fragment.blue = color.b;
+    fragment.seed = fragment_random_seed();
+    fragment.threshold = fragment_threshold();
     return fragment;
 }
 #endif

@@ -7,10 +7,12 @@ layout(location = 1) in vec3 normal;
 invariant gl_Position;
 invariant out vec3 eye_position;
 invariant out vec3 eye_normal;
+invariant out vec3 object_position;
 
 void main()
 {
     vec4 eye = frame.view * (object.model * vec4(position, 1.0));
+    object_position = position;
     eye_position = eye.xyz;
     eye_normal = mat3(frame.view) * (mat3(object.model) * normal);
     gl_Position = frame.projection * eye;

@@ -1,5 +1,6 @@
 // state.frag -- the first pass of techniques without moments: changes what a pixel stores by one fragment. With INTERLOCK or
-// FRAMEBUFFER_FETCH in submission order, else by blending.
+// FRAMEBUFFER_FETCH in submission order, else by blending, and samples by atomic operations. SECOND_PASS: the second one, of
+// those that have two.
 #if defined(INTERLOCK)
 #extension GL_ARB_fragment_shader_interlock : require
 #elif defined(FRAMEBUFFER_FETCH)
@@ -9,10 +10,16 @@
 #include "passes/shading.glsl"
 #include "passes/transparent_fragment.glsl"
 #include "technique"
+#ifdef SECOND_PASS
+#include "passes/stored_state.glsl"
+#else
 #include "passes/method_fragment.glsl"
+#endif
 #include "passes/state_targets.glsl"
 
-layout(early_fragment_tests) in;
+#ifndef STATE_NEAREST
+layout(early_fragment_tests) in;   // else the depth of what is discarded would be written
+#endif
 
 void main()
 {
@@ -25,7 +32,13 @@ void main()
 #ifdef INTERLOCK
     endInvocationInterlockARB();
 #endif
+#elif defined(SECOND_PASS)
+    write_state(second_fragment_state(stored_state(ivec2(gl_FragCoord.xy)), fragment, method_settings()));
 #else
-    write_state(fragment_state(fragment, method_settings()));
+    PixelState state = fragment_state(fragment, method_settings());
+#ifdef STATE_NEAREST
+    if (state.f[3] == NO_DEPTH) discard;
+#endif
+    write_state(state);
 #endif
 }

@@ -2,11 +2,15 @@
 #include "passes/blocks.glsl"
 #include "shared/portable_math.glsl"
 #include "shared/fragment.glsl"
+#include "shared/random_bits.glsl"
 #include "technique"
 #include "passes/stored_state.glsl"
 
 layout(binding = 0) uniform sampler2D opaque_texture;
 layout(binding = 1) uniform sampler2D weighted_color_texture;
+#ifdef OWN_ABSORBANCE
+layout(binding = 10) uniform sampler2D own_absorbance_texture;
+#endif
 
 layout(location = 0) out vec4 color;
 
@@ -14,7 +18,11 @@ void main()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec3 opaque = texelFetch(opaque_texture, pixel, 0).rgb;
-    Composited all = composited(stored_state(pixel), method_settings());
+    PixelState state = stored_state(pixel);
+#ifdef OWN_ABSORBANCE
+    state.f[OWN_ABSORBANCE] = texelFetch(own_absorbance_texture, pixel, 0).x;
+#endif
+    Composited all = composited(state, method_settings());
 #ifdef HOLDS_COLORS
     vec3 transparent_color = vec3(all.red, all.green, all.blue);
 #else

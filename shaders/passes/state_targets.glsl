@@ -1,5 +1,9 @@
 // state_targets.glsl -- where state.frag writes, and with ordered access reads, what a pixel stores: STATE_TEXELS groups of four
-// floats, as images (INTERLOCK) or colour attachments.
+// floats, as images (INTERLOCK) or colour attachments. A pass may write a part of them: WRITTEN_TEXELS from FIRST_TEXEL on.
+#ifndef FIRST_TEXEL
+#define FIRST_TEXEL 0
+#define WRITTEN_TEXELS STATE_TEXELS
+#endif
 
 #ifdef INTERLOCK
 layout(pixel_interlock_ordered) in;
@@ -7,7 +11,10 @@ layout(binding = 0, rgba32f) uniform coherent image2D state_images[STATE_TEXELS]
 #elif defined(FRAMEBUFFER_FETCH)
 layout(location = 0) inout vec4 state_texels[STATE_TEXELS];
 #else
-layout(location = 0) out vec4 state_texels[STATE_TEXELS];
+layout(location = 0) out vec4 state_texels[WRITTEN_TEXELS];
+#endif
+#ifdef STATE_SAMPLES
+layout(binding = 0, r32ui) uniform coherent uimage2DArray sample_images;
 #endif
 
 #if defined(INTERLOCK) || defined(FRAMEBUFFER_FETCH)
@@ -29,13 +36,19 @@ PixelState read_state()
 
 void write_state(PixelState state)
 {
-    for (int i = 0; i < STATE_TEXELS; ++i)
+    for (int i = 0; i < WRITTEN_TEXELS; ++i)
     {
-        vec4 texel = vec4(state.f[4 * i], state.f[4 * i + 1], state.f[4 * i + 2], state.f[4 * i + 3]);
+        int at = 4 * (FIRST_TEXEL + i);
+        vec4 texel = vec4(state.f[at], state.f[at + 1], state.f[at + 2], state.f[at + 3]);
 #ifdef INTERLOCK
         imageStore(state_images[i], ivec2(gl_FragCoord.xy), texel);
 #else
         state_texels[i] = texel;
 #endif
     }
+#ifdef STATE_SAMPLES
+    // Depths are not negative, so that their bits have their order.
+    for (int s = 0; s < METHOD_SIZE; ++s)
+        imageAtomicMin(sample_images, ivec3(ivec2(gl_FragCoord.xy), s), floatBitsToUint(state.f[1 + s]));
+#endif
 }

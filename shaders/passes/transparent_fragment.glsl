@@ -2,6 +2,10 @@
 #define TRANSPARENT_FRAGMENT
 #include "shared/portable_math.glsl"
 #include "shared/fragment.glsl"
+#include "shared/random_bits.glsl"
+#include "shared/alpha_threshold.glsl"
+
+in vec3 object_position;
 
 float fragment_opacity()
 {
@@ -11,6 +15,23 @@ float fragment_opacity()
 float fragment_view_depth()
 {
     return -eye_position.z;
+}
+
+uint fragment_pixel()
+{
+    return uint(gl_FragCoord.x) + 65536u * uint(gl_FragCoord.y);
+}
+
+uint fragment_random_seed()
+{
+    return fragment_seed(fragment_pixel(), object.draw.y, floatBitsToUint(fragment_view_depth()));
+}
+
+/// Of hashed alpha testing. Must be called where all lanes are, for its derivatives.
+float fragment_threshold()
+{
+    precise float width = max(length(dFdx(object_position)), length(dFdy(object_position)));
+    return alpha_threshold(object_position.x, object_position.y, object_position.z, width);
 }
 
 float fragment_depth()

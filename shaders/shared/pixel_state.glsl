@@ -3,25 +3,32 @@
 //   STATE_SUMS     states of fragments are summed, by additive blending
 //   STATE_OVER     states of fragments are put over what is there, by alpha blending
 //   STATE_ORDERED  with_fragment changes the state, fragment after fragment
+//   STATE_SAMPLES  of states of fragments, f[0] is summed and of all others the least is kept
+//   STATE_NEAREST  of states of fragments, that with the least f[3] is kept, and the latest of such
 // how a state comes about, with HOLDS_COLORS that it contains the pixel's colour, so that there is no second pass, and with
 // WITHOUT_DEPTHS that it knows no transmittance at a depth.
 
 struct PixelState { float f[MAX_STATE_FLOATS]; };
 
-/// Which variant of the technique: how many nodes, layers or frequencies, and the choice of a parameter.
-struct MethodSettings { int size; int option; };
+/// Which variant of the technique: how many nodes, layers, samples or frequencies, and the choices of parameters; overestimation
+/// weight and moment bias for those that have moments, too.
+struct MethodSettings { int size; int option; float overestimation; float bias; };
 
-/// One transparent fragment. Depths are 0 at the near end of the depth range and 1 at its far end, window depth those of the
-/// depth buffer; colour is not multiplied by opacity.
+/// One transparent fragment. Depth is 0 at the near end of the depth range and 1 at its far end, window depth that of the
+/// depth buffer, plane depth the same logarithmically; colour is not multiplied by opacity. seed: random_bits.glsl; threshold:
+/// alpha_threshold.glsl.
 struct MethodFragment
 {
     float depth;
     float view_depth;
     float window_depth;
+    float plane_depth;
     float opacity;
     float red;
     float green;
     float blue;
+    uint seed;
+    float threshold;
 };
 
 /// Colour of all fragments, multiplied by what is seen of it, and the transmittance of all.
@@ -51,4 +58,10 @@ FN Composited transparent(float transmittance)
 FN float window_depth_of(float view_depth, float near, float far)
 {
     return far * (view_depth - near) / (view_depth * (far - near));
+}
+
+/// The logarithm of the depth from the near plane, 0, to the far plane, 1 (Sharpe 2018, Equation 6).
+FN float plane_depth_of(float view_depth, float near, float far)
+{
+    return clamp(portable_log(view_depth / near) / portable_log(far / near), 0.0f, 1.0f);
 }

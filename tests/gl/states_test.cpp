@@ -22,15 +22,35 @@ std::vector<const Technique*> method_techniques() {
     return rows;
 }
 
-// All at their standard, and every other value of one parameter at a time.
+ParameterValues with(std::initializer_list<std::pair<ParameterId, float>> settings) {
+    ParameterValues values;
+    for (const auto& [id, value] : settings) values.set(id, value);
+    return values;
+}
+
+// All at their standard, every other value of one parameter at a time (of many, each the double of the one
+// before), and what Moment Transparency makes of several.
 std::vector<ParameterValues> choices_of(const Technique& technique) {
     std::vector<ParameterValues> all = {{}};
     for (const ParameterId id : technique.parameters) {
         const Parameter& row = parameter(id);
-        for (float value = row.minimum; value <= row.maximum; ++value) {
+        const bool many = row.maximum - row.minimum > 10;
+        for (float value = row.minimum; value <= row.maximum; value = many ? 2 * value : value + 1) {
             all.emplace_back();
             all.back().set(id, value);
         }
+    }
+    if (technique.uses(ParameterId::resolution)) {
+        using enum ParameterId;
+        all.push_back(with({{resolution, 2}, {read_format, 1}}));
+        all.push_back(with({{resolution, 1}, {moment_passes, 1}, {order, 1}}));
+        all.push_back(with({{resolution, 3}, {read_format, 1}, {moment_passes, 2}}));
+        all.push_back(with({{read_format, 3}, {moment_passes, 1}}));
+        all.push_back(with({{read_format, 2}, {depth_range, 1}}));
+    }
+    if (technique.order_dependent) {
+        all.push_back(with({{ParameterId::order, 1}}));
+        all.push_back(with({{ParameterId::order, 2}, {ParameterId::order_seed, 3}}));
     }
     return all;
 }

@@ -1,0 +1,177 @@
+#include "core/inspect/verdict.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "core/inspect/exact.hpp"
+#include "core/inspect/method_pixel.hpp"
+#include "core/inspect/pixel_color.hpp"
+
+namespace momentscope {
+
+namespace {
+
+constexpr double VISIBLE = 0.5 / 255;  // half of what the display can show
+
+constexpr std::size_t MOST_FRAGMENTS = 1000;  // exact arithmetic takes its time
+
+/// A colour on the way from the truth to the technique, and what the step to it adds.
+struct Step {
+    std::string cause;
+    glm::dvec3 color;
+};
+
+// Colours weighted by opacity and these transmittances, over what lies behind.
+glm::dvec3 weighted_color(const ViewRay& ray, const std::vector<double>& t, const glm::vec3& behind) {
+    glm::dvec3 sum(0);
+    for (std::size_t i = 0; i < t.size(); ++i)
+        sum += glm::dvec3(ray.fragments[i].color) * (t[i] * static_cast<double>(ray.fragments[i].opacity));
+    return sum + glm::dvec3(behind) * std::exp(-total_absorbance(ray));
+}
+
+std::vector<double> transmittances(const std::vector<double>& absorbances) {
+    std::vector<double> t;
+    for (const double absorbance : absorbances) t.push_back(std::exp(-absorbance));
+    return t;
+}
+
+std::vector<float> own_depths(const ViewRay& ray) {
+    std::vector<float> depths;
+    for (const Fragment& fragment : ray.fragments) depths.push_back(fragment.depth);
+    return depths;
+}
+
+// Chebyshev moments hold what power moments do.
+const Technique& with_reference(const Technique& technique) {
+    if (std::string_view(technique.basis) != "chebyshev") return technique;
+    return require_technique(fmt::format("power{}-32", technique.moment_count));
+}
+
+std::vector<Step> moment_steps(const ViewRay& ray, const Technique& technique, const ParameterValues& values,
+                               const glm::vec3& behind) {
+    const ResolvedParameters parameters = resolve(values, technique);
+    const Technique& reference = with_reference(technique);
+    const std::vector<float> depths = own_depths(ray);
+    const auto exact_color = [&](float theta, float alpha) {
+        ResolvedParameters exact = parameters;
+        exact.theta = theta;
+        exact.alpha = alpha;
+        const auto absorbances =
+            exact_absorbance(exact_function(ray, reference, exact), ray, parameters.beta, depths);
+        return weighted_color(ray, transmittances(absorbances), behind);
+    };
+    std::vector<Step> steps;
+    steps.push_back({fmt::format("the moment count ({} {} moments for {})", technique.moment_count,
+                                 technique.on_circle() ? "trigonometric" : "power",
+                                 fragment_count_text(ray.fragments.size())),
+                     exact_color(technique.on_circle() ? 0 : parameters.theta, 0)});
+    if (technique.on_circle()) steps.push_back({"the wrapping zone", exact_color(parameters.theta, 0)});
+    if (&reference == &technique)
+        steps.push_back({"the moment bias", exact_color(parameters.theta, parameters.alpha)});
+    const Curve curve = sample_curve(ray, technique, values, depths);
+    std::vector<double> t;
+    for (const float absorbance : curve.reconstructed)
+        t.push_back(static_cast<double>(transmittance(absorbance)));
+    steps.push_back({&reference != &technique       ? "the moment bias"
+                     : technique.kernel->bits == 16 ? "16-bit drift of the moments"
+                     : parameters.textbook          ? "the textbook solver"
+                                                    : "rounding of floats",
+                     weighted_color(ray, t, behind)});
+    return steps;
+}
+
+// As a technique would like it best: front to back where it merges what comes late, back to front where the
+// last lies on top.
+ViewRay best_ordered(const ViewRay& ray, Accumulation accumulation) {
+    ViewRay sorted = ray;
+    std::vector<std::size_t> places = front_to_back(ray);
+    if (accumulation == Accumulation::over) std::ranges::reverse(places);
+    for (std::size_t i = 0; i < places.size(); ++i) sorted.fragments[i] = ray.fragments[places[i]];
+    return sorted;
+}
+
+std::vector<Step> method_steps(const ViewRay& ray, const Technique& technique, const ParameterValues& values,
+                               const glm::vec3& behind) {
+    const ViewRay sorted =
+        technique.order_dependent ? best_ordered(ray, technique.method->accumulation) : ray;
+    ParameterValues ideal = values;
+    std::vector<Step> steps;
+    const auto add = [&](const char* cause, const ViewRay& of) {
+        const ResolvedParameters parameters = resolve(ideal, technique);
+        steps.push_back({cause, glm::dvec3(method_color(of, technique, parameters, behind))});
+    };
+    if (technique.uses(ParameterId::renormalize)) ideal.set(ParameterId::renormalize, 0.0f);
+    constexpr float FLOATS = 2;  // of ParameterId::layer_bits
+    if (technique.uses(ParameterId::layer_bits)) ideal.set(ParameterId::layer_bits, FLOATS);
+    if (technique.uses(ParameterId::resolution)) {
+        ideal.set(ParameterId::resolution, 0.0f);
+        ideal.set(ParameterId::read_format, 0.0f);
+    }
+    add("the method's own approximation", sorted);
+    for (const ParameterId id : {ParameterId::layer_bits, ParameterId::read_format}) {
+        if (!technique.uses(id)) continue;
+        ideal.set(id, values[id]);
+        add("rounding to few bits", sorted);
+    }
+    if (technique.uses(ParameterId::resolution)) {
+        ideal.set(ParameterId::resolution, values[ParameterId::resolution]);
+        add("the low resolution of the moments", sorted);
+    }
+    if (technique.order_dependent) add("the order of submission", ray);
+    return steps;
+}
+
+std::string sentence_of(const Verdict& verdict) {
+    if (verdict.error < VISIBLE)
+        return fmt::format("Right to {:.4f} in linear colour, which no display shows.", verdict.error);
+    const auto greatest = std::ranges::max_element(verdict.contributions, {}, &Contribution::share);
+    std::string text = fmt::format("Off by {:.3f} in linear colour, most of all by {}: {:+.3f}",
+                                   verdict.error, greatest->cause, greatest->share);
+    for (const Contribution& other : verdict.contributions)
+        if (&other != &*greatest && std::abs(other.share) >= 0.02 * verdict.error)
+            text += fmt::format("; {} {:+.3f}", other.cause, other.share);
+    return text + ".";
+}
+
+}  // namespace
+
+Verdict pixel_verdict(const ViewRay& ray, const Technique& technique, const ParameterValues& values,
+                      const glm::vec3& behind) {
+    if (ray.fragments.size() > MOST_FRAGMENTS)
+        return {
+            .error = 0,
+            .contributions = {},
+            .sentence = fmt::format("More than {} fragments are too many for a verdict.", MOST_FRAGMENTS)};
+    const std::vector<PixelHistoryRow> rows = pixel_history(ray, {}, technique, values);
+    const PixelColors colors = pixel_colors(ray, rows, technique, resolve(values, technique), behind);
+    Verdict verdict;
+    if (technique.is_truth()) {
+        verdict.sentence = "This technique is the truth.";
+        return verdict;
+    }
+    if (ray.fragments.empty()) {
+        verdict.sentence = "Nothing transparent here, nothing wrong.";
+        return verdict;
+    }
+    const glm::dvec3 truth(colors.truth), shown(colors.technique);
+    verdict.error = glm::length(shown - truth);
+    std::vector<Step> steps = technique.method != nullptr ? method_steps(ray, technique, values, behind)
+                                                          : moment_steps(ray, technique, values, behind);
+    if (technique.uses(ParameterId::renormalize))
+        steps.push_back({"renormalisation", shown});
+    else
+        steps.back().color = shown;
+    const glm::dvec3 direction = verdict.error > 0 ? (shown - truth) / verdict.error : glm::dvec3(0);
+    glm::dvec3 before = truth;
+    for (const Step& step : steps) {
+        verdict.contributions.push_back({step.cause, glm::dot(step.color - before, direction)});
+        before = step.color;
+    }
+    verdict.sentence = sentence_of(verdict);
+    return verdict;
+}
+
+}  // namespace momentscope

@@ -1,0 +1,29 @@
+// low_resolution_passes.hpp -- states that are built at the picture's resolution or a lower one, twice if
+// wanted, and converted before they are read (Sharpe 2018, Section 4).
+#pragma once
+#include "core/render/state_passes.hpp"
+
+namespace momentscope {
+
+class LowResolutionPasses : public StatePasses {
+public:
+    LowResolutionPasses(const Technique& technique, glm::ivec2 size, GLuint depth, OrderedAccess access);
+    void draw_moments(const PassInput& input) override;
+    std::optional<LowTarget> low_target() const override;
+
+private:
+    void bind_states() const override;
+    void make_targets(int divisor);
+    void draw_low_depth();
+    void draw_set(const PassInput& input, bool second);
+    void convert();
+
+    GLuint full_depth_;
+    glm::ivec2 low_size_{0};
+    GlTexture low_depth_;  // none at the picture's resolution
+    std::vector<GlTexture> sums_, converted_;
+    GlFramebuffer depth_target_, first_target_, second_target_, converted_target_;
+    GlProgram depth_program_;
+};
+
+}  // namespace momentscope

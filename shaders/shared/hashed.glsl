@@ -1,0 +1,42 @@
+// hashed.glsl -- hashed alpha testing (Wyman and McGuire 2017): a fragment is opaque where its opacity reaches a threshold
+// that is hashed from its place on the object, and not there elsewhere. No settings.
+#define MAX_STATE_FLOATS 4
+#define STATE_NEAREST
+#define HOLDS_COLORS
+#include "pixel_state.glsl"
+
+const float NO_DEPTH = 2.0f;   // where nothing is drawn
+
+/// Colour and depth of what is drawn.
+FN PixelState empty_state(IN(MethodSettings) settings)
+{
+    PixelState state = zero_state();
+    state.f[3] = NO_DEPTH;
+    return state;
+}
+
+FN PixelState fragment_state(IN(MethodFragment) fragment, IN(MethodSettings) settings)
+{
+    PixelState state;
+    state.f[0] = fragment.red;
+    state.f[1] = fragment.green;
+    state.f[2] = fragment.blue;
+    state.f[3] = fragment.opacity < fragment.threshold ? NO_DEPTH : fragment.depth;
+    return state;
+}
+
+/// 1 up to the depth of what is drawn, 0 behind it and for fragments that are not drawn.
+FN float transmittance_at(IN(PixelState) state, IN(MethodFragment) fragment, IN(MethodSettings) settings)
+{
+    bool seen = fragment.opacity >= fragment.threshold && fragment.depth <= state.f[3];
+    return seen ? 1.0f : 0.0f;
+}
+
+FN Composited composited(IN(PixelState) state, IN(MethodSettings) settings)
+{
+    Composited result = transparent(state.f[3] == NO_DEPTH ? 1.0f : 0.0f);
+    result.red = state.f[0];
+    result.green = state.f[1];
+    result.blue = state.f[2];
+    return result;
+}

@@ -1,0 +1,181 @@
+// moment_transparency.glsl -- Moment Transparency (Sharpe 2018): four power moments over the camera's own depth range, at low
+// resolution if wanted, read in fewer bits, and a second set of moments that knows the first. Settings: option is read format
+// (0 floats, 1 moments in 16 bits, 2 and 3 non-linearly quantised in 64 and 32 bits) + 4 * moment passes (0 one, 1 and 2 two, of
+// opacity and of visibility) + 12 * depth range (0 [-1, 1], 1 [0, 1] as published).
+#define MAX_STATE_FLOATS 16
+#define STATE_SUMS
+#define SECOND_STATE         // second_fragment_state
+#define OWN_ABSORBANCE 5     // where the absorbance of the very pixel stands, which the second pass adds up
+#include "pixel_state.glsl"
+#define MOMENT_COUNT 4
+#define MOMENT_BITS 32
+#include "power_moments.glsl"
+#include "reconstruction.glsl"
+#define THETA_TRANSFORM
+#include "unorm16_storage.glsl"
+#include "nonlinear_quantisation.glsl"
+
+const int SECOND = 8;   // f[0 ... 4]: b_0 ... b_4, f[8 ... 12]: those of the second pass
+
+FN int read_format(IN(MethodSettings) settings)
+{
+    return settings.option % 4;
+}
+
+/// 0: one pass; 1: a second set of moments, of opacities as the first lets them be seen; 2: of the visibility itself.
+FN int second_set(IN(MethodSettings) settings)
+{
+    return (settings.option / 4) % 3;
+}
+
+/// Equation 6, and mapped to [-1, 1] unless as published.
+FN float moment_depth(IN(MethodFragment) fragment, IN(MethodSettings) settings)
+{
+    return settings.option >= 12 ? fragment.plane_depth : 2.0f * fragment.plane_depth - 1.0f;
+}
+
+FN PixelState empty_state(IN(MethodSettings) settings)
+{
+    return zero_state();
+}
+
+FN PixelState with_moments(IN(PixelState) state, int first, IN(Moments) moments)
+{
+    PixelState result = state;
+    result.f[first] = moments.b0;
+    UNROLL
+    for (int i = 0; i < 4; ++i) result.f[first + 1 + i] = moments.b[i];
+    return result;
+}
+
+FN Moments moments_in(IN(PixelState) state, int first)
+{
+    Moments moments;
+    moments.b0 = state.f[first];
+    UNROLL
+    for (int i = 0; i < 4; ++i) moments.b[i] = state.f[first + 1 + i];
+    return moments;
+}
+
+/// What blending adds in the first pass (Equations 2 to 4).
+FN PixelState fragment_state(IN(MethodFragment) fragment, IN(MethodSettings) settings)
+{
+    Moments moments = fragment_moments(moment_depth(fragment, settings), absorbance_of_opacity(fragment.opacity),
+                                       make_basis(0.0f));
+    return with_moments(zero_state(), 0, moments);
+}
+
+/// Towards the moments that suit the numbers' rounding (Peters and Klein 2015; Peters et al. 2017).
+FN BiasedMoments biased_for(IN(Moments) moments, IN(MethodSettings) settings)
+{
+    float target = read_format(settings) == 1 ? 0.628f : 0.375f;
+    BiasedMoments biased;
+    biased.b0 = moments.b0;
+    UNROLL
+    for (int i = 0; i < 4; ++i)
+    {
+        biased.b[i] = moments.b[i];
+        PRECISE float pull = settings.bias * (moments.b0 * (i % 2 == 0 ? 0.0f : target) - moments.b[i]);
+        biased.pull[i] = pull;
+    }
+    return biased;
+}
+
+/// One set of moments as the read format holds it.
+FN Moments in_read_format(IN(Moments) moments, IN(MethodSettings) settings)
+{
+    if (read_format(settings) == 0 || is_empty(moments)) return moments;
+    Moments result;
+    if (read_format(settings) == 1)
+    {
+        Moments nothing;
+        nothing.b0 = 0.0f;
+        UNROLL
+        for (int i = 0; i < 4; ++i) nothing.b[i] = 0.0f;
+        result = with_fragment(nothing, moments);   // the sum of all fragments is stored as one would be
+        return result;
+    }
+    BiasedMoments biased = biased_for(moments, settings);
+    float b[4];
+    UNROLL
+    for (int i = 0; i < 4; ++i)
+    {
+        PRECISE float sum = biased.b[i] + biased.pull[i];
+        b[i] = sum / moments.b0;
+    }
+    TwoDepths exact = two_depths(b[0], b[1], b[2], b[3]);
+    TwoDepths quantised = exact;
+    if (read_format(settings) == 2) quantised = rounded_to_64_bits(exact);
+    else quantised = rounded_to_32_bits(exact);
+    result.b0 = rounded_to_half(moments.b0);
+    result.b[0] = quantised.near;
+    result.b[1] = quantised.far;
+    result.b[2] = quantised.weight;
+    result.b[3] = quantised.offset;
+    return result;
+}
+
+/// What the second pass reads, before it is filtered.
+FN PixelState converted(IN(PixelState) state, IN(MethodSettings) settings)
+{
+    PixelState first = with_moments(state, 0, in_read_format(moments_in(state, 0), settings));
+    return with_moments(first, SECOND, in_read_format(moments_in(state, SECOND), settings));
+}
+
+/// What may be mixed of neighbouring pixels: moments that are not normalised. Non-linearly quantised ones may not.
+FN PixelState filterable(IN(PixelState) state, IN(MethodSettings) settings)
+{
+    if (read_format(settings) != 1) return state;
+    PixelState first = with_moments(state, 0, unpacked_moments(moments_in(state, 0)));
+    return with_moments(first, SECOND, unpacked_moments(moments_in(state, SECOND)));
+}
+
+/// The share of a set's mass in front of a depth.
+FN float fraction_of(IN(Moments) moments, float depth, IN(MethodSettings) settings)
+{
+    if (read_format(settings) >= 2)
+    {
+        TwoDepths quantised;
+        quantised.near = moments.b[0];
+        quantised.far = moments.b[1];
+        quantised.weight = moments.b[2];
+        quantised.offset = moments.b[3];
+        return number_in_unit_range(fraction_of_two_depths(quantised, depth, settings.overestimation));
+    }
+    Factor factor = factor_moments(biased_for(moments, settings));
+    return number_in_unit_range(
+        fraction_in_front(reconstruct(factor, make_basis(0.0f), depth), settings.overestimation));
+}
+
+/// Equation 5. state: filterable.
+FN float first_transmittance(IN(PixelState) state, IN(MethodFragment) fragment, IN(MethodSettings) settings)
+{
+    Moments moments = moments_in(state, 0);
+    if (is_empty(moments)) return 1.0f;
+    return transmittance_of(moments.b0 * fraction_of(moments, moment_depth(fragment, settings), settings));
+}
+
+/// What blending adds in the second moment pass; state: filterable, of the first (two readings of Section 4.4).
+FN PixelState second_fragment_state(IN(PixelState) state, IN(MethodFragment) fragment, IN(MethodSettings) settings)
+{
+    float visibility = fragment.opacity * first_transmittance(state, fragment, settings);
+    float mass = second_set(settings) == 2 ? visibility : absorbance_of_opacity(visibility);
+    Moments moments = fragment_moments(moment_depth(fragment, settings), mass, make_basis(0.0f));
+    return with_moments(zero_state(), SECOND, moments);
+}
+
+/// state: filterable. Readings of two passes: the first pass's total distributed as the second moments say, as absorbance or as
+/// opacity.
+FN float transmittance_at(IN(PixelState) state, IN(MethodFragment) fragment, IN(MethodSettings) settings)
+{
+    Moments second = moments_in(state, SECOND);
+    if (second_set(settings) == 0 || is_empty(second)) return first_transmittance(state, fragment, settings);
+    float fraction = fraction_of(second, moment_depth(fragment, settings), settings);
+    if (second_set(settings) == 1) return transmittance_of(state.f[0] * fraction);
+    return 1.0f - (1.0f - transmittance_of(state.f[0])) * fraction;
+}
+
+FN Composited composited(IN(PixelState) state, IN(MethodSettings) settings)
+{
+    return transparent(transmittance_of(state.f[OWN_ABSORBANCE]));
+}

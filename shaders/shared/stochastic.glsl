@@ -1,0 +1,41 @@
+// stochastic.glsl -- stochastic transparency (Enderton et al. 2010): a fragment covers each sample of its pixel with a
+// probability of its opacity, samples keep the nearest depth, and the share of samples that see a depth estimates its
+// transmittance without bias. Settings: size samples, 1 to 64; option 1 for alpha correction.
+#define MAX_STATE_FLOATS 68
+#define STATE_SAMPLES
+#include "pixel_state.glsl"
+
+const float NO_DEPTH = 2.0f;   // of a sample that nothing covers
+
+/// f[0]: total absorbance; f[1 + s]: depth of sample s.
+FN PixelState empty_state(IN(MethodSettings) settings)
+{
+    PixelState state;
+    for (int i = 0; i < MAX_STATE_FLOATS; ++i) state.f[i] = i == 0 ? 0.0f : NO_DEPTH;
+    return state;
+}
+
+FN PixelState fragment_state(IN(MethodFragment) fragment, IN(MethodSettings) settings)
+{
+    PixelState state = empty_state(settings);
+    state.f[0] = absorbance_of_opacity(fragment.opacity);
+    for (int s = 0; s < settings.size; ++s)
+        state.f[1 + s] = unit_random(fragment.seed, s) < fragment.opacity ? fragment.depth : NO_DEPTH;
+    return state;
+}
+
+/// The share of samples with nothing strictly in front.
+FN float transmittance_at(IN(PixelState) state, IN(MethodFragment) fragment, IN(MethodSettings) settings)
+{
+    float seeing = 0.0f;
+    for (int s = 0; s < settings.size; ++s) seeing = state.f[1 + s] >= fragment.depth ? seeing + 1.0f : seeing;
+    return seeing / float(settings.size);
+}
+
+/// Without alpha correction the background, too, is seen through the samples that nothing covers.
+FN Composited composited(IN(PixelState) state, IN(MethodSettings) settings)
+{
+    float empty = 0.0f;
+    for (int s = 0; s < settings.size; ++s) empty = state.f[1 + s] == NO_DEPTH ? empty + 1.0f : empty;
+    return transparent(settings.option == 1 ? transmittance_of(state.f[0]) : empty / float(settings.size));
+}
