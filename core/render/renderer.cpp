@@ -55,7 +55,7 @@ Renderer::~Renderer() = default;
 
 void Renderer::set_scene(const Scene& scene) {
     bounds_ = transparent_bounds(scene);
-    buffers_ = std::make_unique<SceneBuffers>(scene);
+    buffers_ = std::make_unique<SceneBuffers>(scene);  // may fail; the last scene stays then
     background_ = scene.background;
     view_.technique = nullptr;  // everything is stale
 }

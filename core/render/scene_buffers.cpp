@@ -1,5 +1,8 @@
 #include "core/render/scene_buffers.hpp"
 
+#include <cstddef>
+
+#include "core/gl/texture.hpp"
 #include "core/render/uniform_blocks.hpp"
 
 namespace momentscope {
@@ -17,9 +20,20 @@ GlBuffer make_buffer(const std::vector<T>& data) {
     return buffer;
 }
 
-struct Vertex {
-    glm::vec3 position, normal;
-};
+// transparent_fragment.glsl; techniques use the units from 0 on.
+constexpr GLuint ALPHA_MAP_UNIT = 15;
+
+GlTexture make_alpha_map(const AlphaMap& map) {
+    GlTexture texture = make_texture(GL_R8, {map.width, map.height});
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTextureSubImage2D(texture, 0, 0, 0, map.width, map.height, GL_RED, GL_UNSIGNED_BYTE, map.bytes.data());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTextureParameteri(texture, GL_TEXTURE_WRAP_S, GL_REPEAT);
+    glTextureParameteri(texture, GL_TEXTURE_WRAP_T, GL_REPEAT);
+    return texture;
+}
 
 }  // namespace
 
@@ -30,13 +44,17 @@ SceneBuffers::SceneBuffers(const Scene& scene) : objects_(scene.objects) {
         blocks.push_back({objects_[i].model, glm::vec4(objects_[i].color, objects_[i].opacity),
                           glm::uvec4(static_cast<std::uint32_t>(i), 0, 0, 0)});
     object_blocks_ = make_buffer(blocks);
+    for (const AlphaMap& map : scene.alpha_maps) alpha_maps_.push_back(make_alpha_map(map));
+    no_alpha_map_ = make_alpha_map({1, 1, {255}});
+    check_gl("uploading the scene");
 }
 
 SceneBuffers::MeshBuffers SceneBuffers::upload(const Mesh& mesh) {
     std::vector<Vertex> vertices;
     vertices.reserve(mesh.positions.size());
     for (std::size_t i = 0; i < mesh.positions.size(); ++i)
-        vertices.push_back({mesh.positions[i], mesh.normals[i]});
+        vertices.push_back({mesh.positions[i], mesh.normals[i],
+                            mesh.texture_coordinates.empty() ? glm::vec2(0) : mesh.texture_coordinates[i]});
     MeshBuffers buffers;
     buffers.vertices = make_buffer(vertices);
     buffers.indices = make_buffer(mesh.indices);
@@ -46,12 +64,14 @@ SceneBuffers::MeshBuffers SceneBuffers::upload(const Mesh& mesh) {
     buffers.array = GlVertexArray(name);
     glVertexArrayVertexBuffer(name, 0, buffers.vertices, 0, sizeof(Vertex));
     glVertexArrayElementBuffer(name, buffers.indices);
-    for (GLuint attribute : {0U, 1U}) {  // position, normal
+    const auto add_attribute = [&](GLuint attribute, GLint floats, std::size_t offset) {
         glEnableVertexArrayAttrib(name, attribute);
-        glVertexArrayAttribFormat(name, attribute, 3, GL_FLOAT, GL_FALSE,
-                                  attribute * static_cast<GLuint>(sizeof(glm::vec3)));
+        glVertexArrayAttribFormat(name, attribute, floats, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
         glVertexArrayAttribBinding(name, attribute, 0);
-    }
+    };
+    add_attribute(0, 3, offsetof(Vertex, position));
+    add_attribute(1, 3, offsetof(Vertex, normal));
+    add_attribute(2, 2, offsetof(Vertex, texture_coordinate));
     return buffers;
 }
 
@@ -61,6 +81,8 @@ void SceneBuffers::draw(Surfaces surfaces) const {
         const MeshBuffers& mesh = meshes_[objects_[i].mesh];
         glBindBufferRange(GL_UNIFORM_BUFFER, 1, object_blocks_,
                           static_cast<GLintptr>(i * sizeof(ObjectBlock)), sizeof(ObjectBlock));
+        glBindTextureUnit(ALPHA_MAP_UNIT,
+                          objects_[i].alpha_map ? alpha_maps_[*objects_[i].alpha_map] : no_alpha_map_);
         glBindVertexArray(mesh.array);
         glDrawElements(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_INT, nullptr);
     }

@@ -9,9 +9,10 @@ namespace momentscope {
 
 enum class Surfaces { opaque, transparent };
 
-/// Vertex, index and uniform buffers of one scene; immutable.
+/// Vertex, index and uniform buffers and alpha maps of one scene; immutable.
 class SceneBuffers {
 public:
+    /// Throws Error when graphics memory runs out.
     explicit SceneBuffers(const Scene& scene);
 
     /// Draws the opaque or the transparent objects in submission order with the program in use. The index of
@@ -29,6 +30,8 @@ private:
     std::vector<MeshBuffers> meshes_;
     std::vector<Object> objects_;
     GlBuffer object_blocks_;
+    std::vector<GlTexture> alpha_maps_;
+    GlTexture no_alpha_map_;  // one white texel
 };
 
 }  // namespace momentscope
