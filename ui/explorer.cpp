@@ -1,6 +1,8 @@
 // explorer.cpp -- from the state to what is shown: which stages run again, and when.
 #include "ui/explorer.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -120,6 +122,7 @@ void Explorer::show_scene(Scene scene) {
     renderer_.set_scene(scene);
     truth_.reset();
     scene_ = std::move(scene);
+    if (!scene_.warnings.empty()) message_ = fmt::format("{}", fmt::join(scene_.warnings, " "));
     shown_view_.technique = nullptr;
     apply_opacity();
 }
