@@ -10,7 +10,7 @@
 namespace momentscope {
 
 /// The way of the data. A change invalidates its stage and all later ones.
-enum class Stage { scene, opaque, moments, color, composite, nothing };
+enum class Stage { scene, opaque, moments, color, composite, display, nothing };
 
 enum class ParameterId : std::size_t {
     beta,
@@ -26,9 +26,10 @@ enum class ParameterId : std::size_t {
     nodes,
     layers,
     layer_bits,
-    opacity
+    opacity,
+    tone_map
 };
-constexpr std::size_t PARAMETER_COUNT = 14;
+constexpr std::size_t PARAMETER_COUNT = 15;
 
 /// How a slider maps its way to a value; decides nothing but the looks.
 enum class Scale { linear, logarithmic, toggle, choice, whole };

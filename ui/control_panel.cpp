@@ -94,7 +94,8 @@ void draw_control_panel(const Ui& ui, OrderedAccess access, ExplorerState& state
     bool any = false;
     for (const Parameter& row : parameters()) {
         const bool of_mesh = row.id == ParameterId::opacity && !is_builtin_scene(state.scene) && !state.ray;
-        if (!state.technique->uses(row.id) && !of_mesh) continue;
+        const bool of_every_picture = row.id == ParameterId::tone_map && !state.ray;
+        if (!state.technique->uses(row.id) && !of_mesh && !of_every_picture) continue;
         draw_parameter_control(ui, row, automatic_bias(state.parameters, *state.technique),
                                LABEL_WIDTH * em(), to_type == row.id, state.parameters, message);
         any = true;
