@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "core/gl/texture.hpp"
+#include "core/render/scene_size.hpp"
 #include "core/render/uniform_blocks.hpp"
 
 namespace momentscope {
@@ -38,6 +39,7 @@ GlTexture make_alpha_map(const AlphaMap& map) {
 }  // namespace
 
 SceneBuffers::SceneBuffers(const Scene& scene) : objects_(scene.objects) {
+    require_drawable(size_of(scene));
     for (const Mesh& mesh : scene.meshes) meshes_.push_back(upload(mesh));
     std::vector<ObjectBlock> blocks;
     for (std::size_t i = 0; i < objects_.size(); ++i)

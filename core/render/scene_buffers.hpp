@@ -12,7 +12,7 @@ enum class Surfaces { opaque, transparent };
 /// Vertex, index and uniform buffers and alpha maps of one scene; immutable.
 class SceneBuffers {
 public:
-    /// Throws Error when graphics memory runs out.
+    /// Throws Error when the scene is too large, before it takes memory, and when graphics memory runs out.
     explicit SceneBuffers(const Scene& scene);
 
     /// Draws the opaque or the transparent objects in submission order with the program in use. The index of
