@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 
 #include "core/error.hpp"
 
@@ -125,7 +126,10 @@ std::vector<const Technique*> parse_techniques(const Options& options, const cha
 }
 
 Scene load_scene_option(const Options& options, const ParameterValues& parameters) {
-    return load_scene(options.scene, *parameters[ParameterId::opacity]);
+    Scene scene = load_scene(options.scene, *parameters[ParameterId::opacity]);
+    for (const std::string& warning : scene.warnings)
+        std::fputs(fmt::format("momentscope: {}\n", warning).c_str(), stderr);
+    return scene;
 }
 
 }  // namespace momentscope

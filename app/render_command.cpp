@@ -21,7 +21,7 @@ void run_render(const Options& options) {
     Renderer renderer;
     renderer.set_scene(scene);
     renderer.render({scene.camera, size, techniques.front(), parameters});
-    write_image(renderer.read_picture(), options.output);
+    write_image(renderer.read_picture(), options.output, tone_map_of(parameters));
 }
 
 }  // namespace momentscope

@@ -25,6 +25,7 @@ constexpr std::array READ_FORMATS = {"float", "theta16", "nlqm64", "nlqm32"};
 constexpr std::array MOMENT_PASSES = {"one", "opacity", "visibility"};
 constexpr std::array ORDERS = {"submitted", "reversed", "shuffled"};
 constexpr std::array DEPTH_RANGES = {"corrected", "published"};
+constexpr std::array TONE_MAPS = {"none", "reinhard", "filmic"};
 
 const std::array<Parameter, PARAMETER_COUNT> ROWS = {{
     {ParameterId::beta, "beta", "β", "overestimation weight", "", 0.0f, 1.0f, 0.25f, Scale::linear,
@@ -111,6 +112,11 @@ const std::array<Parameter, PARAMETER_COUNT> ROWS = {{
      Stage::scene,
      "Opacity of every fragment of a mesh that was loaded from a file. Built-in scenes bring their own.",
      "Münstermann et al. 2018, Section 2"},
+    {ParameterId::tone_map, "tone-map", "L_d", "tone map", "", 0.0f, 2.0f, 0.0f, Scale::choice,
+     Stage::display,
+     "How linear colours become those of the screen and of PNG files: as they are, cut at 1; by Reinhard's c / (1 + c), "
+     "which never cuts; or by a curve like that of film. EXR files and everything measured stay linear.",
+     "Reinhard et al. 2002, Equation 3; Narkowicz 2016", TONE_MAPS},
 }};
 
 bool is_whole(const Parameter& row) {

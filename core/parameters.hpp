@@ -10,7 +10,7 @@
 namespace momentscope {
 
 /// The way of the data. A change invalidates its stage and all later ones.
-enum class Stage { scene, opaque, moments, color, composite, nothing };
+enum class Stage { scene, opaque, moments, color, composite, display, nothing };
 
 enum class ParameterId : std::size_t {
     beta,
@@ -33,9 +33,10 @@ enum class ParameterId : std::size_t {
     depth_range,
     order,
     order_seed,
-    opacity
+    opacity,
+    tone_map
 };
-constexpr std::size_t PARAMETER_COUNT = 21;
+constexpr std::size_t PARAMETER_COUNT = 22;
 
 /// How a slider maps its way to a value; decides nothing but the looks.
 enum class Scale { linear, logarithmic, toggle, choice, whole };
@@ -57,8 +58,8 @@ struct Parameter {
     std::span<const char* const> choices = {};  // names of the values 0, 1, ...; for Scale::choice alone
 };
 
-/// Those that say how the scene is drawn, whatever the technique.
-inline constexpr std::array SCENE_PARAMETERS = {ParameterId::order, ParameterId::order_seed};
+/// Those that every picture of a scene reads, whatever the technique.
+inline constexpr std::array PICTURE_PARAMETERS = {ParameterId::order, ParameterId::order_seed, ParameterId::tone_map};
 
 /// All parameters, in the order of ParameterId.
 std::span<const Parameter> parameters();

@@ -1,6 +1,8 @@
 // explorer.cpp -- from the state to what is shown: which stages run again, and when.
 #include "ui/explorer.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -120,6 +122,7 @@ void Explorer::show_scene(Scene scene) {
     renderer_.set_scene(scene);
     truth_.reset();
     scene_ = std::move(scene);
+    if (!scene_.warnings.empty()) message_ = fmt::format("{}", fmt::join(scene_.warnings, " "));
     shown_view_.technique = nullptr;
     apply_opacity();
 }
@@ -195,7 +198,7 @@ void Explorer::report_passes(const PassCounts& before) {
 bool Explorer::fragments_stale(const View& view, Stage stage) const {
     if (stage <= Stage::opaque) return true;
     const bool reordered = std::ranges::any_of(
-        SCENE_PARAMETERS, [&](ParameterId id) { return view.parameters[id] != shown_view_.parameters[id]; });
+        PICTURE_PARAMETERS, [&](ParameterId id) { return view.parameters[id] != shown_view_.parameters[id]; });
     return reordered || (stage <= Stage::moments && view.technique->uses(ParameterId::resolution));
 }
 

@@ -101,7 +101,7 @@ void Explorer::export_to(const FileDialog::Choice& choice) {
         return;                 // who writes it says so
     } else if (kind.starts_with("picture")) {
         if (state_.ray) throw Error("A view ray of its own has no picture; choose a scene first.");
-        write_image(renderer_.read_picture(), choice.path);
+        write_image(renderer_.read_picture(), choice.path, tone_map_of(state_.parameters));
     } else if (kind == "curves_csv") {
         write_text_file(curves_to_csv(curves), choice.path);
     } else if (kind == "curves_json") {

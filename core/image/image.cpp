@@ -69,7 +69,7 @@ Image read_image(const std::filesystem::path& path) {
     return image;
 }
 
-void write_image(const Image& image, const std::filesystem::path& path) {
+void write_image(const Image& image, const std::filesystem::path& path, ToneMap tone_map) {
     if (path.extension() == ".exr") {
         const OIIO::ImageSpec spec(image.width, image.height, 4, OIIO::TypeDesc::FLOAT);
         write_pixels(path, spec, OIIO::TypeDesc::FLOAT, image.pixels.data());
@@ -78,8 +78,10 @@ void write_image(const Image& image, const std::filesystem::path& path) {
     std::vector<unsigned char> bytes;
     bytes.reserve(image.pixels.size() * 4);
     for (const glm::vec4& pixel : image.pixels) {
-        for (int c = 0; c < 3; ++c)
-            bytes.push_back(static_cast<unsigned char>(std::lround(255.0f * srgb_from_linear(pixel[c]))));
+        for (int c = 0; c < 3; ++c) {
+            const float shown = tone_mapped(std::max(pixel[c], 0.0f), tone_map);
+            bytes.push_back(static_cast<unsigned char>(std::lround(255.0f * srgb_from_linear(shown))));
+        }
         bytes.push_back(255);
     }
     write_png(bytes, image.width, image.height, path);

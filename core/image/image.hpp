@@ -4,6 +4,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "core/image/tone_map.hpp"
+
 namespace momentscope {
 
 /// Linear RGBA floats, row by row from the upper left corner.
@@ -38,8 +40,9 @@ float linear_from_srgb(float srgb);
 /// Throws Error.
 Image read_image(const std::filesystem::path& path);
 
-/// Writes .exr (linear floats) or .png (8-bit sRGB), to a temporary file that is then renamed. Throws Error.
-void write_image(const Image& image, const std::filesystem::path& path);
+/// Writes .exr (linear floats) or .png (8-bit sRGB of what the tone map makes of them), to a temporary file
+/// that is then renamed. Throws Error.
+void write_image(const Image& image, const std::filesystem::path& path, ToneMap tone_map = ToneMap::none);
 
 /// Writes 8-bit sRGB RGBA bytes, row by row from the top, as .png.
 void write_png(const std::vector<unsigned char>& rgba, int width, int height,

@@ -18,6 +18,7 @@ namespace momentscope {
 namespace {
 
 constexpr std::size_t PIXEL_LIST_CAPACITY = 65'536;
+constexpr GLint TONE_MAP_LOCATION = 0;  // display.frag
 
 void require_gl_4_5() {
     GLint major = 0;
@@ -75,8 +76,8 @@ Renderer::Renderer(OrderedAccess access) : access_(access) {
 Renderer::~Renderer() = default;
 
 void Renderer::set_scene(const Scene& scene) {
+    buffers_ = std::make_unique<SceneBuffers>(scene);  // may fail; the last scene stays then
     bounds_ = transparent_bounds(scene);
-    buffers_ = std::make_unique<SceneBuffers>(scene);
     background_ = scene.background;
     view_.technique = nullptr;  // everything is stale
 }
@@ -190,11 +191,14 @@ void Renderer::run_from(Stage stage) {
         timed(times_.color, [&] { transparency_->draw_color(input); });
         ++counts_.color;
     }
-    glBindFramebuffer(GL_FRAMEBUFFER, picture_target_);
-    timed(times_.composite, [&] { transparency_->draw_composite(input); });
-    ++counts_.composite;
+    if (stage <= Stage::composite) {
+        glBindFramebuffer(GL_FRAMEBUFFER, picture_target_);
+        timed(times_.composite, [&] { transparency_->draw_composite(input); });
+        ++counts_.composite;
+    }
     glBindFramebuffer(GL_FRAMEBUFFER, display_target_);
     glUseProgram(display_program_);
+    glUniform1i(TONE_MAP_LOCATION, static_cast<GLint>(tone_map_of(view_.parameters)));
     glBindTextureUnit(0, picture_);
     draw_fullscreen();
     leave_nothing_bound();

@@ -1,9 +1,12 @@
 #include "core/render/scene_buffers.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <numeric>
 
+#include "core/gl/texture.hpp"
 #include "core/ray/random_ray.hpp"
+#include "core/render/scene_size.hpp"
 
 namespace momentscope {
 
@@ -31,9 +34,20 @@ std::vector<std::uint32_t> ordered(std::size_t count, SubmissionOrder::Kind kind
     return numbers;
 }
 
-struct Vertex {
-    glm::vec3 position, normal;
-};
+// transparent_fragment.glsl; techniques use the units from 0 on.
+constexpr GLuint ALPHA_MAP_UNIT = 15;
+
+GlTexture make_alpha_map(const AlphaMap& map) {
+    GlTexture texture = make_texture(GL_R8, {map.width, map.height});
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTextureSubImage2D(texture, 0, 0, 0, map.width, map.height, GL_RED, GL_UNSIGNED_BYTE, map.bytes.data());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTextureParameteri(texture, GL_TEXTURE_WRAP_S, GL_REPEAT);
+    glTextureParameteri(texture, GL_TEXTURE_WRAP_T, GL_REPEAT);
+    return texture;
+}
 
 }  // namespace
 
@@ -43,9 +57,13 @@ SubmissionOrder submission_order(const ParameterValues& values) {
 }
 
 SceneBuffers::SceneBuffers(const Scene& scene) : objects_(scene.objects), sequence_(scene.objects.size()) {
+    require_drawable(size_of(scene));
     for (const Mesh& mesh : scene.meshes) meshes_.push_back(upload(mesh));
     std::iota(sequence_.begin(), sequence_.end(), 0U);
     object_blocks_ = make_buffer(object_blocks(), GL_DYNAMIC_STORAGE_BIT);
+    for (const AlphaMap& map : scene.alpha_maps) alpha_maps_.push_back(make_alpha_map(map));
+    no_alpha_map_ = make_alpha_map({1, 1, {255}});
+    check_gl("uploading the scene");
 }
 
 std::vector<ObjectBlock> SceneBuffers::object_blocks() const {
@@ -83,7 +101,8 @@ SceneBuffers::MeshBuffers SceneBuffers::upload(const Mesh& mesh) {
     std::vector<Vertex> vertices;
     vertices.reserve(mesh.positions.size());
     for (std::size_t i = 0; i < mesh.positions.size(); ++i)
-        vertices.push_back({mesh.positions[i], mesh.normals[i]});
+        vertices.push_back({mesh.positions[i], mesh.normals[i],
+                            mesh.texture_coordinates.empty() ? glm::vec2(0) : mesh.texture_coordinates[i]});
     MeshBuffers buffers;
     buffers.vertices = make_buffer(vertices);
     buffers.indices = make_buffer(mesh.indices, GL_DYNAMIC_STORAGE_BIT);
@@ -93,12 +112,14 @@ SceneBuffers::MeshBuffers SceneBuffers::upload(const Mesh& mesh) {
     buffers.array = GlVertexArray(name);
     glVertexArrayVertexBuffer(name, 0, buffers.vertices, 0, sizeof(Vertex));
     glVertexArrayElementBuffer(name, buffers.indices);
-    for (GLuint attribute : {0U, 1U}) {  // position, normal
+    const auto add_attribute = [&](GLuint attribute, GLint floats, std::size_t offset) {
         glEnableVertexArrayAttrib(name, attribute);
-        glVertexArrayAttribFormat(name, attribute, 3, GL_FLOAT, GL_FALSE,
-                                  attribute * static_cast<GLuint>(sizeof(glm::vec3)));
+        glVertexArrayAttribFormat(name, attribute, floats, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
         glVertexArrayAttribBinding(name, attribute, 0);
-    }
+    };
+    add_attribute(0, 3, offsetof(Vertex, position));
+    add_attribute(1, 3, offsetof(Vertex, normal));
+    add_attribute(2, 2, offsetof(Vertex, texture_coordinate));
     return buffers;
 }
 
@@ -108,6 +129,8 @@ void SceneBuffers::draw(Surfaces surfaces) const {
         const MeshBuffers& mesh = meshes_[objects_[i].mesh];
         glBindBufferRange(GL_UNIFORM_BUFFER, 1, object_blocks_,
                           static_cast<GLintptr>(i * sizeof(ObjectBlock)), sizeof(ObjectBlock));
+        glBindTextureUnit(ALPHA_MAP_UNIT,
+                          objects_[i].alpha_map ? alpha_maps_[*objects_[i].alpha_map] : no_alpha_map_);
         glBindVertexArray(mesh.array);
         glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(mesh.submitted.size()), GL_UNSIGNED_INT, nullptr);
     }

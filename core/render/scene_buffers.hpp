@@ -19,9 +19,10 @@ SubmissionOrder submission_order(const ParameterValues& values);
 
 enum class Surfaces { opaque, transparent };
 
-/// Vertex, index and uniform buffers of one scene; immutable.
+/// Vertex, index and uniform buffers and alpha maps of one scene; immutable.
 class SceneBuffers {
 public:
+    /// Throws Error when the scene is too large, before it takes memory, and when graphics memory runs out.
     explicit SceneBuffers(const Scene& scene);
 
     /// The order of objects and of the triangles of each: as in the scene, backwards, or shuffled.
@@ -47,6 +48,8 @@ private:
     std::vector<std::uint32_t> sequence_;  // objects in the order of submission
     SubmissionOrder order_;
     GlBuffer object_blocks_;
+    std::vector<GlTexture> alpha_maps_;
+    GlTexture no_alpha_map_;  // one white texel
 };
 
 }  // namespace momentscope

@@ -10,6 +10,10 @@ namespace {
 
 constexpr std::size_t LIST_CAPACITY = 2'500'000;  // 120 MB, or what this GL allows in one buffer
 
+std::size_t megabytes(std::size_t fragments) {
+    return fragments * sizeof(FragmentNode) / 1'000'000;
+}
+
 }  // namespace
 
 SortedPasses::SortedPasses(glm::ivec2 size, GLuint depth)
@@ -26,10 +30,10 @@ void SortedPasses::draw_composite(const PassInput& input) {
         const std::size_t count = list_.capture(input, capture_program_, {0, y}, {input.size.x, rows});
         if (count > list_.capacity()) {
             if (rows == 1)
-                throw Error(
-                    fmt::format("One row of the picture has {} transparent fragments, more than the {} that "
-                                "sorted can hold; use a smaller --size.",
-                                count, list_.capacity()));
+                throw Error(fmt::format(
+                    "One row of the picture has {} transparent fragments ({} MB), more than the {} "
+                    "({} MB) that sorted can hold; use a smaller --size.",
+                    count, megabytes(count), list_.capacity(), megabytes(list_.capacity())));
             rows = (rows + 1) / 2;
             continue;
         }

@@ -1,4 +1,5 @@
-// uniform_blocks.hpp -- shaders/passes/blocks.glsl in C++ (std140).
+// uniform_blocks.hpp -- what shaders read in C++: shaders/passes/blocks.glsl (std140), and the vertices of
+// scene.vert.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -18,6 +19,11 @@ struct alignas(256)
     glm::mat4 model;
     glm::vec4 color_opacity;
     glm::uvec4 draw;
+};
+
+struct Vertex {
+    glm::vec3 position, normal;
+    glm::vec2 texture_coordinate;
 };
 
 }  // namespace momentscope

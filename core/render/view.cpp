@@ -11,9 +11,13 @@ Stage first_stale_stage(const View& before, const View& after) {
     Stage first = Stage::nothing;
     for (const ParameterId id : after.technique->parameters)
         if (before.parameters[id] != after.parameters[id]) first = std::min(first, parameter(id).invalidates);
-    for (const ParameterId id : SCENE_PARAMETERS)
+    for (const ParameterId id : PICTURE_PARAMETERS)
         if (before.parameters[id] != after.parameters[id]) first = std::min(first, parameter(id).invalidates);
     return first;
+}
+
+ToneMap tone_map_of(const ParameterValues& values) {
+    return static_cast<ToneMap>(static_cast<int>(values[ParameterId::tone_map].value_or(0.0f)));
 }
 
 }  // namespace momentscope

@@ -2,6 +2,7 @@
 #pragma once
 #include <glm/glm.hpp>
 
+#include "core/image/tone_map.hpp"
 #include "core/parameters.hpp"
 #include "core/scene/scene.hpp"
 #include "core/techniques/technique.hpp"
@@ -16,10 +17,13 @@ struct View {
     ParameterValues parameters;
 };
 
+/// The curve that every technique's picture is shown with.
+ToneMap tone_map_of(const ParameterValues& values);
+
 constexpr int MAX_PICTURE_SIDE = 8192;
 
 /// The first stage that must run again for `after` when `before` was drawn last. Parameters that the
-/// technique does not read make nothing stale.
+/// technique does not read make nothing stale, but for the tone map, which is none of its business.
 Stage first_stale_stage(const View& before, const View& after);
 
 }  // namespace momentscope

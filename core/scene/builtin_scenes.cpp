@@ -83,11 +83,20 @@ std::uint32_t add_mesh(Scene& scene, Mesh mesh) {
     return static_cast<std::uint32_t>(scene.meshes.size() - 1);
 }
 
+std::uint32_t add_alpha_map(Scene& scene, AlphaMap map) {
+    scene.alpha_maps.push_back(std::move(map));
+    return static_cast<std::uint32_t>(scene.alpha_maps.size() - 1);
+}
+
 void add_ground(Scene& scene, float side, float y) {
+    add_ground(scene, side, y, linear_color(0xCFCBC4));
+}
+
+void add_ground(Scene& scene, float side, float y, const glm::vec3& color) {
     const std::uint32_t mesh = add_mesh(scene, make_rectangle(side, side, 1, 1));
     const glm::mat4 lowered = placed_at({0.0f, y, 0.0f});
     const glm::mat4 model = glm::rotate(lowered, -glm::half_pi<float>(), glm::vec3(1.0f, 0.0f, 0.0f));
-    scene.objects.push_back({mesh, model, linear_color(0xCFCBC4)});
+    scene.objects.push_back({mesh, model, color});
 }
 
 glm::vec3 linear_color(std::uint32_t srgb) {

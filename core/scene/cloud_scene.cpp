@@ -1,8 +1,5 @@
 // cloud_scene.cpp -- a cloud of particles with a dense disk in it: what the paper's Fig. 2 and 9 look at.
-#include <cmath>
-#include <glm/gtc/constants.hpp>
-
-#include "core/ray/random_ray.hpp"
+#include "core/scene/billboards.hpp"
 #include "core/scene/builtin_scenes.hpp"
 
 namespace momentscope {
@@ -11,28 +8,6 @@ namespace {
 
 constexpr int PARTICLES = 600;
 constexpr int CORNERS = 10;  // of a particle's outline
-
-glm::vec3 in_unit_ball(RandomNumbers& random) {
-    while (true) {
-        const glm::vec3 point(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
-        if (glm::length(point) < 1) return point;
-    }
-}
-
-// A flat disk across `facing`, shaded as the surface of the cloud is there.
-void add_particle(Mesh& mesh, const glm::vec3& center, float radius, const glm::vec3& facing,
-                  const glm::vec3& normal) {
-    const glm::vec3 right = glm::normalize(glm::cross(glm::vec3(0, 1, 0), facing));
-    const glm::vec3 up = glm::cross(facing, right);
-    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-    for (int i = 0; i < CORNERS; ++i) {
-        const float angle = glm::two_pi<float>() * static_cast<float>(i) / CORNERS;
-        mesh.positions.push_back(center + radius * (std::cos(angle) * right + std::sin(angle) * up));
-        mesh.normals.push_back(normal);
-    }
-    for (std::uint32_t i = 2; i < CORNERS; ++i)
-        mesh.indices.insert(mesh.indices.end(), {first, first + i - 1, first + i});
-}
 
 }  // namespace
 
@@ -49,13 +24,13 @@ Scene build_cloud() {
     for (int i = 0; i < PARTICLES; ++i) {
         const glm::vec3 place = in_unit_ball(random);
         const float radius = random.uniform(0.2f, 0.5f);
-        add_particle(particles, place * extent, radius, facing,
-                     glm::normalize(place / extent + 0.3f * facing));
+        const glm::vec3 normal = glm::normalize(place / extent + 0.3f * facing);
+        add_billboard(particles, {place * extent, radius, facing, normal}, CORNERS);
     }
     scene.objects.push_back({add_mesh(scene, std::move(particles)), glm::mat4(1), glm::vec3(0.92f), 0.06f});
     Mesh disk;
     const glm::vec3 tilted = glm::normalize(facing + glm::vec3(0.5f, 0.6f, 0.0f));
-    add_particle(disk, glm::vec3(0.1f, 0.0f, 0.0f), 0.6f, tilted, tilted);
+    add_billboard(disk, {glm::vec3(0.1f, 0.0f, 0.0f), 0.6f, tilted, tilted}, CORNERS);
     scene.objects.push_back({add_mesh(scene, std::move(disk)), glm::mat4(1), linear_color(0xC8321E), 0.94f});
     add_ground(scene, 30.0f, -1.8f);
     return scene;

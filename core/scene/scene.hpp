@@ -2,17 +2,21 @@
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "core/image/alpha_map.hpp"
 
 namespace momentscope {
 
 /// Triangles with one unit normal per vertex. indices.size() is a multiple of 3, every index is
-/// < positions.size(), and normals.size() == positions.size().
+/// < positions.size(), and normals.size() == positions.size(). Texture coordinates are as many or none.
 struct Mesh {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
     std::vector<std::uint32_t> indices;
+    std::vector<glm::vec2> texture_coordinates = {};  // (0, 0) is a map's lower left corner
 };
 
 /// One draw call: a mesh placed in the world with one material.
@@ -20,8 +24,9 @@ struct Object {
     std::uint32_t mesh = 0;          // index into Scene::meshes
     glm::mat4 model = glm::mat4(1);  // rigid or uniformly scaled, so that normals need no inverse
     glm::vec3 color = glm::vec3(1);  // linear RGB albedo, >= 0
-    float opacity = 1.0f;            // alpha_l in [0, 1]; 1 is drawn in the opaque pass
-    bool opaque() const { return opacity >= 1.0f; }
+    float opacity = 1.0f;            // alpha_l in [0, 1]; 1 without a map is drawn in the opaque pass
+    std::optional<std::uint32_t> alpha_map = {};  // index into Scene::alpha_maps; opacity is multiplied by it
+    bool opaque() const { return opacity >= 1.0f && !alpha_map; }
 };
 
 /// A pinhole camera that orbits `target`. Angles in radians; y is up.
@@ -38,11 +43,13 @@ struct Camera {
 struct Scene {
     std::string id;  // registry id or file name
     std::vector<Mesh> meshes;
+    std::vector<AlphaMap> alpha_maps;
     std::vector<Object> objects;
     Camera camera;
     glm::vec3 background = glm::vec3(0.8f);  // linear RGB
     glm::vec2 picked = glm::vec2(0.5f);      // the pixel worth seeing first, as a fraction of
                                              // the picture, from its upper left corner
+    std::vector<std::string> warnings;  // a sentence for everything that is shown otherwise than it was meant
 };
 
 struct Sphere {

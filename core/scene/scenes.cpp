@@ -23,6 +23,11 @@ constexpr SceneEntry ENTRIES[] = {
     {"ties", "Pairs of sheets at the same depth, a hair and a step apart, and two that cross.", build_ties},
     {"cloud", "A cloud of particles, tens of them on a ray, with a disk of 94 % in it, as in Fig. 2.",
      build_cloud},
+    {"foliage", "A red teapot in front of leaves whose shape is an opacity texture, as in Fig. 7.",
+     build_foliage},
+    {"ship", "A rigged ship in particle fog, tens of fragments on a ray, as in Fig. 1.", build_ship},
+    {"smoke", "Glass bottles in grass and dense smoke, as in the scenes of Moment Transparency.",
+     build_smoke},
 };
 
 std::string scene_ids() {

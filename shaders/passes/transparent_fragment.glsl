@@ -7,9 +7,15 @@
 
 in vec3 object_position;
 
+in vec2 texture_coordinate;
+
+layout(binding = 15) uniform sampler2D alpha_map;   // white where the object has none
+
+/// May be 0. Level 0 always: what a pass samples must not depend on derivatives, which passes compute for different
+/// pixels.
 float fragment_opacity()
 {
-    return object.color_opacity.a;
+    return object.color_opacity.a * textureLod(alpha_map, texture_coordinate, 0.0).x;
 }
 
 float fragment_view_depth()

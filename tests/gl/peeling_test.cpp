@@ -29,7 +29,7 @@ double differing(const Image& a, const Image& b) {
 }
 
 TEST_F(PeelingTest, AgreesWithSortedOnEveryScene) {
-    for (const char* id : {"planes", "spheres", "teapots"}) {
+    for (const char* id : {"planes", "spheres", "teapots", "foliage", "smoke"}) {
         const Scene scene = load_scene(id, 0.4f);
         const glm::ivec2 size(480, 270);
         const double share = differing(picture(scene, "sorted", size), picture(scene, "peeling", size));

@@ -2,9 +2,12 @@
 #include <fmt/format.h>
 
 #include <bit>
+#include <functional>
 
 #include "core/compare/difference.hpp"
 #include "core/inspect/curve.hpp"
+#include "core/render/scene_size.hpp"
+#include "core/scene/shapes.hpp"
 #include "tests/gl/gl_fixture.hpp"
 #include "tests/property/moment_rows.hpp"
 
@@ -167,6 +170,40 @@ TEST_F(RendererTest, MoreMomentsAreCloserToTheTruth) {
     EXPECT_LT(trig4, trig3);
 }
 
+// The tone map is between the picture and the screen: no pass runs, and the picture stays linear.
+TEST_F(RendererTest, TheToneMapChangesWhatIsShownAlone) {
+    const Scene scene = load_scene("planes", 0.4f);
+    const auto shown = [](const Renderer& renderer) {
+        std::vector<unsigned char> bytes(64 * 36 * 4);
+        glGetTextureImage(renderer.display_texture(), 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                          static_cast<GLsizei>(bytes.size()), bytes.data());
+        return bytes;
+    };
+    for (const char* technique : {"power4-32", "sorted", "wboit"}) {
+        Renderer renderer;
+        renderer.set_scene(scene);
+        View view = view_of(scene, technique, {64, 36});
+        renderer.render(view);
+        const Image linear = renderer.read_picture();
+        for (const float choice : {0.0f, 1.0f, 2.0f}) {
+            const PassCounts before = renderer.pass_counts();
+            view.parameters.set(ParameterId::tone_map, choice);
+            renderer.render(view);
+            EXPECT_EQ(difference(before, renderer.pass_counts()), (Counts{0, 0, 0, 0}));
+            EXPECT_EQ(renderer.read_picture().pixels, linear.pixels);
+            const std::vector<unsigned char> bytes = shown(renderer);
+            for (int x = 0; x < 64; ++x) {
+                const glm::vec4 color = linear.at(x, 35);  // GL counts rows from below
+                for (int c = 0; c < 3; ++c) {
+                    const float mapped = tone_mapped(color[c], tone_map_of(view.parameters));
+                    EXPECT_NEAR(bytes[static_cast<std::size_t>(4 * x + c)], 255 * srgb_from_linear(mapped),
+                                1.0f);
+                }
+            }
+        }
+    }
+}
+
 TEST_F(RendererTest, RefusesSizesThatCannotBeDrawn) {
     const Scene scene = load_scene("planes", 0.4f);
     Renderer renderer;
@@ -175,6 +212,65 @@ TEST_F(RendererTest, RefusesSizesThatCannotBeDrawn) {
     EXPECT_THROW(renderer.render(view_of(scene, "sorted", {5, MAX_PICTURE_SIDE + 1})), Error);
     renderer.render(view_of(scene, "sorted", {1, 1}));
     EXPECT_EQ(renderer.read_picture().pixels.size(), 1u);
+}
+
+/// What an Error says that `run` must throw.
+std::string refusal(const std::function<void()>& run) {
+    try {
+        run();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "nothing was refused";
+}
+
+TEST_F(RendererTest, RefusesScenesThatAreTooLargeBeforeTheyTakeMemory) {
+    for (const SceneEntry& entry : scene_entries()) EXPECT_NO_THROW(require_drawable(size_of(entry.build())));
+    const Scene planes = load_scene("planes", 0.4f);
+    EXPECT_EQ(size_of(planes).vertices, 8u);
+    EXPECT_EQ(size_of(planes).bytes(), 8u * 32 + 12 * 4 + 5 * 256);
+    // 20 million triangles, the most that are read from a file, without a vertex in common.
+    EXPECT_NO_THROW(require_drawable({60'000'000, 60'000'000, 2, 0, 60'000'000}));
+    const std::string bytes = refusal([] {
+        require_drawable({200'000'000, 300'000'000, 1, 0, 300'000'000});
+    });
+    EXPECT_EQ(
+        bytes,
+        "The scene needs 7.1 GiB of graphics memory for 200000000 vertices, 100000000 triangles, 1 objects and 0 "
+        "texels, more than the 4 GiB that are used; simplify it.");
+    const std::string count = refusal([] { require_drawable({3, 2'147'483'649, 1, 0, 2'147'483'649}); });
+    EXPECT_NE(count.find("715827883 triangles, more than the 715827882"), std::string::npos) << count;
+
+    // Through the renderer, which is asked before anything is read: the last scene stays.
+    Renderer renderer;
+    renderer.set_scene(planes);
+    renderer.render(view_of(planes, "sorted", {32, 18}));
+    const Image before = renderer.read_picture();
+    Scene large = planes;
+    large.alpha_maps.push_back({65'536, 65'537, {}});
+    EXPECT_NE(refusal([&] { renderer.set_scene(large); }).find("4295032832 texels"), std::string::npos);
+    View again = view_of(planes, "sorted", {32, 18});
+    again.camera.azimuth += 1;
+    renderer.render(again);
+    renderer.render(view_of(planes, "sorted", {32, 18}));
+    EXPECT_EQ(renderer.read_picture().pixels, before.pixels);
+}
+
+// One row of 2.6 million fragments, which cannot be split into bands.
+TEST_F(RendererTest, RefusesRowsThatSortedCannotHold) {
+    Scene scene;
+    scene.camera = {glm::vec3(0), 1.0f, 0.0f, 0.0f, 0.8f};
+    scene.meshes = {make_rectangle(20'000.0f, 20.0f, 1, 1)};
+    scene.objects.resize(320, {0, glm::mat4(1), glm::vec3(1), 0.01f});
+    Renderer renderer;
+    renderer.set_scene(scene);
+    EXPECT_EQ(
+        refusal([&] {
+            renderer.render(view_of(scene, "sorted", {8192, 1}));
+        }),
+        "One row of the picture has 2621440 transparent fragments (125 MB), more than the 2500000 (120 MB) that "
+        "sorted can hold; use a smaller --size.");
+    renderer.render(view_of(scene, "sorted", {64, 1}));  // fewer fit
 }
 
 }  // namespace

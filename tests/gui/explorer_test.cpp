@@ -175,7 +175,7 @@ TEST_F(ExplorerTest, EveryTechniqueAndSceneCanBeChosen) {
         EXPECT_EQ(state().technique, &technique);
         EXPECT_TRUE(explorer().message().empty()) << technique.id << ": " << explorer().message();
     }
-    for (const char* scene : {"spheres", "teapots", "ties", "cloud"}) {
+    for (const char* scene : {"spheres", "teapots", "ties", "cloud", "foliage", "ship", "smoke"}) {
         play(fmt::format("click @controls.scene\nclick @controls.scene.{}", scene));
         EXPECT_EQ(state().scene, scene);
         EXPECT_FALSE(measurement().capture.ray.fragments.empty()) << scene;

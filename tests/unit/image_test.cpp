@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "core/error.hpp"
+#include "core/image/alpha_map.hpp"
 #include "core/output_file.hpp"
 
 namespace momentscope::test {
@@ -22,6 +23,62 @@ TEST(Srgb, FollowsTheStandard) {
     EXPECT_NEAR(255 * srgb_from_linear(0.0021246f), 7.0f, 0.01f) << "the linear part: 12.92 x";
     EXPECT_EQ(srgb_from_linear(-3), 0);
     EXPECT_NEAR(srgb_from_linear(40), 1, 1e-6);
+}
+
+// Equation 3 of Reinhard et al. and Narkowicz's fit of the ACES curve, computed elsewhere.
+TEST(ToneMap, FollowsItsCurves) {
+    for (const float linear : {0.0f, 0.25f, 1.0f, 8.0f})
+        EXPECT_EQ(tone_mapped(linear, ToneMap::none), linear);
+    EXPECT_FLOAT_EQ(tone_mapped(0.25f, ToneMap::reinhard), 0.2f);
+    EXPECT_FLOAT_EQ(tone_mapped(3.0f, ToneMap::reinhard), 0.75f);
+    EXPECT_NEAR(tone_mapped(0.18f, ToneMap::filmic), 0.2669f, 1e-4f);
+    EXPECT_NEAR(tone_mapped(1.0f, ToneMap::filmic), 0.8038f, 1e-4f);
+    for (const ToneMap curve : {ToneMap::reinhard, ToneMap::filmic}) {
+        EXPECT_EQ(tone_mapped(0.0f, curve), 0.0f);
+        for (float x = 0.05f; x < 20; x += 0.05f)
+            EXPECT_GT(tone_mapped(x, curve), tone_mapped(x - 0.05f, curve));
+    }
+}
+
+TEST(ToneMap, ChangesPngAndNotExr) {
+    const fs::path folder = fs::temp_directory_path() / "momentscope-tone-test";
+    fs::create_directories(folder);
+    Image image(1, 1);
+    image.at(0, 0) = {1.0f, 0.25f, 3.0f, 1.0f};
+    write_image(image, folder / "a.png", ToneMap::reinhard);
+    write_image(image, folder / "a.exr", ToneMap::reinhard);
+    const glm::vec4 shown = read_image(folder / "a.png").at(0, 0);
+    EXPECT_NEAR(shown.r, 0.5f, 5e-3f);  // half a step of 8 bits
+    EXPECT_NEAR(shown.g, 0.2f, 3e-3f);
+    EXPECT_NEAR(shown.b, 0.75f, 5e-3f);
+    EXPECT_EQ(read_image(folder / "a.exr").at(0, 0), image.at(0, 0));
+    fs::remove_all(folder);
+}
+
+// Rows of a map count from below; a picture without an alpha channel is taken as it is.
+TEST(AlphaMaps, AreTheAlphaChannelOrTheFirst) {
+    const fs::path folder = fs::temp_directory_path() / "momentscope-alpha-test";
+    fs::create_directories(folder);
+    std::vector<unsigned char> rgba;
+    for (const unsigned char alpha : std::initializer_list<unsigned char>{10, 20, 30, 40, 50, 60})
+        rgba.insert(rgba.end(), {255, 100, 0, alpha});
+    write_png(rgba, 2, 3, folder / "rgba.png");
+    const AlphaMap map = read_alpha_map(folder / "rgba.png");
+    EXPECT_EQ(map.width, 2);
+    EXPECT_EQ(map.height, 3);
+    EXPECT_EQ(map.bytes, (std::vector<std::uint8_t>{50, 60, 30, 40, 10, 20}));
+    std::ofstream(folder / "grey.pgm", std::ios::binary) << "P5 3 1 255\n" << '\x0a' << '\x7f' << '\xff';
+    EXPECT_EQ(read_alpha_map(folder / "grey.pgm").bytes, (std::vector<std::uint8_t>{10, 127, 255}));
+    fs::resize_file(folder / "rgba.png", fs::file_size(folder / "rgba.png") / 2);
+    for (const char* name : {"rgba.png", "missing.png", "."}) {
+        try {
+            read_alpha_map(folder / name);
+            ADD_FAILURE() << name << " is no map";
+        } catch (const Error& error) {
+            EXPECT_NE(std::string(error.what()).find((folder / name).string()), std::string::npos);
+        }
+    }
+    fs::remove_all(folder);
 }
 
 TEST(ImageValue, FlipsRows) {

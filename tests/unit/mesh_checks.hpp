@@ -26,6 +26,9 @@ inline void expect_well_formed(const Mesh& mesh) {
     ASSERT_FALSE(mesh.indices.empty());
     ASSERT_EQ(mesh.indices.size() % 3, 0u);
     ASSERT_EQ(mesh.normals.size(), mesh.positions.size());
+    if (!mesh.texture_coordinates.empty()) {
+        ASSERT_EQ(mesh.texture_coordinates.size(), mesh.positions.size());
+    }
     for (const std::uint32_t index : mesh.indices) ASSERT_LT(index, mesh.positions.size());
     for (const glm::vec3& p : mesh.positions) ASSERT_TRUE(std::isfinite(p.x + p.y + p.z));
     for (const glm::vec3& n : mesh.normals) ASSERT_NEAR(glm::length(n), 1.0f, 1e-5f);

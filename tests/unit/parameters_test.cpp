@@ -140,9 +140,11 @@ TEST(FirstStaleStage, FollowsWhatATechniqueReads) {
                   circle ? Stage::moments : Stage::nothing);
         EXPECT_EQ(stale_after_changing(technique, ParameterId::renormalize), Stage::composite);
         EXPECT_EQ(stale_after_changing(technique, ParameterId::opacity), Stage::nothing);  // the scene's
+        EXPECT_EQ(stale_after_changing(technique, ParameterId::tone_map), Stage::display);
     }
     for (const Parameter& row : parameters())
-        EXPECT_EQ(stale_after_changing("sorted", row.id), Stage::nothing);
+        EXPECT_EQ(stale_after_changing("sorted", row.id),
+                  row.id == ParameterId::tone_map ? Stage::display : Stage::nothing);
 }
 
 TEST(FirstStaleStage, IsTheEarliestOfSeveral) {

@@ -1,11 +1,17 @@
 // scene_test.cpp -- shapes, bounds and the built-in scenes; mesh_file_test.cpp covers files.
 #include "core/error.hpp"
+#include "core/scene/billboards.hpp"
+#include "core/scene/builtin_scenes.hpp"
 #include "core/scene/scenes.hpp"
 #include "core/scene/shapes.hpp"
+#include "core/scene/surfaces.hpp"
 #include "tests/unit/mesh_checks.hpp"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 #include <set>
@@ -93,6 +99,44 @@ TEST(Shapes, ColumnStandsOnTheGroundWithoutASeam) {
     EXPECT_EQ(mesh.positions[13], mesh.positions[25]);
 }
 
+TEST(Surfaces, FaceAlongUCrossV) {
+    Mesh mesh;
+    add_surface(mesh, 3, 2, [](float u, float v) { return glm::vec3(u, v, 0.1f * u * v); });
+    add_tube(mesh, {1, 2, 3}, {-2, 5, 3}, 0.3f, 0.1f, 7);
+    add_tube(mesh, {0, 0, 0}, {0, 2, 0}, 0.3f, 0.3f, 7);
+    const auto cone = [](float along) { return glm::vec2(along < 1.0f ? 1.0f - along : 0.0f, along); };
+    add_revolved(mesh, {4, 0, 0}, cone, 8, 4);
+    expect_well_formed(mesh);
+    EXPECT_EQ(agreeing_triangles(mesh), 1.0);
+    EXPECT_EQ(mesh.texture_coordinates.size(), mesh.positions.size());
+    EXPECT_EQ(mesh.texture_coordinates[3], glm::vec2(1, 0));
+    EXPECT_EQ(mesh.positions[3], glm::vec3(1, 0, 0));
+    // From 12 on: the first tube, whose every point lies at its radius from the axis, and whose normals point
+    // away.
+    for (std::size_t i = 12; i < 12 + 2 * 8; ++i) {
+        const glm::vec3 axis = glm::normalize(glm::vec3(-3, 3, 0));
+        const glm::vec3 from = mesh.positions[i] - glm::vec3(1, 2, 3);
+        const glm::vec3 outward = from - glm::dot(from, axis) * axis;
+        EXPECT_NEAR(glm::length(outward), i < 20 ? 0.3f : 0.1f, 1e-5f);
+        EXPECT_GT(glm::dot(glm::normalize(outward), mesh.normals[i]), 0.95f);
+    }
+}
+
+TEST(Billboards, FaceTheCameraWithTheirMapAroundThem) {
+    Mesh mesh;
+    const glm::vec3 facing = glm::normalize(glm::vec3(1, 0.5f, 2));
+    add_billboard(mesh, {glm::vec3(1, 2, 3), 0.5f, facing, glm::vec3(0, 1, 0), 0.7f}, 8);
+    expect_well_formed(mesh);
+    EXPECT_EQ(mesh.indices.size(), 18u);
+    for (std::size_t i = 0; i < 8; ++i) {
+        EXPECT_NEAR(glm::distance(mesh.positions[i], glm::vec3(1, 2, 3)), 0.5f, 1e-6f);
+        EXPECT_NEAR(glm::dot(mesh.positions[i] - glm::vec3(1, 2, 3), facing), 0.0f, 1e-6f);
+        EXPECT_NEAR(glm::distance(mesh.texture_coordinates[i], glm::vec2(0.5f)), 0.5f, 1e-6f);
+    }
+    const AlphaMap puff = make_puff(3);
+    for (int x = 0; x < puff.width; ++x) EXPECT_EQ(puff.bytes[static_cast<std::size_t>(x)], 0);
+}
+
 TEST(Teapot, HasNewellsMeasures) {
     const Mesh mesh = make_teapot(16);
     expect_well_formed(mesh);
@@ -176,17 +220,25 @@ TEST(Scenes, AreWellFormed) {
         int transparent = 0;
         for (const Object& object : scene.objects) {
             ASSERT_LT(object.mesh, scene.meshes.size());
+            if (object.alpha_map) {
+                ASSERT_LT(*object.alpha_map, scene.alpha_maps.size());
+                EXPECT_FALSE(scene.meshes[object.mesh].texture_coordinates.empty());
+            }
             EXPECT_TRUE(finite(object.color) && glm::all(glm::greaterThanEqual(object.color, glm::vec3(0))));
             EXPECT_TRUE(object.opacity > 0.0f && object.opacity <= 1.0f);
             for (int column = 0; column < 4; ++column) EXPECT_TRUE(finite(glm::vec3(object.model[column])));
             transparent += object.opaque() ? 0 : 1;
         }
+        for (const AlphaMap& map : scene.alpha_maps)
+            EXPECT_EQ(map.bytes.size(), static_cast<std::size_t>(map.width) * std::size_t(map.height));
+        EXPECT_TRUE(scene.warnings.empty());
         EXPECT_GT(transparent, 0);
         EXPECT_LT(transparent, static_cast<int>(scene.objects.size()));
         EXPECT_TRUE(glm::all(glm::greaterThan(scene.picked, glm::vec2(0.0f))));
         EXPECT_TRUE(glm::all(glm::lessThan(scene.picked, glm::vec2(1.0f))));
     }
-    EXPECT_EQ(ids, (std::set<std::string>{"planes", "spheres", "teapots", "ties", "cloud"}));
+    EXPECT_EQ(ids, (std::set<std::string>{"planes", "spheres", "teapots", "ties", "cloud", "foliage", "ship",
+                                          "smoke"}));
 }
 
 TEST(Scenes, FollowThePaper) {
@@ -232,6 +284,41 @@ TEST(Scenes, TheCloudIsTheSameOnEveryMachine) {
     EXPECT_EQ(scene.objects[1].opacity, 0.94f);
 }
 
+/// What does not depend on which sine a machine has: how much there is of everything, and where it stands.
+TEST(Scenes, LargeOnesAreTheSameEveryTimeAndBearable) {
+    for (const char* id : {"foliage", "ship", "smoke"}) {
+        SCOPED_TRACE(id);
+        const Scene scene = load_scene(id, 0.5f), again = load_scene(id, 0.5f);
+        std::size_t triangles = 0;
+        ASSERT_EQ(scene.meshes.size(), again.meshes.size());
+        for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+            EXPECT_EQ(scene.meshes[i].positions, again.meshes[i].positions);
+            triangles += scene.meshes[i].indices.size() / 3;
+        }
+        EXPECT_LT(triangles, 60'000u);
+        ASSERT_EQ(scene.alpha_maps.size(), 1u);
+        EXPECT_EQ(scene.alpha_maps[0].bytes, again.alpha_maps[0].bytes);
+        const auto [least, most] = std::ranges::minmax(scene.alpha_maps[0].bytes);
+        EXPECT_EQ(least, 0);  // a map that shapes something
+        EXPECT_GT(most, 150);
+    }
+}
+
+TEST(Scenes, FoliageWithoutItsLeafIsDrawnWithRectangles) {
+    const std::filesystem::path broken = std::filesystem::temp_directory_path() / "momentscope-leaf.png";
+    std::ofstream(broken) << "no picture";
+    for (const std::filesystem::path& path : {std::filesystem::path("/nowhere/leaf.png"), broken}) {
+        const Scene scene = build_foliage(path);
+        ASSERT_EQ(scene.warnings.size(), 1u);
+        EXPECT_NE(scene.warnings[0].find(path.string()), std::string::npos) << scene.warnings[0];
+        EXPECT_EQ(scene.warnings[0].back(), '.');
+        EXPECT_EQ(scene.warnings[0].find('\n'), std::string::npos);
+        EXPECT_EQ(scene.objects.size(), build_foliage().objects.size());
+        for (const Object& object : scene.objects) EXPECT_FALSE(object.alpha_map);
+    }
+    std::filesystem::remove(broken);
+}
+
 TEST(Scenes, UnknownNameListsTheIds) {
     try {
         load_scene("xyz", 0.5f);
@@ -239,7 +326,7 @@ TEST(Scenes, UnknownNameListsTheIds) {
     } catch (const Error& error) {
         EXPECT_STREQ(
             error.what(),
-            "There is no scene 'xyz'; use one of planes, spheres, teapots, ties, cloud, or the path of a mesh file.");
+            "There is no scene 'xyz'; use one of planes, spheres, teapots, ties, cloud, foliage, ship, smoke, or the path of a mesh file.");
     }
     EXPECT_THROW(load_scene("", 0.5f), Error);
     EXPECT_THROW(load_scene(std::string(100'000, 'x'), 0.5f), Error);
