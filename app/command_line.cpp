@@ -29,6 +29,8 @@ void add_explore_options(CLI::App& command, Options& options) {
     command.add_option(
         "--technique", options.techniques,
         "ids of techniques (momentscope list techniques); those after the first are only plotted");
+    command.add_option("--compare", options.reference,
+                       "id of the technique that the picture is compared with [sorted]");
     command.add_option("--session", options.session, "JSON file that the window saved, to go on from there")
         ->excludes(command.get_option("--scene"), command.get_option("--ray"),
                    command.get_option("--technique"));

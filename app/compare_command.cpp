@@ -16,31 +16,19 @@ namespace momentscope {
 
 namespace {
 
-struct Region {
-    int x = 0, y = 0, width = 0, height = 0;
-};
-
-Region parse_region(const std::string& text, const Image& image) {
+PixelRegion parse_region(const std::string& text, const Image& image) {
     if (text.empty()) return {0, 0, image.width, image.height};
     std::smatch parts;
     const std::regex form("(\\d{1,5}),(\\d{1,5}),(\\d{1,5}),(\\d{1,5})");
     if (!std::regex_match(text, parts, form))
         throw Error(fmt::format("'{}' is no region; give x,y,width,height in pixels, as 10,20,64,48.", text));
-    const Region region = {std::stoi(parts[1]), std::stoi(parts[2]), std::stoi(parts[3]),
-                           std::stoi(parts[4])};
+    const PixelRegion region = {std::stoi(parts[1]), std::stoi(parts[2]), std::stoi(parts[3]),
+                                std::stoi(parts[4])};
     if (region.width < 1 || region.height < 1 || region.x + region.width > image.width ||
         region.y + region.height > image.height)
         throw Error(fmt::format("The region {} does not lie within pictures of {}x{}.", text, image.width,
                                 image.height));
     return region;
-}
-
-std::vector<float> part_of(const std::vector<float>& map, int width, const Region& region) {
-    std::vector<float> part;
-    for (int y = region.y; y < region.y + region.height; ++y)
-        for (int x = region.x; x < region.x + region.width; ++x)
-            part.push_back(map[static_cast<std::size_t>(y * width + x)]);
-    return part;
 }
 
 /// Pictures from files, or drawn here by a technique.
@@ -86,7 +74,7 @@ void run_compare(const Options& options) {
     if (reference.width != test.width || reference.height != test.height)
         throw Error(fmt::format("Pictures of {}x{} and of {}x{} cannot be compared; make them the same size.",
                                 reference.width, reference.height, test.width, test.height));
-    const Region region = parse_region(options.region, reference);
+    const PixelRegion region = parse_region(options.region, reference);
     for (const MetricRow& row : metrics()) {
         if (only != nullptr && only != &row) continue;
         const std::vector<float> map = difference_map(reference, test, row.id);

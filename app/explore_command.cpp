@@ -39,6 +39,10 @@ ui::ExplorerState state_of_options(const Options& options) {
 
 ui::ExplorerState initial_state(const Options& options) {
     ui::ExplorerState state = options.session.empty() ? state_of_options(options) : state_of_session(options);
+    if (!options.reference.empty()) {
+        state.compare.reference = &require_technique(options.reference);
+        state.panel = ui::Panel::compare;  // where one sees that it was chosen
+    }
     if (!options.theme.empty())
         state.theme = options.theme == "light" ? ui::ThemeKind::light : ui::ThemeKind::dark;
     return state;

@@ -108,11 +108,18 @@ void add_edit(List& list) {
 }
 
 void add_view(List& list) {
-    list.push_back(plain("view.truth", "Ground truth", {"G"},
-                         "Shows the sorted fragments as long as the key is held.", {}));
     list.push_back(flag("view.lens", "Pixel lens", "L",
                         "Magnifies the pixels around the picked one, with their values.",
                         &ExplorerState::lens));
+    list.push_back({"view.lens_zoom",
+                    "Lens: closer",
+                    {"Shift+L"},
+                    "Fewer and larger pixels in the lens, in the end with all digits; then from the start.",
+                    [](Explorer& e) {
+                        const LensZoom zoom = e.state().lens_zoom;
+                        e.state().lens_zoom = zoom == zoomed(zoom, 1) ? LensZoom() : zoomed(zoom, 1);
+                    },
+                    [](const Explorer& e) { return e.state().lens; }});
     list.push_back(flag("view.failures", "Failed reconstructions", "O",
                         "Marks pixels whose reconstruction failed or was clamped.",
                         &ExplorerState::failures));
@@ -182,6 +189,55 @@ void add_pixel(List& list) {
                          "Marks the next fragment in front.", [](Explorer& e) { e.mark_next(-1); }));
 }
 
+void add_compare(List& list) {
+    list.push_back(plain("compare.flip", "Flip to the reference", {"G"},
+                         "Shows the picture of the reference as long as the key is held.", {}));
+    list.push_back(plain("compare.take_reference", "Take this technique as the reference", {"Shift+G"},
+                         "Compares the techniques that are chosen next with the one that is chosen now.",
+                         [](Explorer& e) { e.state().compare.reference = e.state().technique; }));
+    const struct {
+        CompareMode mode;
+        const char* id;
+        const char* name;
+        const char* key;
+        const char* help;
+    } modes[] = {{CompareMode::wipe, "compare.wipe", "Wipe", "W",
+                  "Shows reference and picture on two sides of a line that is dragged."},
+                 {CompareMode::difference, "compare.difference", "Difference", "M",
+                  "Shows the absolute difference from the reference, amplified."},
+                 {CompareMode::false_color, "compare.false_color", "Error in false colour", "H",
+                  "Shows the chosen metric of every pixel in colours."}};
+    for (const auto& row : modes)
+        list.push_back({row.id,
+                        row.name,
+                        {row.key},
+                        row.help,
+                        [mode = row.mode](Explorer& e) { toggle(e.state().compare, mode); },
+                        has_picture,
+                        [mode = row.mode](const Explorer& e) { return e.state().compare.mode == mode; }});
+    list.push_back({"compare.swap",
+                    "Swap the sides of the wipe",
+                    {"Shift+W"},
+                    "Exchanges the sides of reference and picture.",
+                    [](Explorer& e) { e.state().compare.swapped = !e.state().compare.swapped; },
+                    [](const Explorer& e) { return e.state().compare.mode == CompareMode::wipe; },
+                    [](const Explorer& e) { return e.state().compare.swapped; }});
+    list.push_back(of_picture("compare.next_worst", "Next worst pixel", {"J"},
+                              "Picks the pixel where the chosen metric is greatest, then the next worst.",
+                              [](Explorer& e) { e.next_worst_pixel(); }));
+    list.push_back({"compare.forget_region",
+                    "Forget the region",
+                    {},
+                    "Measures the whole picture alone.",
+                    [](Explorer& e) { e.state().compare.region.reset(); },
+                    [](const Explorer& e) { return e.state().compare.region.has_value(); }});
+    for (const MetricRow& row : metrics())
+        list.push_back(choice(
+            fmt::format("compare.{}", row.key), fmt::format("Metric: {}", row.name), {}, row.help,
+            [id = row.id](Explorer& e) { e.state().compare.metric = id; },
+            [id = row.id](const Explorer& e) { return e.state().compare.metric == id; }));
+}
+
 void add_plot(List& list) {
     list.push_back(
         plain("plot.fit", "Fit", {"F"}, "Shows the whole ray.", [](Explorer& e) { fit(e.state().plot); }));
@@ -244,17 +300,18 @@ void add_help(List& list) {
     list.push_back(plain("help.palette", "All commands…", {"Ctrl+Shift+P"},
                          "Finds a command by typing parts of its name.",
                          [](Explorer& e) { e.toggle_palette(); }));
-    list.push_back(plain("help.close", "Close", {"Escape"},
-                         "Closes a dialog, the help or the message; else the open card.",
-                         [](Explorer& e) { e.close_topmost(); }));
+    list.push_back(
+        plain("help.close", "Close", {"Escape"},
+              "Closes a dialog, the help or the message; else forgets the region; else closes the card.",
+              [](Explorer& e) { e.close_topmost(); }));
 }
 
 }  // namespace
 
 std::vector<Command> make_command_list() {
     List list;
-    for (const auto add :
-         {add_file, add_edit, add_view, add_tabs_and_theme, add_pixel, add_plot, add_registries, add_help})
+    for (const auto add : {add_file, add_edit, add_view, add_tabs_and_theme, add_pixel, add_compare, add_plot,
+                           add_registries, add_help})
         add(list);
     return list;
 }

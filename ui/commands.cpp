@@ -9,15 +9,19 @@ namespace momentscope::ui {
 
 namespace {
 
-constexpr Menu MENUS[] = {{"file", "File"},   {"edit", "Edit"},    {"view", "View"},
-                          {"pixel", "Pixel"}, {"plot", "Plot"},    {"technique", "Technique"},
-                          {"scene", "Scene"}, {"try", "Try this"}, {"help", "Help"}};
+constexpr Menu MENUS[] = {
+    {"file", "File"},       {"edit", "Edit"}, {"view", "View"},           {"pixel", "Pixel"},
+    {"compare", "Compare"}, {"plot", "Plot"}, {"technique", "Technique"}, {"scene", "Scene"},
+    {"try", "Try this"},    {"help", "Help"}};
 
 constexpr MouseAction MOUSE_ACTIONS[] = {
     {"scene", "left click or drag", "picks a pixel"},
     {"scene", "right drag", "orbits"},
     {"scene", "middle drag", "pans"},
     {"scene", "wheel", "zooms"},
+    {"scene", "Shift+left drag", "measures a region in the Compare tab; a click forgets it"},
+    {"scene", "Ctrl+wheel", "with the lens: fewer and larger pixels, or more"},
+    {"line of the wipe", "drag", "moves it"},
     {"plot", "left click or drag", "moves the query depth; a click on a step marks its fragment"},
     {"plot", "right or middle drag", "pans"},
     {"plot", "wheel", "zooms at the mouse"},

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "core/render/transparency.hpp"
 #include "core/scene/scenes.hpp"
 #include "ui/parameter_controls.hpp"
 #include "ui/side_panels.hpp"
+#include "ui/technique_combo.hpp"
 
 namespace momentscope::ui {
 
@@ -20,10 +20,6 @@ void label(const char* text) {
     ImGui::SetNextItemWidth(-1);
 }
 
-std::string technique_label(const Technique& row) {
-    return fmt::format("{} ({})", row.name, row.id);
-}
-
 void draw_scene_combo(const Ui& ui, ExplorerState& state) {
     const std::string shown = state.ray ? "a view ray of its own" : state.scene;
     const bool open = ImGui::BeginCombo("##scene", shown.c_str());
@@ -34,24 +30,6 @@ void draw_scene_combo(const Ui& ui, ExplorerState& state) {
         if (ImGui::Selectable(entry.id, !state.ray && state.scene == entry.id)) choose_scene(state, entry.id);
         ui.mark(fmt::format("controls.scene.{}", entry.id));
         tooltip(entry.description);
-    }
-    ImGui::EndCombo();
-}
-
-void draw_technique_combo(const Ui& ui, OrderedAccess access, ExplorerState& state) {
-    const bool open = ImGui::BeginCombo("##technique", technique_label(*state.technique).c_str(),
-                                        ImGuiComboFlags_HeightLargest);
-    ui.mark("controls.technique");
-    tooltip("The technique that draws the picture and the orange curve; 1 to 9 choose one.", "--technique");
-    if (!open) return;
-    for (const Technique& row : techniques()) {
-        const std::string why_not = why_unavailable(row, access);
-        ImGui::BeginDisabled(!why_not.empty());
-        if (ImGui::Selectable(technique_label(row).c_str(), &row == state.technique)) state.technique = &row;
-        ImGui::EndDisabled();
-        ui.mark(fmt::format("controls.technique.{}", row.id));
-        tooltip(why_not.empty() ? row.description : fmt::format("Not available here. {}", why_not),
-                row.source);
     }
     ImGui::EndCombo();
 }
@@ -87,7 +65,9 @@ void draw_control_panel(const Ui& ui, OrderedAccess access, ExplorerState& state
     label("scene");
     draw_scene_combo(ui, state);
     label("technique");
-    draw_technique_combo(ui, access, state);
+    draw_technique_combo(ui, "controls.technique", access,
+                         "The technique that draws the picture and the orange curve; 1 to 9 choose one.",
+                         "--technique", state.technique);
     label("also plot");
     draw_compared_combo(ui, state);
     ImGui::Spacing();

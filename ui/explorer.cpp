@@ -22,7 +22,8 @@ std::string FrameReport::text() const {
     add(second_pass, "second pass");
     add(composite, "composite");
     add(failures, "failures");
-    add(truth, "ground truth");
+    add(reference, "reference");
+    add(comparison, "comparison");
     add(capture, "capture");
     add(plot, "plot");
     add(query && !plot, "query depth");
@@ -89,6 +90,8 @@ void Explorer::close_topmost() {
         help_ = false;
     else if (!message_.empty())
         message_.clear();
+    else if (state_.compare.region)
+        state_.compare.region.reset();
     else
         state_.card.clear();
 }
@@ -120,7 +123,7 @@ void Explorer::load_scene_if_changed() {
 
 void Explorer::show_scene(Scene scene) {
     renderer_.set_scene(scene);
-    truth_.reset();
+    reference_.reset();
     scene_ = std::move(scene);
     if (!scene_.warnings.empty()) message_ = fmt::format("{}", fmt::join(scene_.warnings, " "));
     shown_view_.technique = nullptr;
@@ -138,7 +141,7 @@ void Explorer::apply_opacity() {
     }
     if (!changed) return;
     renderer_.set_scene(scene_);
-    truth_.reset();
+    reference_.reset();
     shown_view_.technique = nullptr;
 }
 
@@ -159,10 +162,13 @@ void Explorer::update(glm::ivec2 size) {
         message_ = error.what();
         go_back_to_shown();
         shown_view_.technique = nullptr;
+        worst_wanted_ = false;
     }
 }
 
 void Explorer::update_ray() {
+    comparison_.stop();
+    worst_wanted_ = false;
     const bool changed = !(shown_state_.ray == state_.ray) || measurement_.curve.technique == nullptr;
     if (changed) {
         measurement_.capture = {.ray = *state_.ray, .transmittance = {}, .stored = {}};
@@ -180,6 +186,7 @@ void Explorer::update_picture(glm::ivec2 size) {
     const PassCounts before = renderer_.pass_counts();
     if (stage != Stage::nothing) renderer_.render(view);
     report_passes(before);
+    update_comparison(view, stage);  // may pick another pixel
     update_capture(view, stage);
     update_pins(view, stage);
     update_scene_picture(view, stage);
@@ -232,45 +239,20 @@ void Explorer::update_pins(const View& view, Stage stage) {
     report_.capture |= shown_state_.pins != state_.pins;
 }
 
-// What lies over or in place of the picture: truth, failures, lens.
+// What lies over or in place of the picture: reference, differences, failures, lens.
 void Explorer::update_scene_picture(const View& view, Stage stage) {
-    picture_.texture = renderer_.display_texture();
-    picture_.title = "";
     picture_.scene_camera = scene_.camera;
-    if (truth_shown_) show_truth(view);
+    choose_picture();
     if (!state_.failures) {
-        picture_.overlay = 0;
         picture_.failures.reset();
     } else if (stage <= Stage::color || !shown_state_.failures) {
         picture_.failures = renderer_.draw_failures();
         report_.failures = true;
     }
-    picture_.overlay = picture_.failures && !truth_shown_ ? renderer_.failure_texture() : 0;
-    update_lens(view.size, stage != Stage::nothing || report_.truth);
-}
-
-// Reads pixels back only when others are to be seen.
-void Explorer::update_lens(glm::ivec2 size, bool picture_changed) {
-    if (!state_.lens) picture_.lens = {};
-    const bool flipped = std::exchange(lens_shows_truth_, truth_shown_) != truth_shown_;
-    const bool stale = picture_changed || flipped || picture_.lens.width == 0 || report_.capture;
-    if (!state_.lens || !stale) return;
-    const glm::ivec2 corner = glm::max(measurement_.pixel - LENS_RADIUS, glm::ivec2(0));
-    const glm::ivec2 end = glm::min(measurement_.pixel + LENS_RADIUS + 1, size);
-    picture_.lens_corner = corner;
-    picture_.lens = (truth_shown_ ? *truth_ : renderer_).read_region(corner, end - corner);
-}
-
-void Explorer::show_truth(const View& view) {
-    if (truth_ == nullptr) {
-        truth_ = std::make_unique<Renderer>();
-        truth_->set_scene(scene_);
-    }
-    const int before = truth_->pass_counts().composite;
-    truth_->render({view.camera, view.size, &require_technique("sorted"), view.parameters});
-    report_.truth = truth_->pass_counts().composite > before;
-    picture_.texture = truth_->display_texture();
-    picture_.title = "ground truth: sorted fragments";
+    const bool own_picture = picture_.texture == renderer_.display_texture();
+    picture_.overlay = picture_.failures && own_picture ? renderer_.failure_texture() : 0;
+    update_lens(view.size,
+                stage != Stage::nothing || report_.reference || report_.comparison || report_.capture);
 }
 
 void Explorer::measure_if_changed(bool captured) {

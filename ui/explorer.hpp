@@ -11,6 +11,7 @@
 #include "core/render/renderer.hpp"
 #include "core/stress/tune.hpp"
 #include "ui/command_palette.hpp"
+#include "ui/comparison.hpp"
 #include "ui/file_dialog.hpp"
 #include "ui/history.hpp"
 #include "ui/measurement.hpp"
@@ -31,7 +32,8 @@ struct ExplorerOptions {
 /// What a frame had to compute; all false when nothing had changed.
 struct FrameReport {
     bool opaque = false, first_pass = false, second_pass = false, composite = false;
-    bool failures = false, truth = false, capture = false, plot = false, query = false;
+    bool failures = false, reference = false, comparison = false, capture = false, plot = false,
+         query = false;
 
     /// "second pass, composite, plot", or "" when nothing was computed.
     std::string text() const;
@@ -48,10 +50,12 @@ public:
     void frame();
 
     /// Does what is shown lag behind the state, so that another frame is needed without any input?
-    bool wants_frame() const { return !(state_ == shown_state_) || busy() || works(); }
+    bool wants_frame() const { return !(state_ == shown_state_) || busy() || works() || worst_wanted_; }
 
     /// Does work go on beside the window? Frames are then needed to show how far it is.
-    bool works() const { return stress_panel_.busy() || tuning_.busy() || sharp_bounds_.busy(); }
+    bool works() const {
+        return stress_panel_.busy() || tuning_.busy() || sharp_bounds_.busy() || comparison_.busy();
+    }
 
     /// Is a scene being read? Frames are then only needed to show how long.
     bool busy() const { return loader_.busy(); }
@@ -74,16 +78,18 @@ public:
     void type_parameter(ParameterId id);
     void move_pick(glm::ivec2 by);
     void toggle_pin();
+    void next_worst_pixel() { worst_wanted_ = true; }
     void mark_next(int step);
     void close_topmost();
     Camera camera() const { return state_.camera.value_or(scene_.camera); }
 
     // What is shown.
     const Measurement& measurement() const { return measurement_; }
+    const Comparison& comparison() const { return comparison_; }
     const FrameReport& report() const { return report_; }
     const std::string& message() const { return message_; }
     const Anchors& anchors() const { return anchors_; }
-    bool shows_truth() const { return truth_shown_; }
+    bool shows_reference() const { return flipped_; }
     bool shows_help() const { return help_; }
     bool shows_palette() const { return palette_.is_open(); }
     bool shows_file_dialog() const { return files_.is_open(); }
@@ -109,8 +115,14 @@ private:
     bool fragments_stale(const View& view, Stage stage) const;
     void update_pins(const View& view, Stage stage);
     void update_scene_picture(const View& view, Stage stage);
-    void show_truth(const View& view);
-    void update_lens(glm::ivec2 size, bool picture_changed);
+    void render_reference(const View& view);
+    void update_lens(glm::ivec2 size, bool stale);
+    LensPixel map_pixel(glm::ivec2 at) const;
+    bool on_reference_side(int x, int width) const;
+    bool has_comparison() const;
+    void update_comparison(const View& view, Stage stage);
+    void pick_next_worst();
+    void choose_picture();
     void measure_if_changed(bool captured);
     void report_passes(const PassCounts& before);
 
@@ -145,11 +157,14 @@ private:
     Scene scene_;      // what the renderer holds
     View shown_view_;  // technique is null when nothing is shown
     SceneLoader loader_;
-    std::unique_ptr<Renderer> truth_;  // of the same scene, made when it is first asked for
-    bool truth_shown_ = false;
-    bool truth_button_held_ = false;
-    bool lens_shows_truth_ = false;
+    std::unique_ptr<Renderer> reference_;  // of the same scene, made when it is first asked for
+    bool flipped_ = false;                 // to the reference
+    bool flip_button_held_ = false;
+    bool lens_flipped_ = false;
     bool transmittance_stale_ = true;
+    Comparison comparison_;
+    bool pair_stale_ = true;     // picture or reference changed since they were compared
+    bool worst_wanted_ = false;  // as soon as it is known
 
     ScenePanel scene_panel_;
     ScenePicture picture_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/compare_panel.hpp"
 #include "ui/explorer.hpp"
 #include "ui/lessons.hpp"
 #include "ui/side_panels.hpp"
@@ -50,6 +51,7 @@ void Explorer::frame() {
     anchors_.clear();
     stress_panel_.poll();
     poll_tuning();
+    comparison_.poll();
     const Ui ui = {palette(state_.theme), anchors_};
     const ImGuiViewport& viewport = *ImGui::GetMainViewport();
     ImGui::SetNextWindowPos(viewport.Pos);
@@ -62,7 +64,7 @@ void Explorer::frame() {
     const bool reading = busy();  // may change within the frame
     escape_is_taken_ = dialog || reading || ImGui::GetIO().WantTextInput;
     ImGui::BeginDisabled(reading);  // what is shown and what is chosen must not part
-    truth_shown_ = !state_.ray && !dialog && (held({.key = 'G'}) || truth_button_held_);
+    flipped_ = !state_.ray && !dialog && (held({.key = 'G'}) || flip_button_held_);
     draw_menu(ui);
     draw_lessons(ui);
     draw_work_area(ui);
@@ -114,7 +116,7 @@ void Explorer::draw_work_area(const Ui& ui) {
     if (focus_go_to_) scene_panel_.focus_go_to();
     focus_go_to_ = false;
     update(scene_panel_.draw_controls(ui, measurement_, picture_, state_, {left, size.y}, message_));
-    truth_button_held_ = scene_panel_.truth_held();
+    flip_button_held_ = scene_panel_.flip_held();
     scene_panel_.draw_picture(ui, measurement_, picture_, state_);
     ImGui::EndChild();
     ImGui::PopStyleVar();
@@ -149,7 +151,8 @@ void Explorer::draw_tabs(const Ui& ui) {
                                     "What the technique is and costs.",
                                     "The reconstruction at the query depth, step by step.",
                                     "Move, add and colour fragments by hand.",
-                                    "Where techniques break: all of them under hard conditions."};
+                                    "Where techniques break: all of them under hard conditions.",
+                                    "How far the picture is from a reference."};
     for (std::size_t i = 0; i < PANEL_NAMES.size(); ++i) {
         if (i > 0) ImGui::SameLine(0, 0.2f * em());
         if (toggle_button(PANEL_NAMES[i], state_.panel == static_cast<Panel>(i)))
@@ -177,6 +180,9 @@ void Explorer::draw_tabs(const Ui& ui) {
             break;
         case Panel::stress:
             stress_panel_.draw(ui, state_, message_);
+            break;
+        case Panel::compare:
+            worst_wanted_ |= draw_compare_panel(ui, renderer_.ordered_access(), comparison_, state_);
             break;
     }
     ImGui::EndChild();

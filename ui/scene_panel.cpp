@@ -37,60 +37,15 @@ void draw_pin_mark(ImDrawList& list, ImVec2 at, std::size_t number, const Palett
     draw_text(list, head, {0.5f, 0.5f}, std::to_string(number), colors.mark_edge);
 }
 
-void draw_label(ImDrawList& list, ImVec2 at, const std::string& text, const Palette& colors, ImU32 tint) {
-    const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
-    const float pad = 0.4f * em();
-    list.AddRectFilled({at.x - pad, at.y - pad}, {at.x + extent.x + pad, at.y + extent.y + pad},
-                       (colors.plot_background & ~IM_COL32_A_MASK) | (215U << IM_COL32_A_SHIFT), 3);
-    list.AddText(at, tint, text.c_str());
-}
-
-// Pixels with their values in 8-bit sRGB, the picked one framed.
-void draw_lens(ImDrawList& list, const Rect& area, const ScenePicture& picture, glm::ivec2 pixel,
-               const Palette& colors) {
-    if (picture.lens.width < 1) return;
-    const float cell = 3.0f * em();
-    const float pad = 0.5f * em();
-    const ImVec2 extent = {cell * static_cast<float>(picture.lens.width),
-                           cell * static_cast<float>(picture.lens.height)};
-    const ImVec2 low = {area.low.x + pad, area.high.y - pad - extent.y};
-    if (low.y < area.low.y || low.x + extent.x > area.high.x) return;  // no room
-    list.AddRectFilled({low.x - 3, low.y - 3}, {low.x + extent.x + 3, low.y + extent.y + 3},
-                       colors.mark_edge);
-    const float size = 0.78f * em();
-    for (int y = 0; y < picture.lens.height; ++y)
-        for (int x = 0; x < picture.lens.width; ++x) {
-            const glm::vec4 value = picture.lens.at(x, y);
-            glm::ivec3 srgb;
-            for (int c = 0; c < 3; ++c)
-                srgb[c] = static_cast<int>(std::lround(255 * srgb_from_linear(value[c])));
-            const ImVec2 at = {low.x + cell * static_cast<float>(x), low.y + cell * static_cast<float>(y)};
-            list.AddRectFilled(at, {at.x + cell, at.y + cell}, IM_COL32(srgb.r, srgb.g, srgb.b, 255));
-            const bool bright = 2 * srgb.r + 5 * srgb.g + srgb.b > 8 * 110;
-            for (int c = 0; c < 3; ++c)
-                list.AddText(ImGui::GetFont(), size,
-                             {at.x + 0.18f * cell, at.y + (0.08f + 0.3f * static_cast<float>(c)) * cell},
-                             bright ? IM_COL32(0, 0, 0, 255) : IM_COL32(255, 255, 255, 255),
-                             fmt::format("{}", srgb[c]).c_str());
-        }
-    const glm::vec2 middle = glm::vec2(pixel - picture.lens_corner) * cell;
-    const ImVec2 frame = {low.x + middle.x, low.y + middle.y};
-    list.AddRect(frame, {frame.x + cell, frame.y + cell}, colors.mark_edge, 0, 0, 4);
-    list.AddRect(frame, {frame.x + cell, frame.y + cell}, colors.mark, 0, 0, 2);
-    draw_label(list, {low.x + pad, low.y - 1.6f * em()}, fmt::format("pixel {}, {}: sRGB", pixel.x, pixel.y),
-               colors, colors.text);
-}
-
-void draw_failure_counts(ImDrawList& list, const Rect& area, const ScenePicture& picture, bool lens,
+void draw_failure_counts(ImDrawList& list, const Rect& area, const ScenePicture& picture, float above,
                          const Palette& colors) {
     const float pad = 0.8f * em();
     const std::string counts = picture.failures
                                    ? fmt::format("failed: {} pixels (hatched)   clamped: {} pixels (plain)",
                                                  picture.failures->failed, picture.failures->clamped)
                                    : std::string("no moments, so no reconstruction could fail");
-    const float above_lens = lens ? 18 * em() : 0;
-    draw_label(list, {area.low.x + pad, area.high.y - pad - ImGui::GetTextLineHeight() - above_lens}, counts,
-               colors, colors.text);
+    draw_label(list, {area.low.x + pad, area.high.y - pad - ImGui::GetTextLineHeight() - above}, counts,
+               colors);
 }
 
 std::optional<glm::ivec2> parse_place(const std::string& text) {
@@ -150,10 +105,14 @@ void ScenePanel::draw_tools(const Ui& ui, const Measurement& m, const ScenePictu
         "and "
         "was clamped (plain).",
         "O");
-    next("truth");
-    ImGui::Button("truth");
-    truth_held_ = ImGui::IsItemActive();
-    explain("scene.truth", "Shows the ground truth as long as it is held.", "G, held");
+    next("flip");
+    ImGui::Button("flip");
+    flip_held_ = ImGui::IsItemActive();
+    explain("scene.flip", "Shows the picture of the reference as long as it is held.", "G, held");
+    next("wipe");
+    if (toggle_button("wipe", state.compare.mode == CompareMode::wipe))
+        toggle(state.compare, CompareMode::wipe);
+    explain("scene.wipe", "Shows reference and picture side by side; drag the line between them.", "W");
     const float width = 6.5f * em();
     flow(width, right, 0.2f * em());
     ImGui::SetNextItemWidth(std::max(std::min(width, ImGui::GetContentRegionAvail().x), 20.0f));
@@ -189,26 +148,65 @@ glm::ivec2 ScenePanel::draw_controls(const Ui& ui, const Measurement& m, const S
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
     ui.mark("scene");
-    handle_mouse(m, picture, state);
+    handle_mouse(ui, m, picture, state);
     ImGui::PopID();
     return {static_cast<int>(extent.x), static_cast<int>(extent.y)};
 }
 
-void ScenePanel::handle_mouse(const Measurement& m, const ScenePicture& picture, ExplorerState& state) const {
+// What a press of the left button begins goes on until it is let go.
+void ScenePanel::handle_left(const Ui& ui, const Measurement& m, const ScenePicture& picture,
+                             ExplorerState& state) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const Rect area = ui.anchors["scene"];
+    bool on_divider = false;
+    if (picture.beside != 0) {
+        const Rect divider = divider_area(area, state.compare);
+        ui.anchors["scene.divider"] = divider;
+        on_divider =
+            io.MousePos.x >= divider.low.x && io.MousePos.x < divider.high.x && ImGui::IsItemHovered();
+    }
+    const glm::vec2 at(io.MousePos.x - area.low.x, io.MousePos.y - area.low.y);
+    const glm::ivec2 pixel(glm::floor(at));
+    if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        drag_ = on_divider ? Drag::divider : io.KeyShift ? Drag::region : Drag::pick;
+        drag_from_ = pixel;
+    }
+    if (on_divider || drag_ == Drag::divider) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (!ImGui::IsItemActive() || !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        drag_ = Drag::none;
+    } else if (drag_ == Drag::divider) {
+        state.compare.divider = std::clamp(at.x / (area.high.x - area.low.x), LEAST_DIVIDER, MOST_DIVIDER);
+    } else if (drag_ == Drag::pick) {
+        pick(state, fraction_of(pixel, m.picture_size));
+    } else if (drag_ == Drag::region) {
+        const glm::ivec2 way = glm::abs(pixel - drag_from_);
+        if (way.x + way.y == 0) {  // a click forgets the region
+            state.compare.region.reset();
+        } else {
+            state.compare.region = region_between(drag_from_, pixel, m.picture_size);
+            state.panel = Panel::compare;  // where its numbers are
+        }
+    }
+}
+
+void ScenePanel::handle_mouse(const Ui& ui, const Measurement& m, const ScenePicture& picture,
+                              ExplorerState& state) {
     const ImGuiIO& io = ImGui::GetIO();
     if (state.ray || m.picture_size.x < 1) return;  // no picture to act on
+    handle_left(ui, m, picture, state);
     Camera camera = state.camera.value_or(picture.scene_camera);
     const bool active = ImGui::IsItemActive();
-    if (active && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-        const glm::vec2 at(io.MousePos.x - corner_.x, io.MousePos.y - corner_.y);
-        pick(state, fraction_of(glm::ivec2(glm::floor(at)), m.picture_size));
-    }
     const bool moved = io.MouseDelta.x != 0 || io.MouseDelta.y != 0;
     if (active && moved && ImGui::IsMouseDown(ImGuiMouseButton_Right))
         camera = orbited(camera, io.MouseDelta);
     if (active && moved && ImGui::IsMouseDown(ImGuiMouseButton_Middle))
         camera = panned(camera, io.MouseDelta, m.picture_size);
-    if (ImGui::IsItemHovered() && io.MouseWheel != 0) camera = zoomed(camera, io.MouseWheel);
+    if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
+        if (io.KeyCtrl && state.lens)
+            state.lens_zoom = zoomed(state.lens_zoom, io.MouseWheel > 0 ? 1 : -1);
+        else
+            camera = zoomed(camera, io.MouseWheel);
+    }
     if (!(camera == state.camera.value_or(picture.scene_camera))) state.camera = camera;
 }
 
@@ -231,8 +229,19 @@ void ScenePanel::draw_picture(const Ui& ui, const Measurement& m, const ScenePic
     };
     list.PushClipRect(area.low, area.high, true);
     // GL's first row is the lowest. While another scene is read the last picture may have another size.
-    list.AddImage(texture(picture.texture), area.low, area.high, {0, 1}, {1, 0});
-    if (picture.overlay != 0) list.AddImage(texture(picture.overlay), area.low, area.high, {0, 1}, {1, 0});
+    const auto draw_part = [&](unsigned name, float from, float to) {
+        const float width = area.high.x - area.low.x;
+        if (name == 0) return;
+        list.AddImage(texture(name), {area.low.x + from * width, area.low.y},
+                      {area.low.x + to * width, area.high.y}, {from, 1}, {to, 0});
+    };
+    const CompareState& compare = state.compare;
+    const bool wipe = picture.beside != 0;
+    const float own_from = wipe && !compare.swapped ? compare.divider : 0;
+    const float own_to = wipe && compare.swapped ? compare.divider : 1;
+    draw_part(picture.texture, own_from, own_to);
+    draw_part(picture.overlay, own_from, own_to);
+    draw_part(picture.beside, compare.swapped ? compare.divider : 0, compare.swapped ? 1 : compare.divider);
     const auto place = [&](glm::ivec2 pixel) {
         return ImVec2(area.low.x + static_cast<float>(pixel.x) + 0.5f,
                       area.low.y + static_cast<float>(pixel.y) + 0.5f);
@@ -240,10 +249,13 @@ void ScenePanel::draw_picture(const Ui& ui, const Measurement& m, const ScenePic
     for (std::size_t i = 0; i < m.pins.size(); ++i)
         draw_pin_mark(list, place(m.pins[i].pixel), i + 1, ui.colors);
     draw_crosshair_mark(list, place(m.pixel), ui.colors);
-    draw_lens(list, area, picture, m.pixel, ui.colors);
-    if (*picture.title != '\0')
-        draw_label(list, {area.low.x + pad, area.low.y + pad}, picture.title, ui.colors, ui.colors.text);
-    if (state.failures) draw_failure_counts(list, area, picture, state.lens, ui.colors);
+    if (compare.region) draw_region(list, area, *compare.region, ui.colors);
+    if (wipe) draw_wipe(list, area, state, ui.colors);
+    const float lens = draw_lens(list, area, picture.lens, state.lens_zoom, m.pixel, ui.colors);
+    if (!picture.title.empty())
+        draw_label(list, {area.low.x + pad, area.low.y + pad}, picture.title, ui.colors);
+    if (picture.legend) draw_color_legend(list, area, *picture.legend, ui.colors);
+    if (state.failures) draw_failure_counts(list, area, picture, lens, ui.colors);
     list.PopClipRect();
 }
 

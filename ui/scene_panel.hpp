@@ -2,8 +2,10 @@
 #pragma once
 #include <string>
 
-#include "core/image/image.hpp"
+#include "ui/comparison.hpp"
 #include "ui/measurement.hpp"
+#include "ui/pixel_lens.hpp"
+#include "ui/scene_comparison.hpp"
 #include "ui/ui.hpp"
 
 namespace momentscope::ui {
@@ -11,12 +13,13 @@ namespace momentscope::ui {
 /// What the panel shows beside the state; textures are GL names of the picture's size.
 struct ScenePicture {
     unsigned texture = 0;
-    unsigned overlay = 0;  // of failures, or 0
+    unsigned overlay = 0;               // of failures, or 0
+    unsigned beside = 0;                // the reference on its side of a wipe, or 0
+    std::optional<ColorLegend> legend;  // of the false colours that are shown in place of the picture
     std::optional<FailureCounts> failures;
-    const char* title = "";     // drawn in the corner, as "ground truth"; or empty
-    glm::ivec2 lens_corner{0};  // upper left pixel of the lens's region
-    Image lens;                 // empty: no lens
-    Camera scene_camera;        // the scene's own
+    std::string title;  // drawn in the corner, as "reference: ..."; or empty
+    Lens lens;
+    Camera scene_camera;  // the scene's own
 };
 
 class ScenePanel {
@@ -29,8 +32,8 @@ public:
     void draw_picture(const Ui& ui, const Measurement& measurement, const ScenePicture& picture,
                       const ExplorerState& state) const;
 
-    /// Is the button that shows the ground truth held down?
-    bool truth_held() const { return truth_held_; }
+    /// Is the button that flips to the reference held down?
+    bool flip_held() const { return flip_held_; }
 
     /// Puts the keyboard into the go-to box in the next frame.
     void focus_go_to() { focus_go_to_ = true; }
@@ -39,17 +42,20 @@ private:
     void draw_tools(const Ui& ui, const Measurement& measurement, const ScenePicture& picture,
                     ExplorerState& state, std::string& message);
     void draw_go_to(glm::ivec2 size, ExplorerState& state, std::string& message);
-    void handle_mouse(const Measurement& measurement, const ScenePicture& picture,
-                      ExplorerState& state) const;
+    void handle_left(const Ui& ui, const Measurement& measurement, const ScenePicture& picture,
+                     ExplorerState& state);
+    void handle_mouse(const Ui& ui, const Measurement& measurement, const ScenePicture& picture,
+                      ExplorerState& state);
+
+    enum class Drag { none, pick, divider, region };
 
     ImVec2 corner_{0, 0};
     std::string go_to_;
-    bool truth_held_ = false;
+    bool flip_held_ = false;
     bool focus_go_to_ = false;
+    Drag drag_ = Drag::none;  // of the left button
+    glm::ivec2 drag_from_{0};
 };
-
-/// How far the lens reaches from its middle, in pixels.
-constexpr int LENS_RADIUS = 2;
 
 /// The fraction of the picture at the middle of a pixel, which is first brought within it.
 glm::vec2 fraction_of(glm::ivec2 pixel, glm::ivec2 size);

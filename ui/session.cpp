@@ -21,7 +21,10 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 
 constexpr std::uintmax_t MAX_SESSION_BYTES = MAX_RAY_FILE_BYTES + (1U << 20);  // a ray is the only large part
-constexpr const char* PANELS[] = {"controls", "fragments", "technique", "steps", "editor", "stress"};
+constexpr const char* PANELS[] = {"controls", "fragments", "technique", "steps",
+                                  "editor",   "stress",    "compare"};
+constexpr const char* COMPARE_MODES[] = {"off", "wipe", "difference", "false_color"};
+constexpr const char* LENS_ZOOMS[] = {"far", "near", "values", "digits"};
 constexpr const char* QUANTITIES[] = {"absorbance", "transmittance"};
 constexpr const char* AXES[] = {"warped", "view"};
 constexpr const char* THEMES[] = {"dark", "light"};
@@ -59,6 +62,18 @@ ordered_json parameters_json(const ParameterValues& values) {
                               ? ordered_json(*values[row.id])
                               : ordered_json(parameter_text(row, values[row.id]));
     return result;
+}
+
+ordered_json compare_json(const CompareState& compare) {
+    const auto& region = compare.region;
+    return {{"reference", compare.reference->id},
+            {"mode", COMPARE_MODES[static_cast<std::size_t>(compare.mode)]},
+            {"metric", metrics()[static_cast<std::size_t>(compare.metric)].key},
+            {"gain", compare.gain},
+            {"divider", compare.divider},
+            {"swapped", compare.swapped},
+            {"region", region ? ordered_json{region->low.x, region->low.y, region->high.x, region->high.y}
+                              : ordered_json()}};
 }
 
 constexpr float FAR = 1e6f;  // beyond any scene and any absorbance
@@ -138,6 +153,25 @@ void read_places(JsonReader& reader, ExplorerState& state) {
     }
 }
 
+void read_compare(const json& object, CompareState& compare, std::vector<std::string>& ignored) {
+    JsonReader reader(object, "compare.", ignored);
+    if (const json* found = reader.find("reference"))
+        compare.reference = &technique_from(reader, *found, "reference");
+    reader.choice("mode", compare.mode, COMPARE_MODES);
+    std::string metric = metrics()[static_cast<std::size_t>(compare.metric)].key;
+    reader.text("metric", metric);
+    compare.metric = require_metric(metric).id;
+    reader.number("gain", compare.gain, LEAST_GAIN, MOST_GAIN);
+    reader.number("divider", compare.divider, LEAST_DIVIDER, MOST_DIVIDER);
+    reader.flag("swapped", compare.swapped);
+    if (const json* found = reader.find("region"); found != nullptr && !found->is_null()) {
+        const auto ends = reader.numbers(*found, "region", 4, 0, 1);
+        if (!(ends[0] < ends[2] && ends[1] < ends[3]))
+            reader.fail("region", "left, top, right and bottom of a rectangle");
+        compare.region = {glm::vec2(ends[0], ends[1]), glm::vec2(ends[2], ends[3])};
+    }
+}
+
 void read_techniques(JsonReader& reader, ExplorerState& state) {
     if (const json* found = reader.find("technique"))
         state.technique = &technique_from(reader, *found, "technique");
@@ -169,6 +203,7 @@ ordered_json session_to_json(const ExplorerState& state) {
             {"technique", state.technique->id},
             {"compared", compared},
             {"parameters", parameters_json(state.parameters)},
+            {"compare", compare_json(state.compare)},
             {"camera", camera_json(state.camera)},
             {"picked", state.picked ? pair_json(*state.picked) : ordered_json()},
             {"pins", pins},
@@ -176,6 +211,7 @@ ordered_json session_to_json(const ExplorerState& state) {
             {"plot", plot_json(state.plot)},
             {"panel", PANELS[static_cast<std::size_t>(state.panel)]},
             {"lens", state.lens},
+            {"lens_zoom", LENS_ZOOMS[static_cast<std::size_t>(state.lens_zoom)]},
             {"failures", state.failures},
             {"card", state.card},
             {"answer", state.answer},
@@ -203,11 +239,13 @@ Session session_from_json(const std::string& text) {
     read_techniques(reader, state);
     if (const json* found = reader.find("parameters"))
         read_parameters(*found, state.parameters, session.ignored);
+    if (const json* found = reader.find("compare")) read_compare(*found, state.compare, session.ignored);
     if (const json* found = reader.find("camera")) state.camera = camera_from(*found, session.ignored);
     read_places(reader, state);
     if (const json* found = reader.find("plot")) read_plot(*found, state.plot, session.ignored);
     reader.choice("panel", state.panel, PANELS);
     reader.flag("lens", state.lens);
+    reader.choice("lens_zoom", state.lens_zoom, LENS_ZOOMS);
     reader.flag("failures", state.failures);
     reader.text("card", state.card);
     if (!state.card.empty() && find_lesson(state.card) == nullptr)

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/compare/difference.hpp"
 #include "core/ray/view_ray.hpp"
 #include "core/scene/scene.hpp"
 #include "core/techniques/technique.hpp"
@@ -41,10 +42,10 @@ struct PlotState {
 };
 
 /// The tabs below the plot.
-enum class Panel { controls, fragments, technique, steps, editor, stress };
+enum class Panel { controls, fragments, technique, steps, editor, stress, compare };
 
-constexpr std::array<const char*, 6> PANEL_NAMES = {"Controls", "Fragments",  "Technique",
-                                                    "Steps",    "Ray editor", "Stress"};
+constexpr std::array<const char*, 7> PANEL_NAMES = {"Controls",   "Fragments", "Technique", "Steps",
+                                                    "Ray editor", "Stress",    "Compare"};
 
 /// A view ray from a file. States share it, since a history holds many of them and a ray may be large; equal
 /// if it has the same content.
@@ -65,9 +66,38 @@ private:
     std::shared_ptr<const ViewRay> ray_;
 };
 
+/// From many small pixels to a few with all their digits.
+enum class LensZoom { far, near, values, digits };
+constexpr std::size_t LENS_ZOOM_COUNT = 4;
+
 enum class ThemeKind { dark, light };
 
 constexpr std::size_t MAX_PINS = 4;
+
+/// How picture and reference are shown. off: the picture alone.
+enum class CompareMode { off, wipe, difference, false_color };
+
+/// A rectangle of the picture, as fractions from its upper left corner.
+struct PictureRegion {
+    glm::vec2 low{0};
+    glm::vec2 high{1};
+    friend bool operator==(const PictureRegion&, const PictureRegion&) = default;
+};
+
+constexpr float LEAST_GAIN = 1, MOST_GAIN = 64;
+constexpr float LEAST_DIVIDER = 0.02f, MOST_DIVIDER = 0.98f;
+
+/// What the picture is compared with, and how.
+struct CompareState {
+    const Technique* reference = &require_technique("sorted");  // drawn with the same parameters
+    CompareMode mode = CompareMode::off;
+    Metric metric = Metric::rmse;         // of false colour and the worst pixel
+    float gain = 4;                       // of difference and false colour
+    float divider = 0.5f;                 // of the wipe, as a fraction of the picture's width
+    bool swapped = false;                 // wipe: the reference on the right instead of the left
+    std::optional<PictureRegion> region;  // of numbers beside those of the whole picture
+    friend bool operator==(const CompareState&, const CompareState&) = default;
+};
 
 struct ExplorerState {
     std::string scene = "teapots";  // registry id or path of a mesh file
@@ -75,6 +105,7 @@ struct ExplorerState {
     const Technique* technique = &require_technique("power6-32");
     std::vector<const Technique*> compared;  // drawn beside it in the plot
     ParameterValues parameters;
+    CompareState compare;
     std::optional<Camera> camera;  // nullopt: the scene's own
     std::optional<glm::vec2>
         picked;  // fraction of the picture from its upper left corner; nullopt: the scene's own
@@ -83,6 +114,7 @@ struct ExplorerState {
     PlotState plot;
     Panel panel = Panel::controls;
     bool lens = false;
+    LensZoom lens_zoom = LensZoom::values;
     bool failures = false;  // overlay of failed and clamped reconstructions
     std::string card;       // id of the open "Try this" card, or ""
     bool answer = false;    // is the card's answer shown?
@@ -97,6 +129,12 @@ void choose_scene(ExplorerState& state, const std::string& id_or_path);
 
 /// Shows the whole ray again.
 void fit(PlotState& plot);
+
+/// Shows the comparison in that way, or the picture alone if it is shown so already.
+void toggle(CompareState& compare, CompareMode mode);
+
+/// The next levels of the lens, closer for positive steps; stops at the last one.
+LensZoom zoomed(LensZoom zoom, int steps);
 
 /// Changes an axis, and fits it, since the old range has another unit.
 void set_quantity(PlotState& plot, Quantity quantity);

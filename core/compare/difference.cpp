@@ -16,13 +16,13 @@ namespace momentscope {
 namespace {
 
 constexpr MetricRow ROWS[] = {
-    {Metric::rmse, "rmse", "root mean square error",
+    {Metric::rmse, "rmse", "root mean square error", "RMSE",
      "Of the three linear channels; 0 for equal pictures. What one wrong pixel does depends on how wrong it is alone.",
      "Münstermann et al. 2018, Section 7", 0.25f},
-    {Metric::delta_e, "delta-e", "CIELAB ΔE",
+    {Metric::delta_e, "delta-e", "CIELAB ΔE", "ΔE",
      "Mean distance in CIELAB under D65: about 2 is just seen side by side, 100 is black against white.",
      "CIE 1976", 25.0f},
-    {Metric::flip, "flip", "FLIP",
+    {Metric::flip, "flip", "FLIP", "FLIP",
      "Mean of what is seen when pictures are flipped at 67 pixels per degree, in [0, 1]: colour as the eye blurs it, "
      "and more where edges and points differ.",
      "Andersson et al. 2020", 1.0f}};
@@ -50,15 +50,19 @@ const MetricRow& require_metric(std::string_view key) {
     throw Error(fmt::format("There is no metric '{}'; use one of {}.", key, keys));
 }
 
-std::vector<float> difference_map(const Image& reference, const Image& test, Metric metric) {
+std::vector<float> difference_map(const Image& reference, const Image& test, Metric metric,
+                                  const std::stop_token& stop) {
     assert(reference.width == test.width && reference.height == test.height);
-    if (metric == Metric::flip) return flip_map(reference, test);
+    if (metric == Metric::flip) return flip_map(reference, test, stop);
     const auto difference = metric == Metric::rmse ? pixel_rmse : pixel_delta_e;
     std::vector<float> map;
     map.reserve(reference.pixels.size());
-    for (std::size_t i = 0; i < reference.pixels.size(); ++i)
+    const auto width = static_cast<std::size_t>(reference.width);
+    for (std::size_t i = 0; i < reference.pixels.size(); ++i) {
+        if (i % width == 0 && stop.stop_requested()) return {};
         map.push_back(
             static_cast<float>(difference(glm::dvec3(reference.pixels[i]), glm::dvec3(test.pixels[i]))));
+    }
     return map;
 }
 
@@ -70,6 +74,16 @@ double mean_difference(std::span<const float> map, Metric metric) {
     }
     const double mean = sum / static_cast<double>(std::max<std::size_t>(map.size(), 1));
     return metric == Metric::rmse ? std::sqrt(mean) : mean;
+}
+
+std::vector<float> part_of(std::span<const float> map, int width, const PixelRegion& region) {
+    std::vector<float> part;
+    for (int y = region.y; y < region.y + region.height; ++y) {
+        const auto row = map.subspan(static_cast<std::size_t>(y * width + region.x),
+                                     static_cast<std::size_t>(region.width));
+        part.insert(part.end(), row.begin(), row.end());
+    }
+    return part;
 }
 
 }  // namespace momentscope

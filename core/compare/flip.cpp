@@ -22,27 +22,47 @@ struct Plane {
           height(height_),
           values(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_)) {}
     double& at(int x, int y) { return values[static_cast<std::size_t>(y * width + x)]; }
-    double at(int x, int y) const { return values[static_cast<std::size_t>(y * width + x)]; }
+    const double& at(int x, int y) const { return values[static_cast<std::size_t>(y * width + x)]; }
 };
 
+/// Thrown through everything when the result is not wanted any more.
+struct Stopped {};
+
+// Sums go along whole rows, weight by weight, so that the compiler makes vectors of them.
+void add_row(double* sums, const double* row, double weight, int width) {
+    for (int x = 0; x < width; ++x) sums[x] += weight * row[x];
+}
+
 // Beyond the edge lies what is at the edge.
-Plane convolved(const Plane& plane, const Kernel& along_x, const Kernel& along_y) {
-    const auto pass = [](const Plane& from, const Kernel& kernel, bool horizontal) {
-        const int radius = static_cast<int>(kernel.size()) / 2;
-        Plane to(from.width, from.height);
-        for (int y = 0; y < from.height; ++y)
-            for (int x = 0; x < from.width; ++x) {
-                double sum = 0;
-                for (int k = -radius; k <= radius; ++k) {
-                    const int sx = horizontal ? std::clamp(x + k, 0, from.width - 1) : x;
-                    const int sy = horizontal ? y : std::clamp(y + k, 0, from.height - 1);
-                    sum += kernel[static_cast<std::size_t>(k + radius)] * from.at(sx, sy);
-                }
-                to.at(x, y) = sum;
-            }
-        return to;
-    };
-    return pass(pass(plane, along_x, true), along_y, false);
+Plane convolved_along_x(const Plane& from, const Kernel& kernel, const std::stop_token& stop) {
+    const int radius = static_cast<int>(kernel.size()) / 2;
+    Plane to(from.width, from.height);
+    std::vector<double> padded(static_cast<std::size_t>(from.width + 2 * radius));
+    for (int y = 0; y < from.height; ++y) {
+        if (stop.stop_requested()) throw Stopped();
+        for (int x = -radius; x < from.width + radius; ++x)
+            padded[static_cast<std::size_t>(x + radius)] = from.at(std::clamp(x, 0, from.width - 1), y);
+        for (std::size_t k = 0; k < kernel.size(); ++k)
+            add_row(&to.at(0, y), &padded[k], kernel[k], from.width);
+    }
+    return to;
+}
+
+Plane convolved_along_y(const Plane& from, const Kernel& kernel, const std::stop_token& stop) {
+    const int radius = static_cast<int>(kernel.size()) / 2;
+    Plane to(from.width, from.height);
+    for (int y = 0; y < from.height; ++y) {
+        if (stop.stop_requested()) throw Stopped();
+        for (int k = -radius; k <= radius; ++k)
+            add_row(&to.at(0, y), &from.at(0, std::clamp(y + k, 0, from.height - 1)),
+                    kernel[static_cast<std::size_t>(k + radius)], from.width);
+    }
+    return to;
+}
+
+Plane convolved(const Plane& plane, const Kernel& along_x, const Kernel& along_y,
+                const std::stop_token& stop) {
+    return convolved_along_y(convolved_along_x(plane, along_x, stop), along_y, stop);
 }
 
 template <typename Function>
@@ -63,7 +83,8 @@ struct Sensitivity {
     double a, b;
 };
 
-Plane filtered(const Plane& plane, std::initializer_list<Sensitivity> gaussians) {
+Plane filtered(const Plane& plane, std::initializer_list<Sensitivity> gaussians,
+               const std::stop_token& stop) {
     constexpr double PI = std::numbers::pi;
     // Three standard deviations of the widest of all channels.
     const int radius = static_cast<int>(std::ceil(3 * std::sqrt(0.04 / (2 * PI * PI)) * PIXELS_PER_DEGREE));
@@ -75,7 +96,7 @@ Plane filtered(const Plane& plane, std::initializer_list<Sensitivity> gaussians)
             return std::exp(-PI * PI * degrees * degrees / one.b);
         });
         const double factor = one.a * std::sqrt(PI / one.b);
-        const Plane part = convolved(plane, kernel, kernel);
+        const Plane part = convolved(plane, kernel, kernel, stop);
         for (std::size_t i = 0; i < sum.values.size(); ++i) sum.values[i] += factor * part.values[i];
         weight += factor * sum_of(kernel) * sum_of(kernel);
     }
@@ -111,10 +132,10 @@ double color_distance(const glm::dvec3& a, const glm::dvec3& b) {
 }
 
 // Blurred as by the eye at that distance.
-std::vector<glm::dvec3> seen_colors(const Opponent& planes) {
-    const Plane y = filtered(planes.y, {{1, 0.0047}});
-    const Plane cx = filtered(planes.cx, {{1, 0.0053}});
-    const Plane cz = filtered(planes.cz, {{34.1, 0.04}, {13.5, 0.025}});
+std::vector<glm::dvec3> seen_colors(const Opponent& planes, const std::stop_token& stop) {
+    const Plane y = filtered(planes.y, {{1, 0.0047}}, stop);
+    const Plane cx = filtered(planes.cx, {{1, 0.0053}}, stop);
+    const Plane cz = filtered(planes.cz, {{34.1, 0.04}, {13.5, 0.025}}, stop);
     std::vector<glm::dvec3> colors;
     colors.reserve(y.values.size());
     for (std::size_t i = 0; i < y.values.size(); ++i) {
@@ -137,7 +158,7 @@ Kernel balanced(Kernel kernel) {
     return kernel;
 }
 
-Features features_of(const Plane& y) {
+Features features_of(const Plane& y, const std::stop_token& stop) {
     const double sigma = 0.5 * 0.082 * PIXELS_PER_DEGREE;  // in pixels
     const int radius = static_cast<int>(std::ceil(3 * sigma));
     const auto gauss = [&](double x) { return std::exp(-x * x / (2 * sigma * sigma)); };
@@ -150,8 +171,8 @@ Features features_of(const Plane& y) {
     Plane brightness = y;
     for (double& value : brightness.values) value = (value + 16) / 116;
     const auto lengths = [&](const Kernel& derivative) {
-        const Plane along_x = convolved(brightness, derivative, across);
-        const Plane along_y = convolved(brightness, across, derivative);
+        const Plane along_x = convolved(brightness, derivative, across, stop);
+        const Plane along_y = convolved(brightness, across, derivative, stop);
         std::vector<double> result;
         result.reserve(along_x.values.size());
         for (std::size_t i = 0; i < along_x.values.size(); ++i)
@@ -161,12 +182,10 @@ Features features_of(const Plane& y) {
     return {lengths(first), lengths(second)};
 }
 
-}  // namespace
-
-std::vector<float> flip_map(const Image& reference, const Image& test) {
+std::vector<float> flip_differences(const Image& reference, const Image& test, const std::stop_token& stop) {
     const Opponent a = opponent_planes(reference), b = opponent_planes(test);
-    const std::vector<glm::dvec3> color_a = seen_colors(a), color_b = seen_colors(b);
-    const Features feature_a = features_of(a.y), feature_b = features_of(b.y);
+    const std::vector<glm::dvec3> color_a = seen_colors(a, stop), color_b = seen_colors(b, stop);
+    const Features feature_a = features_of(a.y, stop), feature_b = features_of(b.y, stop);
     const double most = color_distance(hunt_lab({0, 1, 0}), hunt_lab({0, 0, 1}));
     constexpr double KNEE = 0.4, AT_KNEE = 0.95;
     std::vector<float> map;
@@ -182,6 +201,14 @@ std::vector<float> flip_map(const Image& reference, const Image& test) {
         map.push_back(static_cast<float>(std::pow(color, 1 - feature)));
     }
     return map;
+}
+
+}  // namespace
+
+std::vector<float> flip_map(const Image& reference, const Image& test, const std::stop_token& stop) try {
+    return flip_differences(reference, test, stop);
+} catch (const Stopped&) {
+    return {};
 }
 
 }  // namespace momentscope

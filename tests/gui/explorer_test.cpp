@@ -196,20 +196,20 @@ TEST_F(ExplorerTest, ComparedTechniquesArePlotted) {
     EXPECT_EQ(measurement().compared.size(), 1u);
 }
 
-TEST_F(ExplorerTest, GroundTruthIsShownWhileHeld) {
+TEST_F(ExplorerTest, TheReferenceIsShownWhileHeld) {
     open("spheres", "power4-32");
     const auto before = screen();
     play("hold G");
-    EXPECT_TRUE(explorer().shows_truth());
+    EXPECT_TRUE(explorer().shows_reference());
     const auto truth = screen();
     EXPECT_GT(changed("scene", before, truth), 1000);
     play("let G");
-    EXPECT_FALSE(explorer().shows_truth());
+    EXPECT_FALSE(explorer().shows_reference());
     EXPECT_EQ(changed("scene", before, screen()), 0);
-    play("move @scene.truth\npress left");
-    EXPECT_TRUE(explorer().shows_truth());
+    play("move @scene.flip\npress left");
+    EXPECT_TRUE(explorer().shows_reference());
     play("release left");
-    EXPECT_FALSE(explorer().shows_truth());
+    EXPECT_FALSE(explorer().shows_reference());
     // It is what the technique sorted draws.
     open("spheres", "sorted");
     const ui::Rect rect = explorer().anchors().at("scene");

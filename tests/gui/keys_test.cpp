@@ -55,6 +55,27 @@ const std::map<std::string, Check>& checks() {
              EXPECT_EQ(p.now.state().parameters, ParameterValues());
          }},
         {"view.lens", [](const Pressed& p) { EXPECT_NE(p.now.state().lens, p.before.lens); }},
+        {"view.lens_zoom",
+         [](const Pressed& p) { EXPECT_EQ(p.now.state().lens_zoom, ui::LensZoom::digits); }},
+        {"view.panel7", panel(ui::Panel::compare)},
+        {"compare.take_reference",
+         [](const Pressed& p) {
+             EXPECT_EQ(p.now.state().compare.reference, p.before.technique);
+             EXPECT_NE(p.before.compare.reference, p.before.technique);
+         }},
+        {"compare.wipe",
+         [](const Pressed& p) { EXPECT_EQ(p.now.state().compare.mode, ui::CompareMode::off); }},
+        {"compare.difference",
+         [](const Pressed& p) { EXPECT_EQ(p.now.state().compare.mode, ui::CompareMode::difference); }},
+        {"compare.false_color",
+         [](const Pressed& p) { EXPECT_EQ(p.now.state().compare.mode, ui::CompareMode::false_color); }},
+        {"compare.swap",
+         [](const Pressed& p) { EXPECT_NE(p.now.state().compare.swapped, p.before.compare.swapped); }},
+        {"compare.next_worst",
+         [](const Pressed& p) {
+             EXPECT_NE(p.now.measurement().pixel, p.pixel_before);
+             EXPECT_NE(p.now.message().find("Worst pixel 1"), std::string::npos) << p.now.message();
+         }},
         {"view.failures", [](const Pressed& p) { EXPECT_NE(p.now.state().failures, p.before.failures); }},
         {"view.reset",
          [](const Pressed& p) {
@@ -150,6 +171,8 @@ protected:
         state.plot.depth = ui::Range{-0.5f, 0.5f};
         state.pins = {glm::vec2(0.3f, 0.5f)};
         state.card = "beta";
+        state.lens = true;
+        state.compare.mode = ui::CompareMode::wipe;
         settle();
         state.marked = measurement().history[0].fragment;
         settle();
@@ -168,11 +191,11 @@ TEST_P(KeyTest, DoesWhatTheListSays) {
         settle();
     }
     const Pressed pressed = {state(), explorer(), measurement().pixel};
-    if (id == "view.truth") {
+    if (id == "compare.flip") {
         play("hold " + key);
-        EXPECT_TRUE(explorer().shows_truth());
+        EXPECT_TRUE(explorer().shows_reference());
         play("let " + key);
-        EXPECT_FALSE(explorer().shows_truth());
+        EXPECT_FALSE(explorer().shows_reference());
         return;
     }
     play("key " + key);

@@ -27,7 +27,10 @@ click @scene 0.35 0.5
 key P
 key N
 key L
+key Shift+L
 key O
+key W
+key Shift+W
 key X
 key C
 move @plot 0.4 0.4
@@ -89,6 +92,13 @@ TEST_F(SessionTest, BrokenSessionsAreExplainedAndChangeNothing) {
         {with("/pins", {{0.1, 0.1}, {0.1, 0.1}, {0.1, 0.1}, {0.1, 0.1}, {0.1, 0.1}}), "pins"},
         {with("/marked", -1), "marked"},
         {with("/plot/query", 3), "query"},
+        {with("/compare/reference", "perfect"), "no technique 'perfect'"},
+        {with("/compare/mode", "sideways"), "mode"},
+        {with("/compare/metric", "psnr"), "no metric 'psnr'"},
+        {with("/compare/gain", 0), "gain"},
+        {with("/compare/divider", 2), "divider"},
+        {with("/compare/region", {0.5, 0.1, 0.4, 0.9}), "region"},
+        {with("/lens_zoom", "huge"), "lens_zoom"},
         {with("/plot/depth_range", {1, 0}), "depth_range"},
         {with("/plot/shown/truth", 1), "truth"},
         {with("/panel", "left"), "panel"},

@@ -193,6 +193,7 @@ TEST_F(CommandLine, RefusesWrongWindowOptions) {
     expect_refused("--headless --screenshot out/a.png --session none.json", "no session file");
     expect_refused("--headless --screenshot out/a.png --ui-scale 9", "0.5 to 4");
     expect_refused("--headless --screenshot out/a.png --theme pink", "dark or light");
+    expect_refused("--headless --screenshot out/a.png --compare nonsense", "no technique 'nonsense'");
     expect_refused("--headless --screenshot out/a.png --log none/log.txt", "no folder");
 }
 

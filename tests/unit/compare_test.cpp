@@ -9,6 +9,7 @@
 
 #include "core/compare/color_spaces.hpp"
 #include "core/compare/false_color.hpp"
+#include "core/compare/worst_pixel.hpp"
 #include "tests/unit/expect_error.hpp"
 
 namespace momentscope::test {
@@ -60,6 +61,38 @@ TEST(Compare, FlipOfACommittedPair) {
     const Image sorted = read_image("tests/images/sorted.png"), wboit = read_image("tests/images/wboit.png");
     EXPECT_NEAR(mean_difference(sorted, wboit, Metric::flip), 0.0774147, 5e-6);
     EXPECT_EQ(mean_difference(wboit, sorted, Metric::flip), mean_difference(sorted, wboit, Metric::flip));
+}
+
+TEST(Compare, StoppedWorkHasNoResult) {
+    std::stop_source stop;
+    stop.request_stop();
+    const Image image = plain(9, 5, glm::vec3(0.5f));
+    for (const MetricRow& row : metrics())
+        EXPECT_TRUE(difference_map(image, image, row.id, stop.get_token()).empty()) << row.key;
+}
+
+TEST(Compare, PartsOfMaps) {
+    const std::vector<float> map = {0, 1, 2, 10, 11, 12};
+    EXPECT_EQ(part_of(map, 3, {1, 0, 2, 2}), (std::vector<float>{1, 2, 11, 12}));
+    EXPECT_EQ(part_of(map, 3, {0, 1, 1, 1}), std::vector<float>{10});
+}
+
+TEST(WorstPixel, KeepsItsDistanceAndStaysWithinTheRegion) {
+    constexpr int WIDTH = 64;
+    std::vector<float> map(WIDTH * 40, 0.0f);
+    map[10 * WIDTH + 20] = 5;
+    map[10 * WIDTH + 35] = 4;  // 15 pixels away
+    map[10 * WIDTH + 36] = 3;  // 16 pixels away
+    map[39 * WIDTH + 63] = 2;
+    const PixelRegion all = {0, 0, WIDTH, 40};
+    std::vector<glm::ivec2> visited;
+    for (const glm::ivec2 next : {glm::ivec2(20, 10), glm::ivec2(36, 10), glm::ivec2(63, 39)}) {
+        EXPECT_EQ(next_worst_pixel(map, WIDTH, all, visited), next);
+        visited.push_back(next);
+    }
+    EXPECT_EQ(next_worst_pixel(map, WIDTH, all, visited), std::nullopt);
+    EXPECT_EQ(next_worst_pixel(map, WIDTH, {36, 10, 28, 30}, {}), glm::ivec2(36, 10));
+    EXPECT_EQ(next_worst_pixel(map, WIDTH, {0, 0, 20, 40}, {}), std::nullopt) << "nothing differs there";
 }
 
 TEST(Compare, FalseColorsGoFromBlackToBright) {

@@ -1,0 +1,158 @@
+#include "ui/compare_panel.hpp"
+
+#include <fmt/format.h>
+
+#include "ui/technique_combo.hpp"
+
+namespace momentscope::ui {
+
+namespace {
+
+constexpr float LABEL_WIDTH = 6.5f;  // font heights
+
+void label(const char* text) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(text);
+    ImGui::SameLine(LABEL_WIDTH * em());
+}
+
+void draw_modes(const Ui& ui, CompareState& compare) {
+    constexpr struct {
+        CompareMode mode;
+        const char* name;
+        const char* anchor;
+        const char* help;
+        const char* key;
+    } MODES[] = {
+        {CompareMode::off, "picture", "comparison.off", "The picture alone; hold G to flip to the reference.",
+         ""},
+        {CompareMode::wipe, "wipe", "comparison.wipe",
+         "Reference and picture side by side; drag the line between them.", "W"},
+        {CompareMode::difference, "difference", "comparison.difference",
+         "The absolute difference of the linear channels, amplified.", "M"},
+        {CompareMode::false_color, "false colour", "comparison.false_color",
+         "The chosen metric of every pixel in colours, amplified; click a row of the table to choose another "
+         "metric.",
+         "H"}};
+    label("show");
+    for (const auto& row : MODES) {
+        if (row.mode != CompareMode::off) ImGui::SameLine(0, 0.2f * em());
+        if (toggle_button(row.name, compare.mode == row.mode)) compare.mode = row.mode;
+        ui.mark(row.anchor);
+        tooltip(row.help, row.key);
+    }
+}
+
+// What belongs to the way of showing that is chosen.
+void draw_mode_controls(const Ui& ui, CompareState& compare) {
+    if (compare.mode == CompareMode::wipe) {
+        label("");
+        if (ImGui::Button("swap sides")) compare.swapped = !compare.swapped;
+        ui.mark("comparison.swap");
+        tooltip("Exchanges the sides of reference and picture.", "Shift+W");
+    } else if (compare.mode != CompareMode::off) {
+        label("amplify");
+        ImGui::SetNextItemWidth(14 * em());
+        ImGui::SliderFloat("##gain", &compare.gain, LEAST_GAIN, MOST_GAIN, "× %.3g",
+                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+        ui.mark("comparison.gain");
+        tooltip("By how much differences are amplified, in the picture alone: the numbers stay as they are.",
+                "1 to 64; Ctrl+click to type");
+    }
+}
+
+void draw_number(const std::string& text, bool fresh) {
+    ImGui::TableNextColumn();
+    if (fresh)
+        ImGui::TextUnformatted(text.c_str());
+    else
+        ImGui::TextDisabled("%s", text.c_str());
+}
+
+void draw_metric(const Ui& ui, const MetricRow& row, Comparison& comparison, ExplorerState& state) {
+    CompareState& compare = state.compare;
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    if (ImGui::Selectable(row.name, compare.metric == row.id, ImGuiSelectableFlags_SpanAllColumns))
+        compare.metric = row.id;
+    ui.mark(fmt::format("comparison.metric.{}", row.key));
+    tooltip(fmt::format("{} Click to choose it for false colour and the worst pixel.", row.help), row.source);
+    const MetricResult* result = comparison.result(row.id);
+    const bool fresh = comparison.is_fresh(row.id);
+    if (result == nullptr) {
+        ImGui::TableNextColumn();
+        ImGui::TextDisabled("computing…");
+        return;
+    }
+    draw_number(fmt::format("{:.4g}", result->mean), fresh);
+    const PixelRegion region = pixels_of(compare.region, comparison.size());
+    draw_number(compare.region ? fmt::format("{:.4g}", comparison.mean_of(*result, region)) : "–", fresh);
+    draw_number(result->most > 0
+                    ? fmt::format("{:.4g} at {}, {}", result->most, result->worst.x, result->worst.y)
+                    : "0 everywhere",
+                fresh);
+    draw_number(fresh ? "" : "computing…", false);
+}
+
+void draw_metrics(const Ui& ui, Comparison& comparison, ExplorerState& state) {
+    if (!ImGui::BeginTable("metrics", 5, ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings)) return;
+    const float widths[] = {12, 5.5f, 5.5f, 11};
+    const char* names[] = {"metric", "picture", "region", "greatest"};
+    for (std::size_t i = 0; i < std::size(names); ++i)
+        ImGui::TableSetupColumn(names[i], ImGuiTableColumnFlags_WidthFixed, widths[i] * em());
+    ImGui::TableSetupColumn("##state", ImGuiTableColumnFlags_WidthStretch);
+    ImGui::TableHeadersRow();
+    for (const MetricRow& row : metrics()) draw_metric(ui, row, comparison, state);
+    ImGui::EndTable();
+}
+
+bool draw_actions(const Ui& ui, Comparison& comparison, CompareState& compare) {
+    const bool asked = ImGui::Button("next worst pixel");
+    ui.mark("comparison.next_worst");
+    tooltip(
+        "Picks the pixel where the chosen metric is greatest, of the region if there is one; then the next "
+        "worst, at least 16 pixels away from those before.",
+        "J");
+    ImGui::SameLine();
+    if (!compare.region) {
+        ImGui::TextDisabled("Shift+drag in the picture measures a region.");
+        return asked;
+    }
+    if (ImGui::Button("forget region")) compare.region.reset();
+    ui.mark("comparison.forget_region");
+    tooltip("Measures the whole picture alone.", "Escape");
+    if (!compare.region) return asked;
+    const PixelRegion region = pixels_of(compare.region, comparison.size());
+    ImGui::SameLine();
+    ImGui::TextDisabled("region of %d x %d at %d, %d", region.width, region.height, region.x, region.y);
+    return asked;
+}
+
+}  // namespace
+
+bool draw_compare_panel(const Ui& ui, OrderedAccess access, Comparison& comparison, ExplorerState& state) {
+    if (state.ray) {
+        ImGui::TextWrapped(
+            "A view ray of its own has no picture to compare. The ray editor leads back to the scene.");
+        return false;
+    }
+    label("reference");
+    ImGui::SetNextItemWidth(-1);
+    draw_technique_combo(
+        ui, "comparison.reference", access,
+        "What the picture is compared with: another technique, drawn with the same parameters.", "--compare",
+        state.compare.reference);
+    if (state.technique == state.compare.reference) {
+        ImGui::TextWrapped(
+            "The picture is drawn by the reference itself, so there is nothing to compare. Choose another reference "
+            "here, or another technique.");
+        return false;
+    }
+    draw_modes(ui, state.compare);
+    draw_mode_controls(ui, state.compare);
+    ImGui::Spacing();
+    if (comparison.has_pair()) draw_metrics(ui, comparison, state);
+    return draw_actions(ui, comparison, state.compare);
+}
+
+}  // namespace momentscope::ui

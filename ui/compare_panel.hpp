@@ -1,0 +1,12 @@
+// compare_panel.hpp -- the tab that compares the picture with a reference.
+#pragma once
+#include "core/render/transparency.hpp"
+#include "ui/comparison.hpp"
+#include "ui/ui.hpp"
+
+namespace momentscope::ui {
+
+/// Reference, view, and the numbers of each metric. True when the next worst pixel was asked for.
+bool draw_compare_panel(const Ui& ui, OrderedAccess access, Comparison& comparison, ExplorerState& state);
+
+}  // namespace momentscope::ui
