@@ -115,6 +115,14 @@ void add_compare(CLI::App& app, Options& options) {
     add_parameter_options(*compare, options);
 }
 
+void add_figure(CLI::App& app, Options& options) {
+    CLI::App* figure =
+        app.add_subcommand("figure", "redo a figure of the papers, and measure what they say of it");
+    figure->add_option("figure", options.figure, "id of a figure (momentscope list figures), or all")
+        ->required();
+    figure->add_option("-o,--output", options.output, "folder for the pictures [figures]");
+}
+
 void add_commands(CLI::App& app, Options& options, std::string& what) {
     add_explore_options(app, options);
     CLI::App* explore = app.add_subcommand("explore", "open the window (the default)");
@@ -128,11 +136,13 @@ void add_commands(CLI::App& app, Options& options, std::string& what) {
 
     add_inspect(app, options);
     add_compare(app, options);
+    add_figure(app, options);
     add_stress(app, options);
     add_tune(app, options);
 
     CLI::App* list = app.add_subcommand("list", "print a registry");
-    list->add_option("what", what, "techniques, scenes, parameters, conditions or commands (of the window)")
+    list->add_option("what", what,
+                     "techniques, scenes, parameters, conditions, figures or commands (of the window)")
         ->required();
     list->add_option("--format", options.format, "table, json or (of techniques) markdown [table]");
     app.require_subcommand(0, 1);
@@ -144,6 +154,7 @@ void run(const CLI::App& app, const Options& options, const std::string& what) {
     if (app.got_subcommand("render")) return run_render(options);
     if (app.got_subcommand("inspect")) return run_inspect(options);
     if (app.got_subcommand("compare")) return run_compare(options);
+    if (app.got_subcommand("figure")) return run_figure(options);
     if (app.got_subcommand("stress")) return run_stress_command(options);
     if (app.got_subcommand("tune")) return run_tune_command(options);
     if (app.got_subcommand("list")) return run_list(what, options.format.empty() ? "table" : options.format);

@@ -8,6 +8,7 @@ void run_explore(const Options& options);
 void run_render(const Options& options);
 void run_inspect(const Options& options);
 void run_compare(const Options& options);
+void run_figure(const Options& options);
 void run_stress_command(const Options& options);
 void run_tune_command(const Options& options);
 void run_list(const std::string& what, const std::string& format);

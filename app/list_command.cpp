@@ -5,6 +5,7 @@
 
 #include "app/commands.hpp"
 #include "core/error.hpp"
+#include "core/figures/figure.hpp"
 #include "core/stress/condition.hpp"
 #include "core/techniques/techniques_page.hpp"
 #include "ui/commands.hpp"
@@ -125,12 +126,17 @@ void run_list(const std::string& what, const std::string& format) {
     } else if (what == "parameters") {
         rows = list_parameters();
         columns = {"key", "symbol", "minimum", "maximum", "default", "name"};
+    } else if (what == "figures") {
+        for (const Figure& figure : figures())
+            rows.push_back({{"id", figure.id}, {"title", figure.title}, {"source", figure.source}});
+        columns = {"id", "title", "source"};
     } else if (what == "commands") {
         rows = list_commands();
         columns = {"id", "keys", "name"};
     } else {
         throw Error(fmt::format(
-            "There is no list '{}'; use techniques, scenes, parameters, conditions or commands.", what));
+            "There is no list '{}'; use techniques, scenes, parameters, conditions, figures or commands.",
+            what));
     }
     if (format == "json")
         std::puts(rows.dump(2).c_str());

@@ -204,8 +204,10 @@ void Explorer::report_passes(const PassCounts& before) {
 
 bool Explorer::fragments_stale(const View& view, Stage stage) const {
     if (stage <= Stage::opaque) return true;
-    const bool reordered = std::ranges::any_of(
-        PICTURE_PARAMETERS, [&](ParameterId id) { return view.parameters[id] != shown_view_.parameters[id]; });
+    const bool reordered = std::ranges::any_of(PICTURE_PARAMETERS, [&](ParameterId id) {
+        return parameter(id).invalidates <= Stage::moments &&
+               view.parameters[id] != shown_view_.parameters[id];
+    });
     return reordered || (stage <= Stage::moments && view.technique->uses(ParameterId::resolution));
 }
 

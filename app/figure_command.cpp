@@ -1,0 +1,105 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <map>
+#include <memory>
+
+#include "app/commands.hpp"
+#include "app/figure_picture.hpp"
+#include "app/gl_context.hpp"
+#include "app/progress.hpp"
+#include "core/error.hpp"
+#include "core/figures/figure.hpp"
+#include "core/output_file.hpp"
+#include "core/render/renderer.hpp"
+#include "core/scene/camera.hpp"
+#include "core/scene/scenes.hpp"
+#include "ui/theme.hpp"
+
+namespace momentscope {
+
+namespace {
+
+constexpr glm::ivec2 SIZE(480, 270);
+constexpr const char* INTRODUCTION =
+    "# The papers' figures, with our scenes\n\n"
+    "Written by `momentscope figure all -o docs/figures`. Each figure replays named settings; beside it stands what the "
+    "paper says about its own, and what was measured of ours. Our scenes are no copies of the papers' assets, so it is the "
+    "order of techniques that can agree, not their numbers. Errors are root mean squares of linear colour at 480x270 "
+    "against `sorted` unless something else is said; a row agrees if its numbers fall from left to right.\n\n";
+
+/// Draws every shot once.
+class RenderedShots : public ShotSource {
+public:
+    const Image& picture(const Shot& shot) override {
+        std::string key = fmt::format("{} {}", shot.scene, shot.technique);
+        for (const auto& [id, value] : shot.settings) key += fmt::format(" {}={}", parameter(id).key, value);
+        const auto found = pictures_.find(key);
+        if (found != pictures_.end()) return found->second;
+        draw(shot);
+        return pictures_.emplace(key, renderer_.read_picture()).first->second;
+    }
+
+    ViewRay picked_ray(const Shot& shot) override {
+        draw(shot);
+        return renderer_.capture_pixel(picked_pixel(scene_, SIZE)).ray;
+    }
+
+private:
+    void draw(const Shot& shot) {
+        if (scene_.id != shot.scene) {
+            scene_ = load_scene(shot.scene, *parameter(ParameterId::opacity).standard);
+            renderer_.set_scene(scene_);
+        }
+        renderer_.render(
+            {scene_.camera, SIZE, &require_technique(shot.technique), values_with(shot.settings)});
+    }
+
+    Renderer renderer_;
+    Scene scene_;
+    std::map<std::string, Image> pictures_;
+};
+
+std::string text_of(const Figure& figure, const std::vector<Finding>& findings) {
+    std::string text = fmt::format("{}: {} ({})\n", figure.id, figure.title, figure.source);
+    for (const Finding& finding : findings)
+        text += fmt::format("  {} {}: {}\n", finding.agrees ? "agrees       " : "DOES NOT AGREE",
+                            finding.claim, finding.numbers);
+    return text;
+}
+
+}  // namespace
+
+void run_figure(const Options& options) {
+    const bool all = options.figure == "all";
+    std::vector<const Figure*> chosen;
+    for (const Figure& figure : figures())
+        if (all || &figure == &require_figure(options.figure)) chosen.push_back(&figure);
+    const std::filesystem::path folder = options.output.empty() ? "figures" : options.output;
+    std::error_code code;
+    std::filesystem::create_directories(folder, code);
+    if (code)
+        throw Error(fmt::format("The folder '{}' cannot be made: {}; give another -o.", folder.string(),
+                                code.message()));
+    const auto context = make_gl_context("osmesa", MOST_FIGURE_SIZE);
+    RenderedShots shots;
+    GuiSession gui(nullptr, FIGURE_SCALE);
+    ui::apply_style(ui::ThemeKind::light, FIGURE_SCALE);
+    Progress progress("Drawing figures");
+    std::string page = INTRODUCTION;
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        progress.show(i, chosen.size());
+        progress.require_finished();
+        const Figure& figure = *chosen[i];
+        const std::string name = fmt::format("{}.png", figure.id);
+        write_figure_picture(gui, figure, shots, folder / name);
+        const std::vector<Finding> findings = figure.measure(shots);
+        page +=
+            figure_section(figure, findings, fmt::format("{}/{}", folder.filename().string(), name)) + "\n";
+        std::fputs(text_of(figure, findings).c_str(), stdout);
+    }
+    progress.show(chosen.size(), chosen.size());
+    if (all) write_text_file(page, std::filesystem::path(folder).concat(".md"));
+}
+
+}  // namespace momentscope

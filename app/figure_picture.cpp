@@ -1,0 +1,104 @@
+#include "app/figure_picture.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/gl_context.hpp"
+#include "core/gl/texture.hpp"
+#include "core/image/image.hpp"
+#include "ui/measurement.hpp"
+#include "ui/plot_panel.hpp"
+#include "ui/theme.hpp"
+
+namespace momentscope {
+
+namespace {
+
+constexpr int COLUMNS = 3;
+constexpr ImVec2 PLOT(560, 400);
+constexpr ImVec2 PICTURE(480, 270);
+
+/// What one panel draws; a texture or a measured ray.
+struct Drawn {
+    const FigurePanel* panel;
+    GlTexture texture;
+    ui::ExplorerState state;
+    ui::Measurement measurement;
+    ui::PlotPanel plot;
+};
+
+GlTexture texture_of(const Image& image) {
+    std::vector<unsigned char> bytes;
+    bytes.reserve(4 * image.pixels.size());
+    for (const glm::vec4& pixel : image.pixels) {
+        for (int c = 0; c < 3; ++c)
+            bytes.push_back(static_cast<unsigned char>(std::lround(255 * srgb_from_linear(pixel[c]))));
+        bytes.push_back(255);
+    }
+    GlTexture texture = make_texture(GL_RGBA8, {image.width, image.height});
+    glTextureSubImage2D(texture, 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+    return texture;
+}
+
+Drawn drawn(const FigurePanel& panel, ShotSource& shots) {
+    Drawn result = {&panel, {}, {}, {}, {}};
+    if (!panel.plot) {
+        result.texture = texture_of(shots.picture(panel.shot));
+        return result;
+    }
+    ui::ExplorerState& state = result.state;
+    state.technique = &require_technique(panel.shot.technique);
+    state.parameters = values_with(panel.shot.settings);
+    state.ray = panel.ray != nullptr ? panel.ray() : shots.picked_ray(panel.shot);
+    if (panel.transmittance) ui::set_quantity(state.plot, ui::Quantity::transmittance);
+    state.plot.shown[static_cast<std::size_t>(ui::Series::stems)] = false;
+    result.measurement.capture.ray = *state.ray;
+    ui::measure_curves(result.measurement, state);
+    ui::measure_query(result.measurement, state);
+    return result;
+}
+
+void draw(const ui::Ui& ui, Drawn& one) {
+    ImGui::BeginGroup();
+    ImGui::TextUnformatted(one.panel->caption.c_str());
+    if (one.panel->plot)
+        one.plot.draw(ui, one.measurement, one.state, PLOT);
+    else
+        ImGui::Image(reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(GLuint(one.texture))), PICTURE);
+    ImGui::EndGroup();
+}
+
+}  // namespace
+
+void write_figure_picture(GuiSession& gui, const Figure& figure, ShotSource& shots,
+                          const std::filesystem::path& path) {
+    std::vector<Drawn> all;
+    for (const FigurePanel& panel : figure.panels) all.push_back(drawn(panel, shots));
+    ui::Anchors anchors;
+    const ui::Ui ui{ui::palette(ui::ThemeKind::light), anchors};
+    glm::ivec2 size = MOST_FIGURE_SIZE;
+    for (int frame = 0; frame < 2; ++frame) {  // the first one measures
+        gui.begin_frame(size);
+        ImGui::SetNextWindowPos({0, 0});
+        ImGui::SetNextWindowSize({static_cast<float>(size.x), static_cast<float>(size.y)});
+        ImGui::Begin("figure", nullptr, ImGuiWindowFlags_NoDecoration);
+        ImVec2 end(0, 0);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            ImGui::PushID(static_cast<int>(i));
+            if (i % COLUMNS != 0) ImGui::SameLine();
+            draw(ui, all[i]);
+            ImGui::PopID();
+            end = {std::max(end.x, ImGui::GetItemRectMax().x), std::max(end.y, ImGui::GetItemRectMax().y)};
+        }
+        ImGui::End();
+        gui.end_frame(size);
+        if (frame == 0)
+            size = glm::min(
+                size, glm::ivec2(static_cast<int>(end.x + ui::em()), static_cast<int>(end.y + ui::em())));
+    }
+    write_png(read_framebuffer(size), size.x, size.y, path);
+}
+
+}  // namespace momentscope

@@ -1,0 +1,74 @@
+// figure.hpp -- figures of the papers as settings that can be replayed, with what the papers claim about them
+// and functions that measure whether ours agree.
+#pragma once
+#include <functional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/compare/difference.hpp"
+#include "core/parameters.hpp"
+#include "core/ray/view_ray.hpp"
+#include "core/techniques/technique.hpp"
+
+namespace momentscope {
+
+using ParameterSettings = std::vector<std::pair<ParameterId, float>>;
+
+/// All values at their standard but these.
+ParameterValues values_with(const ParameterSettings& settings);
+
+/// A technique with parameters, on a scene.
+struct Shot {
+    const char* scene;
+    const char* technique;
+    ParameterSettings settings = {};
+};
+
+/// One part of a figure: a picture, or the functions along a ray.
+struct FigurePanel {
+    std::string caption;
+    Shot shot;
+    ViewRay (*ray)() = nullptr;  // of a plot; a null one of the shot's scene at its picked pixel
+    bool plot = false;
+    bool transmittance = false;  // what a plot shows instead of absorbance
+};
+
+/// Pictures and pixels of shots; implemented by who has a GL.
+class ShotSource {
+public:
+    virtual ~ShotSource() = default;
+    virtual const Image& picture(const Shot& shot) = 0;
+    virtual ViewRay picked_ray(const Shot& shot) = 0;
+
+    /// Against `sorted`, of the picture or a part of it given by fractions from its upper left corner.
+    double error(const Shot& shot, Metric metric = Metric::rmse, glm::vec4 part = {0, 0, 1, 1});
+};
+
+/// What was measured of a claim.
+struct Finding {
+    std::string claim;    // of the paper, in our words
+    bool agrees = false;  // do ours show it?
+    std::string numbers;
+};
+
+struct Figure {
+    const char* id;
+    const char* source;  // paper and figure
+    const char* title;
+    std::vector<FigurePanel> panels;
+    std::vector<Finding> (*measure)(ShotSource&);
+};
+
+/// All figures, in the order of the papers; ids are unique.
+std::span<const Figure> figures();
+
+/// Throws Error that lists the ids.
+const Figure& require_figure(std::string_view id);
+
+/// A figure's section of docs/figures.md. picture: the file beside it.
+std::string figure_section(const Figure& figure, const std::vector<Finding>& findings,
+                           const std::string& picture);
+
+}  // namespace momentscope
