@@ -61,6 +61,8 @@ void run_inspect(const Options& options) {
         throw Error(fmt::format("There is no format '{}'; use json, csv or table.", format));
     const ParameterValues parameters = parse_parameters(options);
     const auto techniques = parse_techniques(options, "power6-32");
+    for (const Technique* technique : techniques)
+        if (const char* why = why_refused(*technique, parameters); why != nullptr) throw Error(why);
     if (options.steps && !options.format.empty()) throw Error("The steps are text; leave --format out.");
     if (options.steps && options.sharp_bounds)
         throw Error("Sharp bounds belong to curves; leave --steps or --sharp-bounds out.");

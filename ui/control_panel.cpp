@@ -75,10 +75,10 @@ void draw_control_panel(const Ui& ui, OrderedAccess access, ExplorerState& state
     for (const Parameter& row : parameters()) {
         const bool of_mesh = row.id == ParameterId::opacity && !is_builtin_scene(state.scene) && !state.ray;
         const bool of_scene =
-            std::ranges::find(PICTURE_PARAMETERS, row.id) != SCENE_PARAMETERS.end() && !state.ray;
+            std::ranges::find(PICTURE_PARAMETERS, row.id) != PICTURE_PARAMETERS.end() && !state.ray;
         if (!state.technique->uses(row.id) && !of_mesh && !of_scene) continue;
-        draw_parameter_control(ui, row, automatic_bias(state.parameters, *state.technique),
-                               LABEL_WIDTH * em(), to_type == row.id, state.parameters, message);
+        draw_parameter_control(ui, row, *state.technique, LABEL_WIDTH * em(), to_type == row.id,
+                               state.parameters, message);
         any = true;
     }
     to_type.reset();

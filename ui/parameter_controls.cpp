@@ -32,13 +32,20 @@ bool draw_logarithmic(const Parameter& row, float& value) {
     return true;
 }
 
-bool draw_choice(const Ui& ui, const Parameter& row, float& value) {
+bool draw_choice(const Ui& ui, const Parameter& row, const Technique& technique,
+                 const ParameterValues& values, float& value) {
     const auto chosen = static_cast<std::size_t>(value);
     bool changed = false;
     if (!ImGui::BeginCombo("##value", row.choices[chosen])) return false;
     for (std::size_t i = 0; i < row.choices.size(); ++i) {
+        ParameterValues then = values;
+        then.set(row.id, static_cast<float>(i));
+        const char* why_not = why_refused(technique, then);
+        ImGui::BeginDisabled(why_not != nullptr);
         const bool clicked = ImGui::Selectable(row.choices[i], i == chosen);
+        ImGui::EndDisabled();
         ui.mark(fmt::format("parameter.{}.{}", row.key, row.choices[i]));
+        if (why_not != nullptr) tooltip(why_not);
         if (!clicked || i == chosen) continue;
         value = static_cast<float>(i);
         changed = true;
@@ -47,7 +54,8 @@ bool draw_choice(const Ui& ui, const Parameter& row, float& value) {
     return changed;
 }
 
-bool draw_value(const Ui& ui, const Parameter& row, float& value) {
+bool draw_value(const Ui& ui, const Parameter& row, const Technique& technique, const ParameterValues& values,
+                float& value) {
     switch (row.scale) {
         case Scale::logarithmic:
             return draw_logarithmic(row, value);
@@ -58,7 +66,7 @@ bool draw_value(const Ui& ui, const Parameter& row, float& value) {
             return changed;
         }
         case Scale::choice:
-            return draw_choice(ui, row, value);
+            return draw_choice(ui, row, technique, values, value);
         case Scale::whole: {
             int number = static_cast<int>(value);
             const bool changed = ImGui::SliderInt("##value", &number, static_cast<int>(row.minimum),
@@ -125,9 +133,10 @@ std::string parameter_help(const Parameter& row) {
                        parameter_values_text(row), parameter_text(row, row.standard), unit, row.source);
 }
 
-void draw_parameter_control(const Ui& ui, const Parameter& row, float recommended, float label_width,
+void draw_parameter_control(const Ui& ui, const Parameter& row, const Technique& technique, float label_width,
                             bool type_now, ParameterValues& values, std::string& message) {
     ImGui::PushID(row.key);
+    const float recommended = automatic_bias(values, technique);
     float value = values[row.id].value_or(recommended);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(shown_name(row).c_str());
@@ -140,7 +149,7 @@ void draw_parameter_control(const Ui& ui, const Parameter& row, float recommende
         draw_typed(row, values, message);
     } else {
         const bool to_type = ImGui::GetIO().KeyCtrl && is_slider(row);
-        if (draw_value(ui, row, value) && !to_type) values.set(row.id, value);
+        if (draw_value(ui, row, technique, values, value) && !to_type) values.set(row.id, value);
         reset |= is_slider(row) && double_clicked();
         if (to_type && ImGui::IsItemHovered() && ImGui::IsMouseReleased(ImGuiMouseButton_Left))
             typing_state() = begin_typing;

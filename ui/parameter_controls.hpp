@@ -8,9 +8,10 @@
 namespace momentscope::ui {
 
 /// Draws the control of a parameter: slider with typed values, tooltip, `auto` where there is one.
-/// Double-clicking the name or the slider resets it. `recommended` is what auto means. `type_now` opens it
-/// as a text field. A value that was refused is explained in `message`.
-void draw_parameter_control(const Ui& ui, const Parameter& row, float recommended, float label_width,
+/// Double-clicking the name or the slider resets it. The technique says what auto means, and which choices
+/// make no sense beside the other values: these are grey. `type_now` opens it as a text field. A value that
+/// was refused is explained in `message`.
+void draw_parameter_control(const Ui& ui, const Parameter& row, const Technique& technique, float label_width,
                             bool type_now, ParameterValues& values, std::string& message);
 
 /// What the tooltip says: meaning, option, range, standard and source.

@@ -16,13 +16,28 @@ namespace {
 
 constexpr std::size_t SAMPLES = 512;
 
-MomentVector five_fragments(const Technique& technique, const ResolvedParameters& parameters) {
+ViewRay five_fragments() {
     std::mt19937 random(1);
     std::uniform_real_distribution<float> depth(-1.0f, 1.0f);
     std::uniform_real_distribution<float> opacity(0.05f, 0.95f);
     ViewRay ray;
     for (int i = 0; i < 5; ++i) ray.fragments.push_back({.depth = depth(random), .opacity = opacity(random)});
-    return sum_moments(ray, technique, parameters);
+    return ray;
+}
+
+// What the window computes when a ray changes: the functions of every technique that has one, from fragments.
+void run_everything(benchmark::State& state) {
+    const ViewRay ray = five_fragments();
+    const std::vector<float> depths = even_depths(SAMPLES);
+    for (auto _ : state)
+        for (const Technique& technique : techniques())
+            if (has_function(technique)) benchmark::DoNotOptimize(sample_curve(ray, technique, {}, depths));
+}
+
+void run_method(benchmark::State& state, const Technique& technique) {
+    const ViewRay ray = five_fragments();
+    const std::vector<float> depths = even_depths(SAMPLES);
+    for (auto _ : state) benchmark::DoNotOptimize(sample_curve(ray, technique, {}, depths));
 }
 
 struct Work {
@@ -33,7 +48,7 @@ struct Work {
 
 Work work_for(const Technique& technique) {
     const ResolvedParameters parameters = resolve({}, technique);
-    return {&technique, parameters, five_fragments(technique, parameters)};
+    return {&technique, parameters, sum_moments(five_fragments(), technique, parameters)};
 }
 
 void evaluate(const Work& work, const std::vector<float>& depths, std::vector<float> (&curves)[3]) {
@@ -69,7 +84,8 @@ public:
     void ReportRuns(const std::vector<Run>& runs) override {
         ConsoleReporter::ReportRuns(runs);
         for (const Run& run : runs)
-            nanoseconds_[run.benchmark_name()] = 1e9 / run.counters.at("items_per_second");
+            if (run.counters.count("items_per_second") > 0)
+                nanoseconds_[run.benchmark_name()] = 1e9 / run.counters.at("items_per_second");
     }
     void Finalize() override {
         fmt::print("\nns per reconstruction, one core\n{:<11}{:>12}{:>16}{:>18}{:>22}\n", "technique",
@@ -104,6 +120,13 @@ int main(int argc, char** argv) {
     benchmark::RegisterBenchmark("all techniques", [all](benchmark::State& state) {
         run(state, all);
     })->Unit(benchmark::kMicrosecond);
+    benchmark::RegisterBenchmark("every technique's curve, from fragments", run_everything)
+        ->Unit(benchmark::kMicrosecond);
+    for (const Technique& technique : techniques())
+        if (technique.method != nullptr && has_function(technique))
+            benchmark::RegisterBenchmark(technique.id, [&technique](benchmark::State& state) {
+                run_method(state, technique);
+            })->Unit(benchmark::kMicrosecond);
     for (const Work& work : all) {
         const std::string id = work.technique->id;
         benchmark::RegisterBenchmark((id + " scalar").c_str(),

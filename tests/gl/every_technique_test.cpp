@@ -1,0 +1,91 @@
+// every_technique_test.cpp -- every technique draws every scene, and with every value of its parameters, without an
+// error of GL and without a number that is none.
+#include <algorithm>
+#include <cmath>
+
+#include "tests/gl/gl_fixture.hpp"
+#include "tests/property/moment_rows.hpp"
+
+namespace momentscope::test {
+namespace {
+
+constexpr glm::ivec2 SIZE(640, 360);
+
+std::vector<const Technique*> all_techniques() {
+    std::vector<const Technique*> rows;
+    for (const Technique& row : techniques()) rows.push_back(&row);
+    return rows;
+}
+
+// Every choice, the ends of ranges, and of long ranges of whole numbers a few.
+std::vector<ParameterValues> choices_of(const Technique& technique) {
+    std::vector<ParameterValues> all;
+    for (const ParameterId id : technique.parameters) {
+        const Parameter& row = parameter(id);
+        const float step = row.scale == Scale::choice || row.scale == Scale::toggle
+                               ? 1
+                               : std::max((row.maximum - row.minimum) / 3, 0.01f);
+        for (float value = row.minimum; value <= row.maximum; value += step) {
+            all.emplace_back();
+            all.back().set(id, row.scale == Scale::whole ? std::round(value) : value);
+        }
+    }
+    return all;
+}
+
+class EveryTechniqueTest : public GlTest<::testing::TestWithParam<const Technique*>> {
+protected:
+    static void expect_picture(Renderer& renderer, const View& view, const std::string& scene) {
+        renderer.render(view);  // throws where GL fails
+        const Image picture = renderer.read_picture();
+        long bad = 0;
+        float least = 1e9f, most = 0;
+        for (const glm::vec4& pixel : picture.pixels) {
+            bad += std::isfinite(pixel.r + pixel.g + pixel.b) ? 0 : 1;
+            least = std::min(least, pixel.g);
+            most = std::max(most, pixel.g);
+        }
+        EXPECT_EQ(bad, 0) << view.technique->id << " on " << scene;
+        EXPECT_GT(most - least, 0.05f) << view.technique->id << " on " << scene << " shows nothing";
+    }
+};
+
+TEST_P(EveryTechniqueTest, DrawsEveryScene) {
+    const Technique& technique = *GetParam();
+    Renderer renderer;
+    if (const std::string why = why_unavailable(technique, renderer.ordered_access()); !why.empty())
+        GTEST_SKIP() << why;
+    std::vector<ParameterValues> choices = choices_of(technique);
+    std::size_t next = 0;
+    const std::size_t scenes = scene_entries().size();
+    for (std::size_t i = 0; i < scenes; ++i) {
+        const SceneEntry& entry = scene_entries()[i];
+        const Scene scene = load_scene(entry.id, 0.4f);
+        renderer.set_scene(scene);
+        expect_picture(renderer, view_of(scene, technique.id, SIZE), entry.id);
+        // Choices in turns over the scenes; states_test.cpp draws each on every scene, in small.
+        for (const std::size_t end = choices.size() * (i + 1) / scenes; next < end; ++next) {
+            View view = view_of(scene, technique.id, SIZE);
+            view.parameters = choices[next];
+            expect_picture(renderer, view, entry.id);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Techniques, EveryTechniqueTest, ::testing::ValuesIn(all_techniques()),
+                         [](const auto& one) { return test_name(*one.param); });
+
+TEST_F(GlTest<>, NonlinearMomentsAtLowResolutionAreRefused) {
+    Renderer renderer;
+    const Scene scene = load_scene("planes", 0.4f);
+    renderer.set_scene(scene);
+    View view = view_of(scene, "mt", {32, 18});
+    view.parameters.set(ParameterId::resolution, 2.0f);
+    view.parameters.set(ParameterId::read_format, 3.0f);
+    EXPECT_THROW(renderer.render(view), Error);
+    view.parameters.set(ParameterId::read_format, 1.0f);
+    EXPECT_NO_THROW(renderer.render(view));
+}
+
+}  // namespace
+}  // namespace momentscope::test
