@@ -1,6 +1,8 @@
 // peeling_test.cpp -- two ground truths that share nothing but the scene, compared; and the map of failures.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "tests/gl/gl_fixture.hpp"
 
 namespace momentscope::test {
@@ -16,25 +18,60 @@ Image picture(const Scene& scene, const char* technique, glm::ivec2 size) {
     return renderer.read_picture();
 }
 
-/// The share of pixels whose sRGB channels differ by more than 1/255.
-double differing(const Image& a, const Image& b) {
-    long count = 0;
+/// The pixels whose sRGB channels differ by more than 1/255.
+std::vector<glm::ivec2> differing_pixels(const Image& a, const Image& b) {
+    std::vector<glm::ivec2> pixels;
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
         bool same = true;
         for (int c = 0; c < 3; ++c)
             same &= 255 * std::abs(srgb_from_linear(a.pixels[i][c]) - srgb_from_linear(b.pixels[i][c])) <= 1;
-        count += same ? 0 : 1;
+        if (!same) pixels.emplace_back(static_cast<int>(i) % a.width, static_cast<int>(i) / a.width);
     }
-    return static_cast<double>(count) / static_cast<double>(a.pixels.size());
+    return pixels;
+}
+
+/// Their share.
+double differing(const Image& a, const Image& b) {
+    return static_cast<double>(differing_pixels(a, b).size()) / static_cast<double>(a.pixels.size());
+}
+
+/// Do two fragments lie so close that the depth buffer cannot tell them apart, and peeling loses one?
+bool has_tie(const PixelCapture& capture) {
+    std::vector<float> depths;
+    for (const Fragment& fragment : capture.ray.fragments) depths.push_back(fragment.view_depth);
+    std::ranges::sort(depths);
+    for (std::size_t i = 1; i < depths.size(); ++i) {
+        // Window depth is nearly 1 - near / z, in floats 2^-24 apart, and is rounded a few times on its way.
+        const float apart = 4.0f * 0x1p-24f * depths[i] * depths[i] / NEAR_PLANE;
+        if (depths[i] - depths[i - 1] < apart) return true;
+    }
+    return false;
 }
 
 TEST_F(PeelingTest, AgreesWithSortedOnEveryScene) {
-    for (const char* id : {"planes", "spheres", "teapots", "foliage", "smoke"}) {
+    for (const char* id : {"planes", "spheres", "teapots"}) {
         const Scene scene = load_scene(id, 0.4f);
         const glm::ivec2 size(480, 270);
         const double share = differing(picture(scene, "sorted", size), picture(scene, "peeling", size));
         RecordProperty(id, fmt::format("{}", share));
         EXPECT_LE(share, 1e-4) << id << ": 99.99 % of the pixels must agree within 1/255";
+    }
+}
+
+// Leaves cross each other, and grass does: there, depths tie along lines.
+TEST_F(PeelingTest, AgreesWithSortedWhereNoDepthsTie) {
+    for (const char* id : {"foliage", "ship", "smoke"}) {
+        const Scene scene = load_scene(id, 0.4f);
+        const glm::ivec2 size(240, 135);
+        Renderer renderer;
+        renderer.set_scene(scene);
+        renderer.render(view_of(scene, "sorted", size));
+        const auto pixels = differing_pixels(renderer.read_picture(), picture(scene, "peeling", size));
+        long without_tie = 0;
+        for (const glm::ivec2& pixel : pixels) without_tie += has_tie(renderer.capture_pixel(pixel)) ? 0 : 1;
+        RecordProperty(id, fmt::format("{} of {}", without_tie, pixels.size()));
+        EXPECT_LE(without_tie, 1e-4 * size.x * size.y) << id;
+        EXPECT_LE(static_cast<double>(pixels.size()), 2e-3 * size.x * size.y) << id << ": ties are rare";
     }
 }
 
