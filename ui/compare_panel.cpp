@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "ui/technique_combo.hpp"
 
 namespace momentscope::ui {
@@ -69,11 +71,12 @@ void draw_number(const std::string& text, bool fresh) {
         ImGui::TextDisabled("%s", text.c_str());
 }
 
-void draw_metric(const Ui& ui, const MetricRow& row, Comparison& comparison, ExplorerState& state) {
+void draw_metric(const Ui& ui, const MetricRow& row, const char* name, Comparison& comparison,
+                 ExplorerState& state) {
     CompareState& compare = state.compare;
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    if (ImGui::Selectable(row.name, compare.metric == row.id, ImGuiSelectableFlags_SpanAllColumns))
+    if (ImGui::Selectable(name, compare.metric == row.id, ImGuiSelectableFlags_SpanAllColumns))
         compare.metric = row.id;
     ui.mark(fmt::format("comparison.metric.{}", row.key));
     tooltip(fmt::format("{} Click to choose it for false colour and the worst pixel.", row.help), row.source);
@@ -91,39 +94,46 @@ void draw_metric(const Ui& ui, const MetricRow& row, Comparison& comparison, Exp
                     ? fmt::format("{:.4g} at {}, {}", result->most, result->worst.x, result->worst.y)
                     : "0 everywhere",
                 fresh);
-    draw_number(fresh ? "" : "computing…", false);
 }
 
+// Names are short where there is little room.
 void draw_metrics(const Ui& ui, Comparison& comparison, ExplorerState& state) {
-    if (!ImGui::BeginTable("metrics", 5, ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings)) return;
-    const float widths[] = {12, 5.5f, 5.5f, 11};
-    const char* names[] = {"metric", "picture", "region", "greatest"};
+    const bool narrow = ImGui::GetContentRegionAvail().x < 36 * em();
+    if (!ImGui::BeginTable("metrics", 4, ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings)) return;
+    const float widths[] = {narrow ? 4.0f : 12.0f, 5.5f, 5.5f};
+    const char* names[] = {"metric", "picture", "region"};
     for (std::size_t i = 0; i < std::size(names); ++i)
         ImGui::TableSetupColumn(names[i], ImGuiTableColumnFlags_WidthFixed, widths[i] * em());
-    ImGui::TableSetupColumn("##state", ImGuiTableColumnFlags_WidthStretch);
+    ImGui::TableSetupColumn("greatest", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableHeadersRow();
-    for (const MetricRow& row : metrics()) draw_metric(ui, row, comparison, state);
+    for (const MetricRow& row : metrics())
+        draw_metric(ui, row, narrow ? row.symbol : row.name, comparison, state);
     ImGui::EndTable();
+    const bool stale =
+        std::ranges::any_of(metrics(), [&](const MetricRow& row) { return !comparison.is_fresh(row.id); });
+    ImGui::TextDisabled("%s", stale ? "computing…" : "");  // keeps its line, so that nothing jumps
 }
 
 bool draw_actions(const Ui& ui, Comparison& comparison, CompareState& compare) {
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     const bool asked = ImGui::Button("next worst pixel");
     ui.mark("comparison.next_worst");
     tooltip(
         "Picks the pixel where the chosen metric is greatest, of the region if there is one; then the next "
         "worst, at least 16 pixels away from those before.",
         "J");
-    ImGui::SameLine();
     if (!compare.region) {
+        flow(20 * em(), right, em());
         ImGui::TextDisabled("Shift+drag in the picture measures a region.");
         return asked;
     }
+    ImGui::SameLine();
     if (ImGui::Button("forget region")) compare.region.reset();
     ui.mark("comparison.forget_region");
     tooltip("Measures the whole picture alone.", "Escape");
     if (!compare.region) return asked;
     const PixelRegion region = pixels_of(compare.region, comparison.size());
-    ImGui::SameLine();
+    flow(16 * em(), right, em());
     ImGui::TextDisabled("region of %d x %d at %d, %d", region.width, region.height, region.x, region.y);
     return asked;
 }

@@ -153,8 +153,9 @@ void Explorer::draw_tabs(const Ui& ui) {
                                     "Move, add and colour fragments by hand.",
                                     "Where techniques break: all of them under hard conditions.",
                                     "How far the picture is from a reference."};
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     for (std::size_t i = 0; i < PANEL_NAMES.size(); ++i) {
-        if (i > 0) ImGui::SameLine(0, 0.2f * em());
+        if (i > 0) flow(button_width(PANEL_NAMES[i]), right, 0.2f * em());
         if (toggle_button(PANEL_NAMES[i], state_.panel == static_cast<Panel>(i)))
             state_.panel = static_cast<Panel>(i);
         ui.mark(fmt::format("tab.{}", i + 1));
