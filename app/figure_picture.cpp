@@ -17,8 +17,8 @@ namespace momentscope {
 namespace {
 
 constexpr int COLUMNS = 3;
-constexpr ImVec2 PLOT(560, 400);
-constexpr ImVec2 PICTURE(480, 270);
+const ImVec2 PLOT(560, 400);
+const ImVec2 PICTURE(480, 270);
 
 /// What one panel draws; a texture or a measured ray.
 struct Drawn {

@@ -139,6 +139,7 @@ void StatePasses::draw_color(const PassInput& input) {
 }
 
 void StatePasses::draw_composite(const PassInput& input) {
+    settings_ = input.parameters.method;  // or one that weighs nothing
     glUseProgram(programs_.get("passes/fullscreen.vert", "passes/state_composite.frag",
                                state_variant(technique_, settings_)));
     glBindTextureUnit(0, input.opaque_color);

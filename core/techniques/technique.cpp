@@ -52,7 +52,7 @@ int whole(const std::optional<float>& value) {
 
 /// Sets of five numbers: what is added up in floats, and what is read where it is converted.
 int moment_transparency_bits(const MethodSettings& settings) {
-    constexpr int READ_BITS[] = {0, 80, 80, 48};  // with b_0 as a half float
+    constexpr int READ_BITS[] = {0, 80, 96, 64};  // with b_0, a half float or a float
     const int sets = settings.size / 8;
     return sets * (160 + READ_BITS[settings.option % 4]) / (settings.divisor * settings.divisor);
 }

@@ -17,11 +17,12 @@ FN PixelState empty_state(IN(MethodSettings) settings)
 
 FN PixelState fragment_state(IN(MethodFragment) fragment, IN(MethodSettings) settings)
 {
-    PixelState state;
+    PixelState state = empty_state(settings);
+    if (fragment.opacity < fragment.threshold) return state;
     state.f[0] = fragment.red;
     state.f[1] = fragment.green;
     state.f[2] = fragment.blue;
-    state.f[3] = fragment.opacity < fragment.threshold ? NO_DEPTH : fragment.depth;
+    state.f[3] = fragment.depth;
     return state;
 }
 

@@ -107,7 +107,7 @@ FN Moments in_read_format(IN(Moments) moments, IN(MethodSettings) settings)
     TwoDepths quantised = exact;
     if (read_format(settings) == 2) quantised = rounded_to_64_bits(exact);
     else quantised = rounded_to_32_bits(exact);
-    result.b0 = rounded_to_half(moments.b0);
+    result.b0 = moments.b0;   // stays a float beside them
     result.b[0] = quantised.near;
     result.b[1] = quantised.far;
     result.b[2] = quantised.weight;

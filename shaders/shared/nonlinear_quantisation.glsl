@@ -84,7 +84,6 @@ FN float mass_at(float r, float inverse_near, float inverse_far, float offset)
 /// as in front.
 FN float fraction_of_two_depths(IN(TwoDepths) quantised, float depth, float overestimation)
 {
-    if (depth <= quantised.near) return 0.0f;
     float weight = clamp(quantised.weight, 5.0e-6f, 1.0f - 5.0e-6f);
     float far = max(quantised.far, quantised.near + 5.0e-6f);
     PRECISE float scale = 1.0f / (far - quantised.near);
@@ -94,16 +93,16 @@ FN float fraction_of_two_depths(IN(TwoDepths) quantised, float depth, float over
     float inverse_near = 1.0f / (1.0f - weight);
     float inverse_far = 1.0f / weight;
     float own = mass_at(n, inverse_near, inverse_far, offset);
-    float in_front;
-    if (n >= 1.0f)
-        in_front = 1.0f - own;
-    else
+    float in_front = 0.0f;
+    if (n >= 1.0f) in_front = 1.0f - own;
+    else if (n > 0.0f)
     {
-        // The other node r < 0 or > 1 of the canonical representation; the masses in front are those at r, where it is in front.
+        // The canonical representation has two other nodes, of which r < 0 is in front.
         PRECISE float q = -offset * inverse_near / n;
         PRECISE float half_p = -0.5f * q * (1.0f - n * inverse_far) / (1.0f - n) - 0.5f;
         PRECISE float square = max(half_p * half_p - q, 0.0f);
-        PRECISE float r = -half_p - sqrt(square);
+        PRECISE float root = sqrt(square);
+        PRECISE float r = half_p > 0.0f ? -half_p - root : q / max(root - half_p, 1.0e-30f);   // nothing cancels
         in_front = mass_at(r, inverse_near, inverse_far, offset);
     }
     return in_front + overestimation * own;

@@ -75,7 +75,9 @@ TEST_P(EveryTechniqueTest, DrawsEveryScene) {
 INSTANTIATE_TEST_SUITE_P(Techniques, EveryTechniqueTest, ::testing::ValuesIn(all_techniques()),
                          [](const auto& one) { return test_name(*one.param); });
 
-TEST_F(GlTest<>, NonlinearMomentsAtLowResolutionAreRefused) {
+using Refusals = GlTest<>;
+
+TEST_F(Refusals, NonlinearMomentsAtLowResolution) {
     Renderer renderer;
     const Scene scene = load_scene("planes", 0.4f);
     renderer.set_scene(scene);

@@ -19,8 +19,9 @@ namespace momentscope::glsl::method_parts {
 #include "shaders/shared/portable_math.glsl"
 // portable_math first: the others build on it
 #include "shaders/shared/alpha_threshold.glsl"
-#include "shaders/shared/nonlinear_quantisation.glsl"
 #include "shaders/shared/rounding.glsl"
+// and this on rounding
+#include "shaders/shared/nonlinear_quantisation.glsl"
 #pragma GCC diagnostic pop
 }  // namespace momentscope::glsl::method_parts
 
