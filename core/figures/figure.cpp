@@ -43,8 +43,9 @@ std::string figure_section(const Figure& figure, const std::vector<Finding>& fin
                                    figure.source, figure.title, picture);
     text += "| what the paper says | ours | measured |\n|---|---|---|\n";
     for (const Finding& finding : findings)
-        fmt::format_to(std::back_inserter(text), "| {} | {} | {} |\n", finding.claim,
-                       finding.agrees ? "agree" : "**do not agree**", finding.numbers);
+        fmt::format_to(std::back_inserter(text), "| {} | {} | {}{}{} |\n", finding.claim,
+                       finding.agrees ? "agree" : "**do not agree**", finding.numbers,
+                       finding.remark.empty() ? "" : ". ", finding.remark);
     return text;
 }
 

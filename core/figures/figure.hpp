@@ -32,7 +32,8 @@ struct FigurePanel {
     Shot shot;
     ViewRay (*ray)() = nullptr;  // of a plot; a null one of the shot's scene at its picked pixel
     bool plot = false;
-    bool transmittance = false;  // what a plot shows instead of absorbance
+    bool transmittance = false;              // what a plot shows instead of absorbance
+    glm::vec4 part = glm::vec4(0, 0, 1, 1);  // of a picture, as fractions from its upper left corner
 };
 
 /// Pictures and pixels of shots; implemented by who has a GL.
@@ -51,6 +52,7 @@ struct Finding {
     std::string claim;    // of the paper, in our words
     bool agrees = false;  // do ours show it?
     std::string numbers;
+    std::string remark = "";  // why ours differ, or what else is worth knowing
 };
 
 struct Figure {
