@@ -82,6 +82,9 @@ public:
     const Measurement& measurement() const { return measurement_; }
     const FrameReport& report() const { return report_; }
     const std::string& message() const { return message_; }
+
+    /// What the scene is shown without, which is also its first message; empty when nothing is missing.
+    std::string warning() const;
     const Anchors& anchors() const { return anchors_; }
     bool shows_truth() const { return truth_shown_; }
     bool shows_help() const { return help_; }
