@@ -94,14 +94,21 @@ void draw_control_panel(const Ui& ui, OrderedAccess access, ExplorerState& state
     bool any = false;
     for (const Parameter& row : parameters()) {
         const bool of_mesh = row.id == ParameterId::opacity && !is_builtin_scene(state.scene) && !state.ray;
-        const bool of_every_picture = row.id == ParameterId::tone_map && !state.ray;
-        if (!state.technique->uses(row.id) && !of_mesh && !of_every_picture) continue;
+        if (!state.technique->uses(row.id) && !of_mesh) continue;
         draw_parameter_control(ui, row, automatic_bias(state.parameters, *state.technique),
                                LABEL_WIDTH * em(), to_type == row.id, state.parameters, message);
         any = true;
     }
     to_type.reset();
     if (!any) ImGui::TextDisabled("This technique reads no parameters.");
+}
+
+// Below what techniques read, since it changes no number.
+void draw_tone_map_control(const Ui& ui, ExplorerState& state, std::string& message) {
+    if (state.ray) return;  // has no picture
+    ImGui::Spacing();
+    draw_parameter_control(ui, parameter(ParameterId::tone_map), 0.0f, LABEL_WIDTH * em(), false,
+                           state.parameters, message);
 }
 
 }  // namespace momentscope::ui
