@@ -68,7 +68,10 @@ void explore_headless(const Options& options, glm::ivec2 size, float scale) {
     window.settle();
     pick_option(options, window.explorer());
     window.settle();
-    if (!window.explorer().message().empty()) throw Error(window.explorer().message());
+    const std::string warning = window.explorer().warning();
+    if (!warning.empty()) std::fputs(fmt::format("momentscope: {}\n", warning).c_str(), stderr);
+    const std::string& message = window.explorer().message();
+    if (!message.empty() && message != warning) throw Error(message);
     if (!options.events.empty()) EventPlayer(window).play_file(options.events);
     if (!options.screenshot.empty()) window.write_png(options.screenshot);
 }

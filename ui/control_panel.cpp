@@ -74,15 +74,21 @@ void draw_control_panel(const Ui& ui, OrderedAccess access, ExplorerState& state
     bool any = false;
     for (const Parameter& row : parameters()) {
         const bool of_mesh = row.id == ParameterId::opacity && !is_builtin_scene(state.scene) && !state.ray;
-        const bool of_scene =
-            std::ranges::find(PICTURE_PARAMETERS, row.id) != PICTURE_PARAMETERS.end() && !state.ray;
-        if (!state.technique->uses(row.id) && !of_mesh && !of_scene) continue;
+        if (!state.technique->uses(row.id) && !of_mesh) continue;
         draw_parameter_control(ui, row, *state.technique, LABEL_WIDTH * em(), to_type == row.id,
                                state.parameters, message);
         any = true;
     }
     to_type.reset();
     if (!any) ImGui::TextDisabled("This technique reads no parameters.");
+}
+
+void draw_picture_controls(const Ui& ui, ExplorerState& state, std::string& message) {
+    if (state.ray) return;  // has no picture
+    ImGui::Spacing();
+    for (const ParameterId id : PICTURE_PARAMETERS)
+        draw_parameter_control(ui, parameter(id), *state.technique, LABEL_WIDTH * em(), false,
+                               state.parameters, message);
 }
 
 }  // namespace momentscope::ui

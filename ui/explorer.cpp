@@ -121,11 +121,15 @@ void Explorer::load_scene_if_changed() {
     show_scene(load_scene(state_.scene, opacity));
 }
 
+std::string Explorer::warning() const {
+    return fmt::format("{}", fmt::join(scene_.warnings, " "));
+}
+
 void Explorer::show_scene(Scene scene) {
     renderer_.set_scene(scene);
     reference_.reset();
     scene_ = std::move(scene);
-    if (!scene_.warnings.empty()) message_ = fmt::format("{}", fmt::join(scene_.warnings, " "));
+    if (!scene_.warnings.empty()) message_ = warning();
     shown_view_.technique = nullptr;
     apply_opacity();
 }

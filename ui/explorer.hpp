@@ -88,6 +88,9 @@ public:
     const Comparison& comparison() const { return comparison_; }
     const FrameReport& report() const { return report_; }
     const std::string& message() const { return message_; }
+
+    /// What the scene is shown without, which is also its first message; empty when nothing is missing.
+    std::string warning() const;
     const Anchors& anchors() const { return anchors_; }
     bool shows_reference() const { return flipped_; }
     bool shows_help() const { return help_; }

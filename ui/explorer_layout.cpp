@@ -166,6 +166,7 @@ void Explorer::draw_tabs(const Ui& ui) {
         case Panel::controls:
             draw_control_panel(ui, renderer_.ordered_access(), state_, to_type_, message_);
             draw_tuning(ui);
+            draw_picture_controls(ui, state_, message_);
             break;
         case Panel::fragments:
             draw_fragment_panel(ui, measurement_, state_);

@@ -13,6 +13,9 @@ namespace momentscope::ui {
 void draw_control_panel(const Ui& ui, OrderedAccess access, ExplorerState& state,
                         std::optional<ParameterId>& to_type, std::string& message);
 
+/// How pictures are drawn and shown, whatever the technique.
+void draw_picture_controls(const Ui& ui, ExplorerState& state, std::string& message);
+
 /// The pixel's history: one row per fragment from front to back. Clicking a row marks it in the plot.
 void draw_fragment_panel(const Ui& ui, const Measurement& measurement, ExplorerState& state);
 
