@@ -1,10 +1,10 @@
-// states_test.cpp -- pictures of techniques without moments against the same pixels composed in C++ from
-// their fragments.
+// states_test.cpp -- pictures of all techniques against the same pixels composed in C++ from their fragments.
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "core/inspect/method_pixel.hpp"
+#include "core/inspect/pixel_color.hpp"
 #include "core/inspect/pixel_history.hpp"
 #include "tests/gl/gl_fixture.hpp"
 #include "tests/property/moment_rows.hpp"
@@ -112,6 +112,48 @@ TEST_P(StatesTest, EveryPixelIsWhatCppComposes) {
         }
     }
 }
+
+std::vector<const Technique*> other_techniques() {
+    std::vector<const Technique*> rows = moment_based_techniques();
+    rows.push_back(&require_technique("sorted"));
+    return rows;
+}
+
+class WithMomentsTest : public GlTest<::testing::TestWithParam<const Technique*>> {};
+
+// The GL sums weighted colours in submission order in floats, as C++ does; what differs is how it blends.
+TEST_P(WithMomentsTest, EveryPixelIsWhatCppComposes) {
+    const Technique& technique = *GetParam();
+    for (const SceneEntry& entry : scene_entries()) {
+        const Scene scene = load_scene(entry.id, 0.4f);
+        Renderer renderer;
+        renderer.set_scene(scene);
+        const View view = view_of(scene, technique.id, SIZE);
+        if (const std::string why = why_unavailable(technique, renderer.ordered_access()); !why.empty())
+            GTEST_SKIP() << why;
+        renderer.render(view);
+        const Image picture = renderer.read_picture();
+        const auto captures = renderer.capture_region({0, 0}, SIZE);
+        std::vector<std::size_t> covered;
+        for (std::size_t i = 0; i < captures.size(); ++i)
+            if (!captures[i].ray.fragments.empty()) covered.push_back(i);
+        const std::size_t step = std::max<std::size_t>(covered.size() / PIXELS, 1);
+        for (std::size_t k = 0; k < covered.size(); k += step) {
+            const PixelCapture& capture = captures[covered[k]];
+            const auto rows = pixel_history(capture.ray, {}, technique, view.parameters);
+            const PixelColors colors = pixel_colors(capture.ray, rows, technique,
+                                                    resolve(view.parameters, technique), capture.behind);
+            const glm::vec3 shown(
+                picture.at(static_cast<int>(covered[k]) % SIZE.x, static_cast<int>(covered[k]) / SIZE.x));
+            const glm::vec3 expected = technique.is_truth() ? colors.truth : colors.technique;
+            const glm::vec3 apart = glm::abs(shown - expected);
+            EXPECT_LT(std::max({apart.r, apart.g, apart.b}), 2e-4f) << technique.id << " on " << entry.id;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Techniques, WithMomentsTest, ::testing::ValuesIn(other_techniques()),
+                         [](const auto& one) { return test_name(*one.param); });
 
 INSTANTIATE_TEST_SUITE_P(Techniques, StatesTest, ::testing::ValuesIn(method_techniques()),
                          [](const auto& one) { return test_name(*one.param); });

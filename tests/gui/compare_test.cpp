@@ -267,6 +267,24 @@ TEST_F(CompareTest, TheNextWorstPixelIsTrulyTheWorst) {
     EXPECT_TRUE(region.contains(measurement().pixel));
 }
 
+// A user goes to the worst pixel and reads why it is wrong; turning the wrong bias down takes the blame from
+// it.
+TEST_F(CompareTest, TheVerdictOnTheWorstPixelNamesItsCause) {
+    ui::ExplorerState state_at_first;
+    state_at_first.scene = "planes";
+    state_at_first.technique = &require_technique("power6-32");
+    state_at_first.parameters.set(ParameterId::alpha, 0.1f);
+    state_at_first.compare.mode = ui::CompareMode::difference;
+    open(state_at_first);
+    play("key J\nclick @tab.2");
+    ASSERT_GT(explorer().anchors().count("fragments.verdict"), 0U) << "is shown";
+    const Verdict biased = measurement().verdict;
+    EXPECT_GT(biased.error, 0.005);
+    EXPECT_NE(biased.sentence.find("most of all by the moment bias"), std::string::npos) << biased.sentence;
+    play("click @tab.1\nclick @parameter.alpha.auto\nclick @tab.2");
+    EXPECT_LT(measurement().verdict.error, 0.5 * biased.error) << measurement().verdict.sentence;
+}
+
 TEST_F(CompareTest, WhereNothingDiffersItSaysSo) {
     open("spheres", "sorted");
     const auto picked = measurement().pixel;

@@ -56,9 +56,8 @@ TEST(VerdictTest, NamesTheFault) {
               "the moment count (4 power moments for 5 fragments)");
     EXPECT_EQ(of(two, "power6-32", with({{alpha, 0.1f}, {beta, 0}})), "the moment bias");
     EXPECT_EQ(of(two, "cheb6-32", with({{alpha, 0.1f}, {beta, 0}})), "the moment bias");
-    for (const char* t : {"trig2-32", "trig3-32", "trig4-32"})
-        for (const auto& r : {five, sheets({-0.8f, -0.5f, -0.2f, 0.1f, 0.4f, 0.7f}), sheets({-0.9f, -0.3f, 0.3f, 0.9f})})
-            printf("%s %s\n", t, pixel_verdict(r, require_technique(t), with({{theta, 3.1f}, {beta, 0}, {renormalize, 0}}), BEHIND).sentence.c_str());
+    const ViewRay six = sheets({-0.8f, -0.5f, -0.2f, 0.1f, 0.4f, 0.7f});
+    EXPECT_EQ(of(six, "trig3-32", with({{theta, 3.1f}, {beta, 0}, {renormalize, 0}})), "the wrapping zone");
     EXPECT_EQ(of(two, "power8-16", with({{alpha, 1e-6f}, {beta, 0}})), "16-bit drift of the moments");
     EXPECT_EQ(of(two, "unsorted"), "the order of submission") << "front first, so that the last lies on top";
     EXPECT_EQ(of(five, "wboit"), "the method's own approximation");

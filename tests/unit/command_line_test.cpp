@@ -194,6 +194,13 @@ TEST_F(CommandLine, RefusesWrongWindowOptions) {
     expect_refused("--headless --screenshot out/a.png --ui-scale 9", "0.5 to 4");
     expect_refused("--headless --screenshot out/a.png --theme pink", "dark or light");
     expect_refused("--headless --screenshot out/a.png --compare nonsense", "no technique 'nonsense'");
+    expect_refused("render --technique mt --resolution half --read-format nlqm32 -o out/a.png",
+                   "cannot be filtered");
+    expect_refused("inspect --ray tests/none.json --technique mt --resolution half --read-format nlqm64",
+                   "cannot be filtered");
+    expect_refused("render --technique stochastic --pixel-samples 65 -o out/a.png", "pixel-samples");
+    expect_refused("render --order sideways -o out/a.png", "sideways");
+    expect_refused("figure fig99 -o out/figures", "no figure 'fig99'");
     expect_refused("--headless --screenshot out/a.png --log none/log.txt", "no folder");
 }
 
