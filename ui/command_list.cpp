@@ -233,7 +233,7 @@ void add_compare(List& list) {
                     [](const Explorer& e) { return e.state().compare.region.has_value(); }});
     for (const MetricRow& row : metrics())
         list.push_back(choice(
-            fmt::format("compare.{}", row.key), fmt::format("Metric: {}", row.name), {}, row.help,
+            fmt::format("compare.metric_{}", row.key), fmt::format("Metric: {}", row.name), {}, row.help,
             [id = row.id](Explorer& e) { e.state().compare.metric = id; },
             [id = row.id](const Explorer& e) { return e.state().compare.metric == id; }));
 }

@@ -347,9 +347,17 @@ TEST_F(CompareTest, TheLensZoomsUntilAllDigitsAreThere) {
     EXPECT_EQ(state().lens_zoom, ui::LensZoom::far) << "and from the start again";
     play("key Shift+L\nkey Shift+L\nmove -10 -10");
     EXPECT_EQ(screen(), values);
-    // What the lens magnifies is what is seen.
-    play("key M\nkey H\nkey W\nkey J\nkey Shift+L\nhold G\nlet G");
-    EXPECT_NE(screen(), values);
+    // What the lens magnifies is what is seen there: at its smallest zoom the colour of the picked pixel's
+    // cell.
+    play("key Shift+L\nkey Shift+L\nkey J\nkey Escape\nkey M\nmove -10 -10");
+    ASSERT_EQ(state().lens_zoom, ui::LensZoom::far);
+    const Screen lens_of_difference = screen();
+    play("key M\nmove -10 -10");
+    const ui::Rect rect = explorer().anchors().at("scene");
+    const auto in_lens = [&](const Screen& of) {
+        return color(of, static_cast<int>(rect.low.x) + 20, static_cast<int>(rect.high.y) - 20);
+    };
+    EXPECT_NE(in_lens(lens_of_difference), in_lens(screen()));
 }
 
 TEST_F(CompareTest, ASessionKeepsTheComparison) {

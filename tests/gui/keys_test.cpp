@@ -64,7 +64,7 @@ const std::map<std::string, Check>& checks() {
              EXPECT_NE(p.before.compare.reference, p.before.technique);
          }},
         {"compare.wipe",
-         [](const Pressed& p) { EXPECT_EQ(p.now.state().compare.mode, ui::CompareMode::off); }},
+         [](const Pressed& p) { EXPECT_EQ(p.now.state().compare.mode, ui::CompareMode::wipe); }},
         {"compare.difference",
          [](const Pressed& p) { EXPECT_EQ(p.now.state().compare.mode, ui::CompareMode::difference); }},
         {"compare.false_color",
@@ -171,8 +171,6 @@ protected:
         state.plot.depth = ui::Range{-0.5f, 0.5f};
         state.pins = {glm::vec2(0.3f, 0.5f)};
         state.card = "beta";
-        state.lens = true;
-        state.compare.mode = ui::CompareMode::wipe;
         settle();
         state.marked = measurement().history[0].fragment;
         settle();
@@ -183,6 +181,8 @@ TEST_P(KeyTest, DoesWhatTheListSays) {
     const auto& [id, key] = GetParam();
     open_with_something_of_everything();
     if (id == "edit.redo") play("key Ctrl+Z");
+    if (id == "view.lens_zoom") play("key L");
+    if (id == "compare.swap") play("key W");
     if (id == "pixel.previous_fragment") play("key N");
     if (id == "view.panel1") play("key Ctrl+2");
     if (id == "edit.delete_fragment") {
