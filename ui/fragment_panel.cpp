@@ -79,7 +79,7 @@ void draw_row(const Ui& ui, const Measurement& m, const PixelHistoryRow& row, st
             "click to mark it in the plot");
     cell(fmt::format("{:.3f}", f.depth));
     cell(fmt::format("{:.3f}", f.opacity));
-    cell(fmt::format("{:.3f}", row.absorbance));
+    cell(fmt::format("{:.3f}", row.absorbance + 0.0f));  // of opacity 0 it is -0
     cell(fmt::format("{:.4f}", row.true_transmittance));
     cell(row.gl_transmittance ? fmt::format("{:.4f}", *row.gl_transmittance) : "–");
     cell(fmt::format("{:.4f}", row.transmittance));

@@ -24,12 +24,15 @@ struct Step {
     glm::dvec3 color;
 };
 
-// Colours weighted by opacity and these transmittances, over what lies behind.
-glm::dvec3 weighted_color(const ViewRay& ray, const std::vector<double>& t, const glm::vec3& behind) {
-    glm::dvec3 sum(0);
+// Colours weighted by opacity and these transmittances, over what lies behind (Equation 2).
+glm::dvec3 weighted_color(const ViewRay& ray, const std::vector<double>& t, bool renormalized,
+                          const glm::vec3& behind) {
+    glm::dvec4 sum(0);
     for (std::size_t i = 0; i < t.size(); ++i)
-        sum += glm::dvec3(ray.fragments[i].color) * (t[i] * static_cast<double>(ray.fragments[i].opacity));
-    return sum + glm::dvec3(behind) * std::exp(-total_absorbance(ray));
+        sum += glm::dvec4(ray.fragments[i].color, 1) * (t[i] * static_cast<double>(ray.fragments[i].opacity));
+    const double through = std::exp(-total_absorbance(ray));
+    const double scale = renormalized && sum.a > 0 ? (1 - through) / sum.a : 1;
+    return glm::dvec3(sum) * scale + glm::dvec3(behind) * through;
 }
 
 std::vector<double> transmittances(const std::vector<double>& absorbances) {
@@ -55,22 +58,23 @@ std::vector<Step> moment_steps(const ViewRay& ray, const Technique& technique, c
     const ResolvedParameters parameters = resolve(values, technique);
     const Technique& reference = with_reference(technique);
     const std::vector<float> depths = own_depths(ray);
-    const auto exact_color = [&](float theta, float alpha) {
+    const auto exact_color = [&](float theta, float beta, float alpha) {
         ResolvedParameters exact = parameters;
         exact.theta = theta;
         exact.alpha = alpha;
-        const auto absorbances =
-            exact_absorbance(exact_function(ray, reference, exact), ray, parameters.beta, depths);
-        return weighted_color(ray, transmittances(absorbances), behind);
+        const auto absorbances = exact_absorbance(exact_function(ray, reference, exact), ray, beta, depths);
+        return weighted_color(ray, transmittances(absorbances), parameters.renormalize, behind);
     };
     std::vector<Step> steps;
     steps.push_back({fmt::format("the moment count ({} {} moments for {})", technique.moment_count,
                                  technique.on_circle() ? "trigonometric" : "power",
                                  fragment_count_text(ray.fragments.size())),
-                     exact_color(technique.on_circle() ? 0 : parameters.theta, 0)});
-    if (technique.on_circle()) steps.push_back({"the wrapping zone", exact_color(parameters.theta, 0)});
+                     exact_color(technique.on_circle() ? 0 : parameters.theta, 0, 0)});
+    if (technique.on_circle()) steps.push_back({"the wrapping zone", exact_color(parameters.theta, 0, 0)});
+    steps.push_back({"the overestimation weight", exact_color(parameters.theta, parameters.beta, 0)});
     if (&reference == &technique)
-        steps.push_back({"the moment bias", exact_color(parameters.theta, parameters.alpha)});
+        steps.push_back(
+            {"the moment bias", exact_color(parameters.theta, parameters.beta, parameters.alpha)});
     const Curve curve = sample_curve(ray, technique, values, depths);
     std::vector<double> t;
     for (const float absorbance : curve.reconstructed)
@@ -79,7 +83,7 @@ std::vector<Step> moment_steps(const ViewRay& ray, const Technique& technique, c
                      : technique.kernel->bits == 16 ? "16-bit drift of the moments"
                      : parameters.textbook          ? "the textbook solver"
                                                     : "rounding of floats",
-                     weighted_color(ray, t, behind)});
+                     weighted_color(ray, t, parameters.renormalize, behind)});
     return steps;
 }
 
@@ -103,7 +107,6 @@ std::vector<Step> method_steps(const ViewRay& ray, const Technique& technique, c
         const ResolvedParameters parameters = resolve(ideal, technique);
         steps.push_back({cause, glm::dvec3(method_color(of, technique, parameters, behind))});
     };
-    if (technique.uses(ParameterId::renormalize)) ideal.set(ParameterId::renormalize, 0.0f);
     constexpr float FLOATS = 2;  // of ParameterId::layer_bits
     if (technique.uses(ParameterId::layer_bits)) ideal.set(ParameterId::layer_bits, FLOATS);
     if (technique.uses(ParameterId::resolution)) {
@@ -136,6 +139,23 @@ std::string sentence_of(const Verdict& verdict) {
     return text + ".";
 }
 
+PixelColors colors_of(const ViewRay& ray, const Technique& technique, const ParameterValues& values,
+                      const glm::vec3& behind) {
+    const std::vector<PixelHistoryRow> rows = pixel_history(ray, {}, technique, values);
+    return pixel_colors(ray, rows, technique, resolve(values, technique), behind);
+}
+
+// Is the pixel worse with renormalisation than without? Else it is no cause: what it leaves is that of
+// others.
+bool harmful_renormalization(const ViewRay& ray, const Technique& technique, const ParameterValues& values,
+                             const glm::vec3& behind, double error) {
+    if (!technique.uses(ParameterId::renormalize) || values[ParameterId::renormalize] == 0.0f) return false;
+    ParameterValues without = values;
+    without.set(ParameterId::renormalize, 0.0f);
+    const PixelColors colors = colors_of(ray, technique, without, behind);
+    return glm::length(glm::dvec3(colors.technique) - glm::dvec3(colors.truth)) < error;
+}
+
 }  // namespace
 
 Verdict pixel_verdict(const ViewRay& ray, const Technique& technique, const ParameterValues& values,
@@ -145,8 +165,7 @@ Verdict pixel_verdict(const ViewRay& ray, const Technique& technique, const Para
             .error = 0,
             .contributions = {},
             .sentence = fmt::format("More than {} fragments are too many for a verdict.", MOST_FRAGMENTS)};
-    const std::vector<PixelHistoryRow> rows = pixel_history(ray, {}, technique, values);
-    const PixelColors colors = pixel_colors(ray, rows, technique, resolve(values, technique), behind);
+    const PixelColors colors = colors_of(ray, technique, values, behind);
     Verdict verdict;
     if (technique.is_truth()) {
         verdict.sentence = "This technique is the truth.";
@@ -158,9 +177,12 @@ Verdict pixel_verdict(const ViewRay& ray, const Technique& technique, const Para
     }
     const glm::dvec3 truth(colors.truth), shown(colors.technique);
     verdict.error = glm::length(shown - truth);
-    std::vector<Step> steps = technique.method != nullptr ? method_steps(ray, technique, values, behind)
-                                                          : moment_steps(ray, technique, values, behind);
-    if (technique.uses(ParameterId::renormalize))
+    ParameterValues chained = values;
+    if (harmful_renormalization(ray, technique, values, behind, verdict.error))
+        chained.set(ParameterId::renormalize, 0.0f);  // and it is the last step
+    std::vector<Step> steps = technique.method != nullptr ? method_steps(ray, technique, chained, behind)
+                                                          : moment_steps(ray, technique, chained, behind);
+    if (chained != values)
         steps.push_back({"renormalisation", shown});
     else
         steps.back().color = shown;

@@ -121,7 +121,10 @@ std::vector<const Technique*> other_techniques() {
 
 class WithMomentsTest : public GlTest<::testing::TestWithParam<const Technique*>> {};
 
-// The GL sums weighted colours in submission order in floats, as C++ does; what differs is how it blends.
+// Thirty fragments, each of which rounds a sum of at most 1 to half a unit of 11 bits.
+constexpr float HALVES = 7e-3f;
+
+// The GL sums weighted colours in half floats, as the paper's evaluation does, and C++ in floats.
 TEST_P(WithMomentsTest, EveryPixelIsWhatCppComposes) {
     const Technique& technique = *GetParam();
     for (const SceneEntry& entry : scene_entries()) {
@@ -147,7 +150,7 @@ TEST_P(WithMomentsTest, EveryPixelIsWhatCppComposes) {
                 picture.at(static_cast<int>(covered[k]) % SIZE.x, static_cast<int>(covered[k]) / SIZE.x));
             const glm::vec3 expected = technique.is_truth() ? colors.truth : colors.technique;
             const glm::vec3 apart = glm::abs(shown - expected);
-            EXPECT_LT(std::max({apart.r, apart.g, apart.b}), 2e-4f) << technique.id << " on " << entry.id;
+            EXPECT_LT(std::max({apart.r, apart.g, apart.b}), technique.is_truth() ? 2e-4f : HALVES) << technique.id << " on " << entry.id;
         }
     }
 }

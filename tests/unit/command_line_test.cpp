@@ -218,7 +218,7 @@ TEST_F(CommandLine, ListsTheRegistries) {
     for (const Technique& technique : techniques()) EXPECT_EQ(ids.count(technique.id), 1u) << technique.id;
     EXPECT_EQ(json::parse(expect_success("list parameters --format json").output).size(), PARAMETER_COUNT);
     EXPECT_GE(json::parse(expect_success("list scenes --format json").output).size(), 3u);
-    EXPECT_TRUE(expect_success("list techniques").output.starts_with("power4-32  160 "));
+    EXPECT_TRUE(expect_success("list techniques").output.starts_with("power4-32   160 "));
 }
 
 TEST_F(CommandLine, InspectPrintsTheTruthAsJsonCsvAndTable) {
