@@ -8,6 +8,7 @@
 #include "core/inspect/curve_output.hpp"
 #include "core/inspect/sharp_bounds.hpp"
 #include "core/inspect/steps.hpp"
+#include "core/inspect/verdict.hpp"
 #include "core/output_file.hpp"
 #include "core/ray/ray_json.hpp"
 #include "core/render/renderer.hpp"
@@ -19,8 +20,8 @@ namespace {
 
 constexpr int MAX_SAMPLES = 1'000'000;
 
-ViewRay capture_scene_pixel(const Options& options, const ParameterValues& parameters,
-                            const Technique& technique) {
+PixelCapture capture_scene_pixel(const Options& options, const ParameterValues& parameters,
+                                 const Technique& technique) {
     const glm::ivec2 size = parse_size(options.size.empty() ? "960x540" : options.size);
     std::optional<glm::ivec2> pixel;
     if (!options.pixel.empty()) pixel = parse_pixel(options.pixel, size);
@@ -29,7 +30,23 @@ ViewRay capture_scene_pixel(const Options& options, const ParameterValues& param
     Renderer renderer;
     renderer.set_scene(scene);
     renderer.render({scene.camera, size, &technique, parameters});
-    return renderer.capture_pixel(pixel.value_or(picked_pixel(scene, size))).ray;
+    return renderer.capture_pixel(pixel.value_or(picked_pixel(scene, size)));
+}
+
+PixelCapture ray_of_file(const std::string& path) {
+    PixelCapture capture;
+    capture.ray = read_ray_file(path);
+    return capture;
+}
+
+// One line for each technique, below a table of curves.
+std::string text_of_verdicts(const PixelCapture& capture, const std::vector<Curve>& curves) {
+    std::string text;
+    for (const Curve& curve : curves)
+        text +=
+            fmt::format("{}: {}\n", curve.technique->id,
+                        pixel_verdict(capture.ray, *curve.technique, curve.values, capture.behind).sentence);
+    return text;
 }
 
 std::string text_of_steps(const std::vector<Curve>& curves, const std::vector<float>& depths) {
@@ -72,8 +89,10 @@ void run_inspect(const Options& options) {
                                                 options.samples, "number of samples", 2, MAX_SAMPLES)))
                                           : parse_depths(options.depths);
     if (!options.output.empty()) require_writable(options.output);
-    const ViewRay ray = options.ray.empty() ? capture_scene_pixel(options, parameters, *techniques.front())
-                                            : read_ray_file(options.ray);
+    const PixelCapture capture = options.ray.empty()
+                                     ? capture_scene_pixel(options, parameters, *techniques.front())
+                                     : ray_of_file(options.ray);
+    const ViewRay& ray = capture.ray;
     std::vector<Curve> curves;
     curves.reserve(techniques.size());
     for (const Technique* technique : techniques)
@@ -82,8 +101,9 @@ void run_inspect(const Options& options) {
         for (Curve& curve : curves) add_sharp_bounds(curve, ray);
     const std::string text = options.steps      ? text_of_steps(curves, depths)
                              : format == "json" ? curves_to_json(ray, curves)
-                             : format == "csv"  ? curves_to_csv(curves)
-                                                : curves_to_table(ray, curves);
+                             : format == "csv"
+                                 ? curves_to_csv(curves)
+                                 : curves_to_table(ray, curves) + text_of_verdicts(capture, curves);
     if (options.output.empty())
         std::fputs(text.c_str(), stdout);
     else

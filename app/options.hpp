@@ -26,7 +26,7 @@ struct Options {
     std::string seed = "1";
     std::string random;
     std::string max_failures = "0.001";
-    std::string reference;              // of the window
+    std::string reference;  // of the window
     std::string figure;
     std::vector<std::string> pictures;  // of compare: reference and test
     std::string metric;

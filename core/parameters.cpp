@@ -80,8 +80,9 @@ const std::array<Parameter, PARAMETER_COUNT> ROWS = {{
      "How a layer is stored: colour in half floats, depth and transmittance in 16 bits; all but depth in 8 bits; or all "
      "in floats, which rounds nothing.",
      "Münstermann et al. 2018, supplementary, Table 3", LAYER_BITS},
-    {ParameterId::samples, "pixel-samples", "S", "samples", "", 1.0f, 64.0f, 8.0f, Scale::whole, Stage::moments,
-     "How many samples a pixel has. Four times as many halve the noise.", "Enderton et al. 2010, Section 4"},
+    {ParameterId::samples, "pixel-samples", "S", "samples", "", 1.0f, 64.0f, 8.0f, Scale::whole,
+     Stage::moments, "How many samples a pixel has. Four times as many halve the noise.",
+     "Enderton et al. 2010, Section 4"},
     {ParameterId::resolution, "resolution", "1/n", "moment resolution", "", 0.0f, 3.0f, 0.0f, Scale::choice,
      Stage::moments,
      "The resolution of the moments: that of the picture, or a half, a quarter or an eighth of it in each direction, "

@@ -59,7 +59,8 @@ struct Parameter {
 };
 
 /// Those that every picture of a scene reads, whatever the technique.
-inline constexpr std::array PICTURE_PARAMETERS = {ParameterId::order, ParameterId::order_seed, ParameterId::tone_map};
+inline constexpr std::array PICTURE_PARAMETERS = {ParameterId::order, ParameterId::order_seed,
+                                                  ParameterId::tone_map};
 
 /// All parameters, in the order of ParameterId.
 std::span<const Parameter> parameters();

@@ -122,8 +122,12 @@ std::vector<FragmentShare> shares_from(const json& root, const DepthWarp& warp) 
             "\"fragments\".",
             MAX_SHARES));
     std::vector<FragmentShare> shares;
-    for (const json& entry : *found)
-        shares.push_back({number(entry, "weight", "share"), fragments_from(entry["fragments"], warp)});
+    for (const json& entry : *found) {
+        const float weight = number(entry, "weight", "share");
+        if (!(weight >= 0 && weight <= 1))
+            throw Error(fmt::format("A share of the view ray has weight {}; give one from 0 to 1.", weight));
+        shares.push_back({weight, fragments_from(entry["fragments"], warp)});
+    }
     return shares;
 }
 

@@ -1,5 +1,5 @@
-// every_technique_test.cpp -- every technique draws every scene, and with every value of its parameters, without an
-// error of GL and without a number that is none.
+// every_technique_test.cpp -- every technique draws every scene, and with every value of its parameters,
+// without an error of GL and without a number that is none.
 #include <algorithm>
 #include <cmath>
 

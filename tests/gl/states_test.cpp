@@ -150,7 +150,8 @@ TEST_P(WithMomentsTest, EveryPixelIsWhatCppComposes) {
                 picture.at(static_cast<int>(covered[k]) % SIZE.x, static_cast<int>(covered[k]) / SIZE.x));
             const glm::vec3 expected = technique.is_truth() ? colors.truth : colors.technique;
             const glm::vec3 apart = glm::abs(shown - expected);
-            EXPECT_LT(std::max({apart.r, apart.g, apart.b}), technique.is_truth() ? 2e-4f : HALVES) << technique.id << " on " << entry.id;
+            EXPECT_LT(std::max({apart.r, apart.g, apart.b}), technique.is_truth() ? 2e-4f : HALVES)
+                << technique.id << " on " << entry.id;
         }
     }
 }

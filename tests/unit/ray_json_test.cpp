@@ -93,6 +93,31 @@ TEST(RayJson, NumbersFragmentsByTheirOrderAndFillsInWhatIsOptional) {
     EXPECT_EQ(ray_from_json(with_fragments("", R"(, "note": [[[["ignored"]]]])")).fragments.size(), 0u);
 }
 
+TEST(RayJson, KeepsSeedsThresholdsAndShares) {
+    ViewRay ray =
+        ray_from_json(R"({"fragments": [{"depth": 0.1, "opacity": 0.5, "seed": 4294967295, "threshold": 0.25},
+                                                  {"depth": 0.2, "opacity": 0.5}]})");
+    EXPECT_EQ(ray.fragments[0].seed, 4294967295U);
+    EXPECT_EQ(ray.fragments[0].threshold, 0.25f);
+    EXPECT_NE(ray.fragments[0].seed, ray.fragments[1].seed);
+    EXPECT_EQ(ray.fragments[1].threshold, unit_random(ray.fragments[1].seed, 0));
+    ray.shares = {{0.75f, ray.fragments}, {0.25f, {}}};
+    EXPECT_EQ(ray_from_json(ray_to_json(ray).dump()), ray);
+}
+
+TEST(RayJson, RefusesWrongSeedsAndShares) {
+    for (const char* seed : {"-1", "4294967296", "0.5", "\"a\""})
+        expect_refused(with_fragments(std::string(R"({"depth": 0, "opacity": 1, "seed": )") + seed + "}"),
+                       "\"seed\"");
+    for (const char* shares : {"1", "[1]", "[{}]", R"([{"weight": 1}])"})
+        expect_refused(with_fragments("", std::string(R"(, "shares": )") + shares), "\"shares\" must be");
+    expect_refused(with_fragments("", R"(, "shares": [{"fragments": []}])"), "\"weight\"");
+    expect_refused(with_fragments("", R"(, "shares": [{"weight": 2, "fragments": []}])"), "weight 2");
+    expect_refused(
+        with_fragments("", R"(, "shares": [{"weight": 1, "fragments": [{"depth": 3, "opacity": 1}]}])"),
+        "depth 3");
+}
+
 TEST(RayJson, RefusesWhatIsNoJson) {
     for (const char* text : {"", "{", "nonsense", R"({"fragments": [}])", "{'fragments': []}",
                              R"({"fragments": []} x)", R"({"fragments": [],})", "\xff\xfe", "{\"\xc3\": 1}"})
