@@ -26,7 +26,7 @@ constexpr const char* INTRODUCTION =
     "Written by `momentscope figure all -o docs/figures`. Each figure replays named settings; beside it stands what the "
     "paper says about its own, and what was measured of ours. Our scenes are no copies of the papers' assets, so it is the "
     "order of techniques that can agree, not their numbers. Errors are root mean squares of linear colour at 480x270 "
-    "against `sorted` unless something else is said; a row agrees if its numbers fall from left to right.\n\n";
+    "against `sorted` unless a row says something else; where a row ranks, it agrees if its numbers fall from left to right.\n\n";
 
 /// Draws every shot once.
 class RenderedShots : public ShotSource {
@@ -75,7 +75,10 @@ void run_figure(const Options& options) {
     std::vector<const Figure*> chosen;
     for (const Figure& figure : figures())
         if (all || &figure == &require_figure(options.figure)) chosen.push_back(&figure);
-    const std::filesystem::path folder = options.output.empty() ? "figures" : options.output;
+    std::filesystem::path folder =
+        std::filesystem::absolute(options.output.empty() ? "figures" : options.output);
+    folder = folder.lexically_normal();
+    if (!folder.has_filename()) folder = folder.parent_path();  // a slash at its end
     std::error_code code;
     std::filesystem::create_directories(folder, code);
     if (code)

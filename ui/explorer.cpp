@@ -212,7 +212,9 @@ bool Explorer::fragments_stale(const View& view, Stage stage) const {
         return parameter(id).invalidates <= Stage::moments &&
                view.parameters[id] != shown_view_.parameters[id];
     });
-    return reordered || (stage <= Stage::moments && view.technique->uses(ParameterId::resolution));
+    const bool mixed = stage <= Stage::moments && view.technique->uses(ParameterId::resolution);
+    return reordered || mixed ||
+           view.parameters[ParameterId::resolution] != shown_view_.parameters[ParameterId::resolution];
 }
 
 // The fragments of a pixel depend on nothing that comes after the opaque pass but their order, and what

@@ -33,7 +33,10 @@ Curve sample_curve(const ViewRay& ray, const Technique& technique, const Paramet
     curve.depth.assign(depths.begin(), depths.end());
     curve.truth = true_absorbance(ray, depths);
     if (technique.method != nullptr) {
-        if (!technique.method->has_depths()) return curve;
+        if (!technique.method->has_depths() || why_refused(technique, values) != nullptr) return curve;
+        // A pixel of a scene without its neighbours' fragments: captured for a technique without low
+        // resolution.
+        if (curve.parameters.method.divisor > 1 && ray.shares.empty() && ray.far_plane > 0) return curve;
         constexpr float LEAST_T = 1e-30f;
         for (const float t : method_transmittance(ray, technique, curve.parameters.method, depths))
             curve.reconstructed.push_back(0.0f - std::log(std::max(t, LEAST_T)));

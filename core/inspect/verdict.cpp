@@ -14,7 +14,7 @@ namespace momentscope {
 
 namespace {
 
-constexpr double VISIBLE = 0.5 / 255;  // half of what the display can show
+constexpr double LITTLE = 1e-3;  // an error that needs no cause
 
 constexpr std::size_t MOST_FRAGMENTS = 1000;  // exact arithmetic takes its time
 
@@ -128,8 +128,7 @@ std::vector<Step> method_steps(const ViewRay& ray, const Technique& technique, c
 }
 
 std::string sentence_of(const Verdict& verdict) {
-    if (verdict.error < VISIBLE)
-        return fmt::format("Right to {:.4f} in linear colour, which no display shows.", verdict.error);
+    if (verdict.error < LITTLE) return fmt::format("Right to {:.4f} in linear colour.", verdict.error);
     const auto greatest = std::ranges::max_element(verdict.contributions, {}, &Contribution::share);
     std::string text = fmt::format("Off by {:.3f} in linear colour, most of all by {}: {:+.3f}",
                                    verdict.error, greatest->cause, greatest->share);
@@ -160,6 +159,8 @@ bool harmful_renormalization(const ViewRay& ray, const Technique& technique, con
 
 Verdict pixel_verdict(const ViewRay& ray, const Technique& technique, const ParameterValues& values,
                       const glm::vec3& behind) {
+    if (technique.is_truth())
+        return {.error = 0, .contributions = {}, .sentence = "This technique is the truth."};
     if (ray.fragments.size() > MOST_FRAGMENTS)
         return {
             .error = 0,
@@ -167,10 +168,6 @@ Verdict pixel_verdict(const ViewRay& ray, const Technique& technique, const Para
             .sentence = fmt::format("More than {} fragments are too many for a verdict.", MOST_FRAGMENTS)};
     const PixelColors colors = colors_of(ray, technique, values, behind);
     Verdict verdict;
-    if (technique.is_truth()) {
-        verdict.sentence = "This technique is the truth.";
-        return verdict;
-    }
     if (ray.fragments.empty()) {
         verdict.sentence = "Nothing transparent here, nothing wrong.";
         return verdict;
@@ -182,10 +179,7 @@ Verdict pixel_verdict(const ViewRay& ray, const Technique& technique, const Para
         chained.set(ParameterId::renormalize, 0.0f);  // and it is the last step
     std::vector<Step> steps = technique.method != nullptr ? method_steps(ray, technique, chained, behind)
                                                           : moment_steps(ray, technique, chained, behind);
-    if (chained != values)
-        steps.push_back({"renormalisation", shown});
-    else
-        steps.back().color = shown;
+    if (chained != values) steps.push_back({"renormalisation", shown});
     const glm::dvec3 direction = verdict.error > 0 ? (shown - truth) / verdict.error : glm::dvec3(0);
     glm::dvec3 before = truth;
     for (const Step& step : steps) {

@@ -44,7 +44,7 @@ std::size_t FragmentList::capture(const PassInput& input, GLuint program, glm::i
     draw_transparent(input.scene, target_, Blending::none);
     glDisable(GL_SCISSOR_TEST);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
-                    GL_BUFFER_UPDATE_BARRIER_BIT);
+                    GL_BUFFER_UPDATE_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
     std::uint32_t count = 0;
     glGetNamedBufferSubData(nodes_, 0, sizeof(count), &count);
     return count;

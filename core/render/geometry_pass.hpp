@@ -14,7 +14,8 @@ enum class Blending { none, add, over };
 /// depth test off.
 void draw_transparent(const SceneBuffers& scene, GLuint target, Blending blending);
 
-/// The same, but of all fragments of a pixel the nearest stays, and of such the latest; writes depth.
+/// The same, but of all fragments of a pixel that with the least depth stays, and of such the latest; writes
+/// depth.
 void draw_nearest(const SceneBuffers& scene, GLuint target);
 
 /// Zeros in the first `color_count` colours of a framebuffer.

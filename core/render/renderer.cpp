@@ -105,6 +105,7 @@ void Renderer::render(const View& view) {
         check_gl("drawing the scene");
     } catch (...) {
         view_.technique = nullptr;
+        transparency_.reset();  // its textures may not exist
         throw;
     }
 }

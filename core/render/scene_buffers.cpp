@@ -23,7 +23,7 @@ GlBuffer make_buffer(const std::vector<T>& data, GLbitfield flags = 0) {
     return buffer;
 }
 
-// Numbers below count in an order.
+// The numbers 0 to count - 1 in that order.
 std::vector<std::uint32_t> ordered(std::size_t count, SubmissionOrder::Kind kind, RandomNumbers& random) {
     std::vector<std::uint32_t> numbers(count);
     std::iota(numbers.begin(), numbers.end(), 0U);

@@ -17,6 +17,7 @@ namespace {
 constexpr GLuint FIRST_STATE_UNIT = 2;
 constexpr GLuint SAMPLES_UNIT = 3;
 constexpr GLuint OWN_ABSORBANCE_UNIT = 10;
+constexpr GLuint OPAQUE_DEPTH_UNIT = 11;  // state.frag
 
 // Samples are taken beside the absorbance, which is blended.
 Blending blending_of(Accumulation accumulation) {
@@ -100,9 +101,8 @@ void StatePasses::clear_states() const {
         glClearNamedFramebufferfv(state_target_, GL_COLOR, static_cast<GLint>(i), &empty.f[4 * i]);
     const GLuint nothing = std::bit_cast<GLuint>(empty.f[1]);
     if (samples_ != 0) glClearTexImage(samples_, 0, GL_RED_INTEGER, GL_UNSIGNED_INT, &nothing);
-    if (nearest_depth_ != 0)
-        glCopyImageSubData(depth_, GL_TEXTURE_2D, 0, 0, 0, 0, nearest_depth_, GL_TEXTURE_2D, 0, 0, 0, 0,
-                           size_.x, size_.y, 1);
+    const float farthest = 1;
+    if (nearest_depth_ != 0) glClearNamedFramebufferfv(state_target_, GL_DEPTH, 0, &farthest);
 }
 
 void StatePasses::draw_moments(const PassInput& input) {
@@ -115,6 +115,7 @@ void StatePasses::draw_moments(const PassInput& input) {
 
 void StatePasses::draw_states(const PassInput& input) const {
     if (technique_.method->accumulation == Accumulation::nearest) {
+        glBindTextureUnit(OPAQUE_DEPTH_UNIT, depth_);
         draw_nearest(input.scene, state_target_);
         return;
     }
@@ -125,7 +126,8 @@ void StatePasses::draw_states(const PassInput& input) const {
     draw_transparent(input.scene, by_images ? depth_target_ : state_target_,
                      blending_of(technique_.method->accumulation));
     if (by_images || samples_ != 0)
-        glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+        glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
+                        GL_TEXTURE_UPDATE_BARRIER_BIT);
 }
 
 void StatePasses::draw_color(const PassInput& input) {

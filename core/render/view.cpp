@@ -11,6 +11,10 @@ Stage first_stale_stage(const View& before, const View& after) {
     Stage first = Stage::nothing;
     for (const ParameterId id : after.technique->parameters)
         if (before.parameters[id] != after.parameters[id]) first = std::min(first, parameter(id).invalidates);
+    // A second set of moments, and formats that hold biased moments, are made in the first passes.
+    if (after.technique->uses(ParameterId::moment_passes))
+        for (const ParameterId id : {ParameterId::beta, ParameterId::alpha})
+            if (before.parameters[id] != after.parameters[id]) first = std::min(first, Stage::moments);
     for (const ParameterId id : PICTURE_PARAMETERS)
         if (before.parameters[id] != after.parameters[id]) first = std::min(first, parameter(id).invalidates);
     return first;

@@ -54,7 +54,8 @@ int whole(const std::optional<float>& value) {
 int moment_transparency_bits(const MethodSettings& settings) {
     constexpr int READ_BITS[] = {0, 80, 96, 64};  // with b_0, a half float or a float
     const int sets = settings.size / 8;
-    return sets * (160 + READ_BITS[settings.option % 4]) / (settings.divisor * settings.divisor);
+    const int pixels = settings.divisor * settings.divisor;  // that share one
+    return (sets * (160 + READ_BITS[settings.option % 4]) + pixels - 1) / pixels;
 }
 
 Technique method_technique(const MethodKernel& kernel, const char* file, const char* id, const char* name,

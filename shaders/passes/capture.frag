@@ -17,18 +17,20 @@ layout(early_fragment_tests) in;
 
 void main()
 {
+    // Before anything that part of a quad may not reach: thresholds take derivatives.
     float threshold = fragment_threshold();
+#ifdef WITH_TRANSMITTANCE
+    float transmittance = fragment_transmittance();
+#else
+    float transmittance = 0.0;
+#endif
     uint index = atomicAdd(fragment_list.count, 1u);
     if (index >= fragment_list.capacity) return;
     FragmentNode node;
     node.color_opacity = vec4(shaded(object.color_opacity.rgb), fragment_opacity());
     node.view_depth = fragment_view_depth();
     node.depth = fragment_depth();
-#ifdef WITH_TRANSMITTANCE
-    node.transmittance = fragment_transmittance();
-#else
-    node.transmittance = 0.0;
-#endif
+    node.transmittance = transmittance;
     node.draw = object.draw.x;
     node.primitive = uint(gl_PrimitiveID);
     node.pixel = fragment_pixel();

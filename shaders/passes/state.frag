@@ -17,8 +17,10 @@
 #endif
 #include "passes/state_targets.glsl"
 
-#ifndef STATE_NEAREST
-layout(early_fragment_tests) in;   // else the depth of what is discarded would be written
+#ifdef STATE_NEAREST
+layout(binding = 11) uniform sampler2D opaque_depth_texture;   // the depth test keeps the least f[3] instead
+#else
+layout(early_fragment_tests) in;
 #endif
 
 void main()
@@ -38,6 +40,8 @@ void main()
     PixelState state = fragment_state(fragment, method_settings());
 #ifdef STATE_NEAREST
     if (state.f[3] == NO_DEPTH) discard;
+    if (gl_FragCoord.z >= texelFetch(opaque_depth_texture, ivec2(gl_FragCoord.xy), 0).x) discard;
+    gl_FragDepth = state.f[3];
 #endif
     write_state(state);
 #endif

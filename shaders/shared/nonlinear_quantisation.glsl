@@ -58,7 +58,7 @@ FN float rounded_depth(float depth)
     return (code + 0.5f) / 511.5f - 1.0f;
 }
 
-/// What 32 bits hold: 10 bits for each depth (one of which the order of the two spares), 7 for the root of the weight, 6 for
+/// What 32 bits hold, read back as the middles of cells: 10 bits for each depth (one of which the order of the two spares), 7 for the root of the weight, 6 for
 /// the offset.
 FN TwoDepths rounded_to_32_bits(IN(TwoDepths) exact)
 {

@@ -17,17 +17,20 @@ std::vector<const Technique*> all_techniques() {
     return rows;
 }
 
-// Every choice, the ends of ranges, and of long ranges of whole numbers a few.
+// Every choice; of ranges the ends and two between.
 std::vector<ParameterValues> choices_of(const Technique& technique) {
     std::vector<ParameterValues> all;
     for (const ParameterId id : technique.parameters) {
         const Parameter& row = parameter(id);
-        const float step = row.scale == Scale::choice || row.scale == Scale::toggle
-                               ? 1
-                               : std::max((row.maximum - row.minimum) / 3, 0.01f);
-        for (float value = row.minimum; value <= row.maximum; value += step) {
+        const bool few = row.scale == Scale::choice || row.scale == Scale::toggle;
+        const int steps = few ? static_cast<int>(row.maximum - row.minimum) : 3;
+        for (int i = 0; i <= steps; ++i) {
+            const float share = static_cast<float>(i) / static_cast<float>(steps);
+            const float value = i == steps ? row.maximum : row.minimum + share * (row.maximum - row.minimum);
             all.emplace_back();
-            all.back().set(id, row.scale == Scale::whole ? std::round(value) : value);
+            all.back().set(id, row.scale == Scale::linear || row.scale == Scale::logarithmic
+                                   ? value
+                                   : std::round(value));
         }
     }
     return all;

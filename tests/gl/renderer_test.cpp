@@ -76,6 +76,27 @@ TEST_F(RendererTest, ChangesLeaveNoTrace) {
     EXPECT_EQ(changed.read_picture().pixels, fresh.read_picture().pixels);
 }
 
+// What the first passes of Moment Transparency store may depend on parameters of the second.
+TEST_F(RendererTest, ChangesOfWhatIsReadEarlyLeaveNoTrace) {
+    const Scene scene = load_scene("spheres", 0.4f);
+    for (const auto& [early, value] :
+         {std::pair(ParameterId::moment_passes, 1.0f), std::pair(ParameterId::read_format, 3.0f)}) {
+        View view = view_of(scene, "mt", {64, 48});
+        view.parameters.set(early, value);
+        Renderer changed, fresh;
+        changed.set_scene(scene);
+        changed.render(view);
+        const Image before = changed.read_picture();
+        view.parameters.set(ParameterId::beta, 0.7f);
+        view.parameters.set(ParameterId::alpha, 1e-3f);
+        changed.render(view);
+        fresh.set_scene(scene);
+        fresh.render(view);
+        EXPECT_EQ(changed.read_picture().pixels, fresh.read_picture().pixels);
+        EXPECT_NE(changed.read_picture().pixels, before.pixels);
+    }
+}
+
 // Sheets with known opacities in front of a wall: compositing by hand is the reference.
 TEST_F(RendererTest, SortedCompositesByHand) {
     const Scene scene = load_scene("planes", 0.4f);

@@ -509,7 +509,7 @@ TEST(MomentTransparency, ReadFormatsRoundAsMuchAsTheyShould) {
                 even_depths(31));
         };
         for (std::size_t format = 1; format < 4; ++format) {
-            const float bias = format == 1 ? 6e-5f : 3e-7f;  // each against floats with the same bias
+            const float bias = format == 1 ? 6e-5f : 3e-7f;  // each against floats with the same α
             const auto floats = with_format(0, bias), rounded = with_format(static_cast<int>(format), bias);
             for (std::size_t d = 0; d < floats.size(); ++d)
                 errors[format].push_back(std::abs(static_cast<double>(rounded[d] - floats[d])));
