@@ -51,7 +51,7 @@ Drawn drawn(const FigurePanel& panel, ShotSource& shots) {
     ui::ExplorerState& state = result.state;
     state.technique = &require_technique(panel.shot.technique);
     state.parameters = values_with(panel.shot.settings);
-    state.ray = panel.ray != nullptr ? panel.ray() : shots.picked_ray(panel.shot);
+    state.ray = panel.ray ? *panel.ray : shots.picked_ray(panel.shot);
     if (panel.transmittance) ui::set_quantity(state.plot, ui::Quantity::transmittance);
     state.plot.shown[static_cast<std::size_t>(ui::Series::stems)] = false;
     result.measurement.capture.ray = *state.ray;

@@ -154,6 +154,12 @@ void ParameterValues::set(ParameterId id, std::optional<float> value) {
     values_[static_cast<std::size_t>(id)] = value;
 }
 
+ParameterValues values_with(const ParameterSettings& settings) {
+    ParameterValues values;
+    for (const auto& [id, value] : settings) values.set(id, value);
+    return values;
+}
+
 std::optional<float> parse_parameter(const Parameter& row, std::string_view text) {
     if (text == "auto") return std::nullopt;
     const auto choice =

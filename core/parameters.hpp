@@ -6,6 +6,8 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace momentscope {
 
@@ -84,6 +86,11 @@ public:
 private:
     std::array<std::optional<float>, PARAMETER_COUNT> values_;
 };
+
+using ParameterSettings = std::vector<std::pair<ParameterId, float>>;
+
+/// All values at their standard but these. Throws Error as ParameterValues::set.
+ParameterValues values_with(const ParameterSettings& settings);
 
 /// The value that a text on the command line or in a file means: a number, `auto` or one of the choices.
 /// Throws Error.

@@ -2,6 +2,9 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <cassert>
+
 #include "ui/command_list.hpp"
 #include "ui/explorer.hpp"
 
@@ -37,6 +40,13 @@ constexpr MouseAction MOUSE_ACTIONS[] = {
 std::span<const Command> commands() {
     static const std::vector<Command> list = make_command_list();
     return list;
+}
+
+const Command& require_command(std::string_view id) {
+    const auto all = commands();
+    const auto found = std::ranges::find(all, id, &Command::id);
+    assert(found != all.end() && "a command of that id");
+    return *found;
 }
 
 std::span<const Menu> menus() {

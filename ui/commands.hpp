@@ -4,6 +4,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ui/shortcut.hpp"
@@ -24,6 +25,9 @@ struct Command {
 
 /// All commands, menu by menu. ids are unique, and so are keys.
 std::span<const Command> commands();
+
+/// The command of that id, which must exist.
+const Command& require_command(std::string_view id);
 
 /// The menus in their order: the part of ids before the dot, and its title.
 struct Menu {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "ui/commands.hpp"
 #include "ui/technique_combo.hpp"
 
 namespace momentscope::ui {
@@ -22,26 +23,20 @@ void draw_modes(const Ui& ui, CompareState& compare) {
     constexpr struct {
         CompareMode mode;
         const char* name;
-        const char* anchor;
-        const char* help;
-        const char* key;
-    } MODES[] = {
-        {CompareMode::off, "picture", "comparison.off", "The picture alone; hold G to flip to the reference.",
-         ""},
-        {CompareMode::wipe, "wipe", "comparison.wipe",
-         "Reference and picture side by side; drag the line between them.", "W"},
-        {CompareMode::difference, "difference", "comparison.difference",
-         "The absolute difference of the linear channels, amplified.", "M"},
-        {CompareMode::false_color, "false colour", "comparison.false_color",
-         "The chosen metric of every pixel in colours, amplified; click a row of the table to choose another "
-         "metric.",
-         "H"}};
+        const char* id;  // of its command, and of the control
+    } MODES[] = {{CompareMode::wipe, "wipe", "wipe"},
+                 {CompareMode::difference, "difference", "difference"},
+                 {CompareMode::false_color, "false colour", "false_color"}};
     label("show");
+    if (toggle_button("picture", compare.mode == CompareMode::off)) compare.mode = CompareMode::off;
+    ui.mark("comparison.off");
+    tooltip("The picture alone; hold G to flip to the reference.");
     for (const auto& row : MODES) {
-        if (row.mode != CompareMode::off) ImGui::SameLine(0, 0.2f * em());
+        ImGui::SameLine(0, 0.2f * em());
         if (toggle_button(row.name, compare.mode == row.mode)) compare.mode = row.mode;
-        ui.mark(row.anchor);
-        tooltip(row.help, row.key);
+        ui.mark(fmt::format("comparison.{}", row.id));
+        const Command& command = require_command(fmt::format("compare.{}", row.id));
+        tooltip(command.help, command.keys.front());
     }
 }
 

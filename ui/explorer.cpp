@@ -268,8 +268,11 @@ void Explorer::measure_if_changed(bool captured) {
     report_.plot = captured || first || !same_curves(shown_state_, state_);
     if (captured || first) sharp_input_.reset();
     if (report_.plot) measure_curves(measurement_, state_);
-    if (report_.plot || !(shown_state_.parameters == state_.parameters))
+    verdict_stale_ |= report_.plot || shown_state_.parameters != state_.parameters;
+    if (verdict_stale_ && state_.panel == Panel::fragments) {
         measure_verdict(measurement_, state_);
+        verdict_stale_ = false;
+    }
     const ViewRay& ray = measurement_.capture.ray;
     report_.query = report_.plot || query_depth(ray, state_) != measurement_.canonical.query;
     if (report_.query) measure_query(measurement_, state_);

@@ -165,6 +165,7 @@ private:
     bool flip_button_held_ = false;
     bool lens_flipped_ = false;
     bool transmittance_stale_ = true;
+    bool verdict_stale_ = true;
     Comparison comparison_;
     bool pair_stale_ = true;     // picture or reference changed since they were compared
     bool worst_wanted_ = false;  // as soon as it is known

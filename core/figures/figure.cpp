@@ -10,12 +10,6 @@
 
 namespace momentscope {
 
-ParameterValues values_with(const ParameterSettings& settings) {
-    ParameterValues values;
-    for (const auto& [id, value] : settings) values.set(id, value);
-    return values;
-}
-
 double ShotSource::error(const Shot& shot, Metric metric, glm::vec4 part) {
     const Image truth = picture({shot.scene, "sorted"});
     const Image& shown = picture(shot);

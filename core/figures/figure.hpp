@@ -1,7 +1,7 @@
 // figure.hpp -- figures of the papers as settings that can be replayed, with what the papers claim about them
 // and functions that measure whether ours agree.
 #pragma once
-#include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -14,11 +14,6 @@
 
 namespace momentscope {
 
-using ParameterSettings = std::vector<std::pair<ParameterId, float>>;
-
-/// All values at their standard but these.
-ParameterValues values_with(const ParameterSettings& settings);
-
 /// A technique with parameters, on a scene.
 struct Shot {
     const char* scene;
@@ -30,7 +25,7 @@ struct Shot {
 struct FigurePanel {
     std::string caption;
     Shot shot;
-    ViewRay (*ray)() = nullptr;  // of a plot; a null one of the shot's scene at its picked pixel
+    std::optional<ViewRay> ray = {};  // of a plot; nullopt: of the shot's scene at its picked pixel
     bool plot = false;
     bool transmittance = false;              // what a plot shows instead of absorbance
     glm::vec4 part = glm::vec4(0, 0, 1, 1);  // of a picture, as fractions from its upper left corner

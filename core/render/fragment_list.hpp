@@ -22,6 +22,8 @@ struct FragmentNode {
 };
 static_assert(sizeof(FragmentNode) == 48);
 
+constexpr std::size_t PIXEL_LIST_CAPACITY = 65'536;  // of a captured region
+
 /// A bounded list of fragments on the GPU, with one list head per pixel.
 class FragmentList {
 public:

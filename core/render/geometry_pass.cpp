@@ -28,6 +28,11 @@ void clear_colors(GLuint target, int color_count) {
     for (int i = 0; i < color_count; ++i) glClearNamedFramebufferfv(target, GL_COLOR, i, zero);
 }
 
+void leave_nothing_bound() {
+    glUseProgram(0);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
 void define_access(ShaderVariant& variant, OrderedAccess access) {
     variant.defines[access == OrderedAccess::none        ? "BLENDING"
                     : access == OrderedAccess::interlock ? "INTERLOCK"

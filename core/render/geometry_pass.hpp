@@ -21,6 +21,9 @@ void draw_nearest(const SceneBuffers& scene, GLuint target);
 /// Zeros in the first `color_count` colours of a framebuffer.
 void clear_colors(GLuint target, int color_count);
 
+/// What draws next may put back what it found, which must then still exist.
+void leave_nothing_bound();
+
 /// Tells a shader by which access it reads and writes in order; by none it is blended.
 void define_access(ShaderVariant& variant, OrderedAccess access);
 

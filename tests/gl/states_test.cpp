@@ -22,12 +22,6 @@ std::vector<const Technique*> method_techniques() {
     return rows;
 }
 
-ParameterValues with(std::initializer_list<std::pair<ParameterId, float>> settings) {
-    ParameterValues values;
-    for (const auto& [id, value] : settings) values.set(id, value);
-    return values;
-}
-
 // All at their standard, every other value of one parameter at a time (of many, each the double of the one
 // before), and what Moment Transparency makes of several.
 std::vector<ParameterValues> choices_of(const Technique& technique) {
@@ -42,15 +36,15 @@ std::vector<ParameterValues> choices_of(const Technique& technique) {
     }
     if (technique.uses(ParameterId::resolution)) {
         using enum ParameterId;
-        all.push_back(with({{resolution, 2}, {read_format, 1}}));
-        all.push_back(with({{resolution, 1}, {moment_passes, 1}, {order, 1}}));
-        all.push_back(with({{resolution, 3}, {read_format, 1}, {moment_passes, 2}}));
-        all.push_back(with({{read_format, 3}, {moment_passes, 1}}));
-        all.push_back(with({{read_format, 2}, {depth_range, 1}}));
+        all.push_back(values_with({{resolution, 2}, {read_format, 1}}));
+        all.push_back(values_with({{resolution, 1}, {moment_passes, 1}, {order, 1}}));
+        all.push_back(values_with({{resolution, 3}, {read_format, 1}, {moment_passes, 2}}));
+        all.push_back(values_with({{read_format, 3}, {moment_passes, 1}}));
+        all.push_back(values_with({{read_format, 2}, {depth_range, 1}}));
     }
     if (technique.order_dependent) {
-        all.push_back(with({{ParameterId::order, 1}}));
-        all.push_back(with({{ParameterId::order, 2}, {ParameterId::order_seed, 3}}));
+        all.push_back(values_with({{ParameterId::order, 1}}));
+        all.push_back(values_with({{ParameterId::order, 2}, {ParameterId::order_seed, 3}}));
     }
     return all;
 }
@@ -60,56 +54,85 @@ Scene opaque_part(Scene scene) {
     return scene;
 }
 
+struct Covered {
+    glm::vec3 shown;
+    const PixelCapture& capture;
+};
+
+// About PIXELS of those with a transparent fragment, evenly over the picture.
+std::vector<Covered> some_covered(const Image& picture, const std::vector<PixelCapture>& captures) {
+    std::vector<Covered> covered;
+    for (std::size_t i = 0; i < captures.size(); ++i)
+        if (!captures[i].ray.fragments.empty())
+            covered.push_back({glm::vec3(picture.pixels[i]), captures[i]});
+    const std::size_t step = std::max<std::size_t>(covered.size() / PIXELS, 1);
+    std::vector<Covered> some;
+    for (std::size_t k = 0; k < covered.size(); k += step) some.push_back(covered[k]);
+    EXPECT_FALSE(some.empty());
+    return some;
+}
+
+float distance_between(const glm::vec3& a, const glm::vec3& b) {
+    const glm::vec3 apart = glm::abs(a - b);
+    return std::max({apart.r, apart.g, apart.b});
+}
+
 class StatesTest : public GlTest<::testing::TestWithParam<const Technique*>> {};
+
+// Eight bits: a product that rounds the other way is 1/255, and is merged into what follows.
+float tolerance_of(const Technique& technique, const ResolvedParameters& parameters) {
+    return technique.uses(ParameterId::layer_bits) && parameters.method.option == 1 ? 8e-3f : 2e-4f;
+}
+
+void expect_composed(const Technique& technique, const ParameterValues& values,
+                     const std::vector<Covered>& pixels, const std::string& scene) {
+    const ResolvedParameters parameters = resolve(values, technique);
+    const float tolerance = tolerance_of(technique, parameters);
+    float worst = 0;
+    for (const auto& [shown, capture] : pixels) {
+        worst = std::max(
+            worst, distance_between(shown, method_color(capture.ray, technique, parameters, capture.behind)));
+        if (!technique.method->has_depths()) continue;
+        for (const PixelHistoryRow& row :
+             pixel_history(capture.ray, capture.transmittance, technique, values))
+            EXPECT_NEAR(*row.gl_transmittance, row.transmittance,
+                        tolerance * std::max(row.transmittance, 1.0f));
+    }
+    EXPECT_LE(worst, tolerance) << technique.id << " on " << scene;
+}
 
 TEST_P(StatesTest, EveryPixelIsWhatCppComposes) {
     const Technique& technique = *GetParam();
     for (const SceneEntry& entry : scene_entries()) {
         const Scene scene = load_scene(entry.id, 0.4f);
-        Renderer renderer, opaque;
+        Renderer renderer;
         renderer.set_scene(scene);
-        opaque.set_scene(opaque_part(scene));
-        opaque.render(view_of(scene, "sorted", SIZE));
-        const Image behind = opaque.read_picture();
         View view = view_of(scene, technique.id, SIZE);
         if (const std::string why = why_unavailable(technique, renderer.ordered_access()); !why.empty())
             GTEST_SKIP() << why;
         for (const ParameterValues& values : choices_of(technique)) {
             view.parameters = values;
             renderer.render(view);
-            const Image picture = renderer.read_picture();
             const auto captures = renderer.capture_region({0, 0}, SIZE);
-            std::vector<std::size_t> covered;
-            for (std::size_t i = 0; i < captures.size(); ++i)
-                if (!captures[i].ray.fragments.empty()) covered.push_back(i);
-            ASSERT_FALSE(covered.empty());
-            const ResolvedParameters parameters = resolve(values, technique);
-            // Eight bits: a product that rounds the other way is 1/255, and is merged into what follows.
-            const bool coarse = technique.uses(ParameterId::layer_bits) && parameters.method.option == 1;
-            const float tolerance = coarse ? 8e-3f : 2e-4f;
-            const std::size_t step = std::max<std::size_t>(covered.size() / PIXELS, 1);
-            int off = 0;
-            float worst = 0;
-            for (std::size_t k = 0; k < covered.size(); k += step) {
-                const PixelCapture& capture = captures[covered[k]];
-                const int x = static_cast<int>(covered[k]) % SIZE.x,
-                          y = static_cast<int>(covered[k]) / SIZE.x;
-                const glm::vec3 expected =
-                    method_color(capture.ray, technique, parameters, glm::vec3(behind.at(x, y)));
-                const glm::vec3 apart = glm::abs(glm::vec3(picture.at(x, y)) - expected);
-                const float most = std::max({apart.r, apart.g, apart.b});
-                worst = std::max(worst, most);
-                off += most > tolerance ? 1 : 0;
-                if (technique.method->has_depths()) {
-                    const auto rows = pixel_history(capture.ray, capture.transmittance, technique, values);
-                    for (const PixelHistoryRow& row : rows) {
-                        EXPECT_NEAR(*row.gl_transmittance, row.transmittance,
-                                    tolerance * std::max(row.transmittance, 1.0f));
-                    }
-                }
-            }
-            EXPECT_EQ(off, 0) << technique.id << " on " << entry.id << ", worst " << worst;
+            expect_composed(technique, values, some_covered(renderer.read_picture(), captures), entry.id);
         }
+    }
+}
+
+// What lies behind, as captured, is what a picture without anything transparent shows.
+TEST(CapturesTest, KnowWhatLiesBehind) {
+    shared_context();
+    for (const SceneEntry& entry : scene_entries()) {
+        const Scene scene = load_scene(entry.id, 0.4f);
+        Renderer renderer, opaque;
+        renderer.set_scene(scene);
+        renderer.render(view_of(scene, "unsorted", SIZE));
+        opaque.set_scene(opaque_part(scene));
+        opaque.render(view_of(scene, "sorted", SIZE));
+        const auto captures = renderer.capture_region({0, 0}, SIZE);
+        const Image behind = opaque.read_picture();
+        for (std::size_t i = 0; i < captures.size(); ++i)
+            ASSERT_EQ(captures[i].behind, glm::vec3(behind.pixels[i])) << entry.id << ", pixel " << i;
     }
 }
 
@@ -135,24 +158,16 @@ TEST_P(WithMomentsTest, EveryPixelIsWhatCppComposes) {
         if (const std::string why = why_unavailable(technique, renderer.ordered_access()); !why.empty())
             GTEST_SKIP() << why;
         renderer.render(view);
-        const Image picture = renderer.read_picture();
         const auto captures = renderer.capture_region({0, 0}, SIZE);
-        std::vector<std::size_t> covered;
-        for (std::size_t i = 0; i < captures.size(); ++i)
-            if (!captures[i].ray.fragments.empty()) covered.push_back(i);
-        const std::size_t step = std::max<std::size_t>(covered.size() / PIXELS, 1);
-        for (std::size_t k = 0; k < covered.size(); k += step) {
-            const PixelCapture& capture = captures[covered[k]];
+        float worst = 0;
+        for (const auto& [shown, capture] : some_covered(renderer.read_picture(), captures)) {
             const auto rows = pixel_history(capture.ray, {}, technique, view.parameters);
             const PixelColors colors = pixel_colors(capture.ray, rows, technique,
                                                     resolve(view.parameters, technique), capture.behind);
-            const glm::vec3 shown(
-                picture.at(static_cast<int>(covered[k]) % SIZE.x, static_cast<int>(covered[k]) / SIZE.x));
-            const glm::vec3 expected = technique.is_truth() ? colors.truth : colors.technique;
-            const glm::vec3 apart = glm::abs(shown - expected);
-            EXPECT_LT(std::max({apart.r, apart.g, apart.b}), technique.is_truth() ? 2e-4f : HALVES)
-                << technique.id << " on " << entry.id;
+            worst = std::max(worst,
+                             distance_between(shown, technique.is_truth() ? colors.truth : colors.technique));
         }
+        EXPECT_LE(worst, technique.is_truth() ? 2e-4f : HALVES) << technique.id << " on " << entry.id;
     }
 }
 

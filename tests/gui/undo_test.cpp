@@ -94,7 +94,7 @@ TEST_F(UndoTest, AfterRandomEventsRestoresTheFirstState) {
 #ifdef MOMENTSCOPE_SANITIZE
     constexpr int SEQUENCES = 2;
 #else
-    constexpr int SEQUENCES = 6;
+    constexpr int SEQUENCES = 3;
 #endif
     for (int sequence = 0; sequence < SEQUENCES; ++sequence) {
         SCOPED_TRACE(fmt::format("sequence {}", sequence));

@@ -13,12 +13,6 @@ namespace {
 
 const glm::vec3 BEHIND(0.3f, 0.4f, 0.5f);
 
-ParameterValues with(std::initializer_list<std::pair<ParameterId, float>> settings) {
-    ParameterValues values;
-    for (const auto& [id, value] : settings) values.set(id, value);
-    return values;
-}
-
 std::string named(const Verdict& verdict) {
     return std::ranges::max_element(verdict.contributions, {}, &Contribution::share)->cause;
 }
@@ -57,19 +51,21 @@ TEST(VerdictTest, NamesTheFault) {
     };
     using enum ParameterId;
     const ViewRay two = sheets({-0.5f, 0.5f}), five = sheets({-0.8f, -0.4f, 0.0f, 0.4f, 0.8f});
-    EXPECT_EQ(of(five, "power4-32", with({{beta, 0}})), "the moment count (4 power moments for 5 fragments)");
-    EXPECT_EQ(of(two, "power6-32", with({{alpha, 0.1f}, {beta, 0}})), "the moment bias");
-    EXPECT_EQ(of(two, "power6-32", with({{beta, 1}, {renormalize, 0}})), "the overestimation weight");
-    EXPECT_EQ(of(two, "cheb6-32", with({{alpha, 0.1f}, {beta, 0}})), "the moment bias");
+    EXPECT_EQ(of(five, "power4-32", values_with({{beta, 0}})),
+              "the moment count (4 power moments for 5 fragments)");
+    EXPECT_EQ(of(two, "power6-32", values_with({{alpha, 0.1f}, {beta, 0}})), "the moment bias");
+    EXPECT_EQ(of(two, "power6-32", values_with({{beta, 1}, {renormalize, 0}})), "the overestimation weight");
+    EXPECT_EQ(of(two, "cheb6-32", values_with({{alpha, 0.1f}, {beta, 0}})), "the moment bias");
     const ViewRay six = sheets({-0.8f, -0.5f, -0.2f, 0.1f, 0.4f, 0.7f});
-    EXPECT_EQ(of(six, "trig3-32", with({{theta, 3.1f}, {beta, 0}, {renormalize, 0}})), "the wrapping zone");
-    EXPECT_EQ(of(two, "power8-16", with({{alpha, 1e-6f}, {beta, 0}})), "16-bit drift of the moments");
+    EXPECT_EQ(of(six, "trig3-32", values_with({{theta, 3.1f}, {beta, 0}, {renormalize, 0}})),
+              "the wrapping zone");
+    EXPECT_EQ(of(two, "power8-16", values_with({{alpha, 1e-6f}, {beta, 0}})), "16-bit drift of the moments");
     EXPECT_EQ(of(two, "unsorted"), "the order of submission") << "front first, so that the last lies on top";
     EXPECT_EQ(of(five, "wboit"), "the method's own approximation");
-    EXPECT_EQ(of(two, "mlab", with({{layer_bits, 1}})), "rounding to few bits");
+    EXPECT_EQ(of(two, "mlab", values_with({{layer_bits, 1}})), "rounding to few bits");
     ViewRay mixed = two;
     mixed.shares = {{0.5f, two.fragments}, {0.5f, sheets({-0.9f, -0.7f}, 0.9f).fragments}};
-    EXPECT_EQ(of(mixed, "mt", with({{resolution, 1}})), "the low resolution of the moments");
+    EXPECT_EQ(of(mixed, "mt", values_with({{resolution, 1}})), "the low resolution of the moments");
 }
 
 TEST(VerdictTest, SaysWhenThereIsNothingToSay) {
