@@ -16,6 +16,7 @@ constexpr float PI = 3.14159265f;
 
 constexpr std::array PRESETS = {"table1", "robust"};
 constexpr std::array SOLVERS = {"robust", "textbook"};
+constexpr std::array FACTORISATIONS = {"per-pixel", "per-fragment"};
 constexpr std::array ACCUMULATIONS = {"blending", "ordered"};
 constexpr std::array WEIGHTS = {"window-depth", "view-depth", "g3d"};
 constexpr std::array COEFFICIENTS = {"7", "15"};
@@ -52,6 +53,16 @@ const std::array<Parameter, PARAMETER_COUNT> ROWS = {{
      "How moments are reconstructed: by this project's solver, which survives nearly singular matrices, or by "
      "Algorithms 1 and 2 as published, which show what bias is for.",
      "Münstermann et al. 2018, Algorithms 1 and 2; Momentscope 2026, docs/equations.md", SOLVERS},
+    {ParameterId::factorisation, "factorisation", "LDL*", "factorisation", "", 0.0f, 1.0f, 0.0f,
+     Scale::choice, Stage::color,
+     "Where the matrix of moments is biased and factored: once per pixel between the passes, for all of its fragments, or "
+     "again for every fragment, as published. The results are the same; the first is faster and stores the factor.",
+     "Momentscope 2026, docs/equations.md", FACTORISATIONS},
+    {ParameterId::tolerance, "tolerance", "ε", "tolerance", "", 1.0e-4f, 1.0f, 0.05f, Scale::logarithmic,
+     Stage::color,
+     "How much wider the bounds of a fragment's transmittance may be with four moments than with eight before all eight "
+     "are spent on it. At 1 four are always enough.",
+     "Momentscope 2026, docs/adaptive.md"},
     {ParameterId::accumulation, "accumulation", "Σ", "accumulation", "", 0.0f, 1.0f, 0.0f, Scale::choice,
      Stage::moments,
      "How the first pass adds up moments in floats: by blending, or by reading and writing pixels in submission "

@@ -20,6 +20,8 @@ enum class ParameterId : std::size_t {
     alpha,
     preset,
     solver,
+    factorisation,
+    tolerance,
     accumulation,
     renormalize,
     weight,
@@ -38,7 +40,7 @@ enum class ParameterId : std::size_t {
     opacity,
     tone_map
 };
-constexpr std::size_t PARAMETER_COUNT = 22;
+constexpr std::size_t PARAMETER_COUNT = 24;
 
 /// How a slider maps its way to a value; decides nothing but the looks.
 enum class Scale { linear, logarithmic, toggle, choice, whole };

@@ -39,8 +39,12 @@ void write_technique(const std::filesystem::path& folder, const Technique& techn
         for (const char* path : RECONSTRUCTING)
             write(folder, id + (textbook ? ".textbook" : ""), path, variant);
     }
-    for (const char* path : {"tests/evaluate.comp", "tests/evaluate.frag"})
+    for (const char* path : {"tests/evaluate.comp", "tests/evaluate.frag", "passes/factor.frag"})
         write(folder, id, path, moment_variant(technique));
+    ShaderVariant factored = reconstruction_variant(technique, {.factored_once = true});
+    factored.defines["WITH_TRANSMITTANCE"] = "1";
+    for (const char* path : {"passes/color.frag", "passes/capture.frag"})
+        write(folder, id + ".factored", path, factored);
     const auto access = OrderedAccess::interlock;
     write(folder, id + ".ordered", "passes/moments.frag", accumulation_variant(technique, true, access));
     if (technique.kernel->bits == 32)

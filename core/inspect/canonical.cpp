@@ -10,8 +10,8 @@ namespace {
 
 constexpr float PI = 3.14159265f;
 
-bool knows(std::string_view basis) {
-    return basis == "power" || basis == "chebyshev" || basis == "trigonometric";
+bool knows(const Technique& technique) {
+    return technique.on_circle() || technique.on_chebyshev() || std::string_view(technique.basis) == "power";
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ CanonicalRepresentation canonical_representation(const Curve& curve, float query
     result.query_absorbance = steps.query_weight * b0;
     result.in_front = steps.in_front * b0;
     result.floored_pivots = steps.floored_pivots;
-    if (!knows(curve.technique->basis)) return result;  // in front and behind are known, but not the depths
+    if (!knows(*curve.technique)) return result;  // in front and behind are known, but not the depths
     for (std::size_t l = 0; l < static_cast<std::size_t>(kernel.node_count); ++l)
         result.nodes.push_back({node_depth(steps.t[l], query, curve), steps.weight[l] * b0, steps.value[l]});
     std::ranges::sort(result.nodes, {}, &PointMass::depth);

@@ -126,12 +126,40 @@ std::optional<ExactFunction> on_the_circle(const reference::TrigonometricMoments
     };
 }
 
+template <std::size_t M>
+std::optional<reference::PowerFactor<M, Real>> first_moments(const reference::PowerMoments<8, Real>& moments,
+                                                             Real alpha) {
+    reference::PowerMoments<M, Real> first{};
+    std::copy_n(moments.begin(), M + 1, first.begin());
+    return reference::factor_power<M, Real>(
+        reference::normalise_and_bias(first, arcsine_moments<M>(), alpha));
+}
+
+// As nested orders choose theirs, in real numbers.
+std::optional<ExactFunction> with_nested_orders(const reference::PowerMoments<8, Real>& moments, Real alpha,
+                                                Real tolerance) {
+    const auto of_4 = first_moments<4>(moments, alpha);
+    const auto of_8 = first_moments<8>(moments, alpha);
+    if (!of_4 || !of_8) return std::nullopt;
+    return [lower = *of_4, higher = *of_8, b0 = moments[0], tolerance](Real depth) {
+        const auto with_4 = reference::power_bounds(lower, depth);
+        const auto with_8 = reference::power_bounds(higher, depth);
+        const Real greatest = std::exp(-b0 * std::clamp(with_4.lower, Real(0), Real(1)));
+        const Real wider = greatest * -std::expm1(-b0 * std::max(with_4.w0 - with_8.w0, Real(0)));
+        const Real x = std::clamp(2 * wider / tolerance - 1, Real(0), Real(1));
+        const Real share = x * x * (3 - 2 * x);
+        return ExactFraction{std::lerp(with_4.lower, with_8.lower, share),
+                             std::lerp(with_4.w0, with_8.w0, share)};
+    };
+}
+
 // A row's basis as a value, so that rows of bases without a reference compile too.
-enum class Basis { power, chebyshev, trigonometric, other };
+enum class Basis { power, chebyshev, nested, trigonometric, other };
 
 constexpr Basis basis_of(std::string_view name) {
     if (name == "power") return Basis::power;
     if (name == "chebyshev") return Basis::chebyshev;
+    if (name == "nested") return Basis::nested;
     return name == "trigonometric" ? Basis::trigonometric : Basis::other;
 }
 
@@ -144,6 +172,9 @@ struct Exact {
             return on_the_line<M>(reference::power_moments<M>(masses), power_bias<M>(bits), alpha);
         else if constexpr (basis == Basis::chebyshev)
             return on_the_line<M>(reference::power_moments<M>(masses), arcsine_moments<M>(), alpha);
+        else if constexpr (basis == Basis::nested)
+            return with_nested_orders(reference::power_moments<M>(masses), alpha,
+                                      static_cast<Real>(p.tolerance));
         else if constexpr (basis == Basis::trigonometric)
             return on_the_circle<M>(reference::trigonometric_moments<M>(masses, theta), alpha, theta);
         else
@@ -157,6 +188,9 @@ struct Exact {
         } else if constexpr (basis == Basis::chebyshev) {
             return on_the_line<M>(power_of_chebyshev<M>(real_moments<M>(stored, bits, false)),
                                   arcsine_moments<M>(), alpha);
+        } else if constexpr (basis == Basis::nested) {
+            return with_nested_orders(power_of_chebyshev<M>(real_moments<M>(stored, bits, false)), alpha,
+                                      static_cast<Real>(p.tolerance));
         } else if constexpr (basis == Basis::trigonometric) {
             const auto flat = real_moments<2 * M>(stored, bits, false);
             reference::TrigonometricMoments<M, Real> moments{};

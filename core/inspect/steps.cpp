@@ -18,7 +18,7 @@ std::complex<double> matrix_entry(const Technique& technique, const MomentVector
     const auto moment = [&](int k) {
         return k == 0 ? 1.0 : static_cast<double>(normalised.b[static_cast<std::size_t>(k - 1)]);
     };
-    if (std::string_view(technique.basis) == "chebyshev")
+    if (technique.on_chebyshev())
         return 0.5 * (moment(i + j) + moment(std::abs(i - j)));
     if (!technique.on_circle()) return moment(i + j);
     if (i == j) return 1.0;
@@ -90,7 +90,7 @@ StepText bias_text(const Steps& s) {
 
 StepText matrix_text(const Steps& s) {
     const bool circle = s.technique->on_circle();
-    const bool chebyshev = std::string_view(s.technique->basis) == "chebyshev";
+    const bool chebyshev = s.technique->on_chebyshev();
     const char* name = circle ? "Toeplitz matrix" : chebyshev ? "Gram matrix" : "Hankel matrix";
     const char* entry = circle ? "b_{i−j}" : chebyshev ? "(b_{i+j} + b_{|i−j|}) / 2" : "b_{i+j}";
     return {fmt::format("3  {}", name),

@@ -49,7 +49,7 @@ std::vector<float> own_depths(const ViewRay& ray) {
 
 // Chebyshev moments hold what power moments do.
 const Technique& with_reference(const Technique& technique) {
-    if (std::string_view(technique.basis) != "chebyshev") return technique;
+    if (!technique.on_chebyshev()) return technique;
     return require_technique(fmt::format("power{}-32", technique.moment_count));
 }
 

@@ -14,6 +14,7 @@ namespace {
 
 constexpr const char* SCENE = "passes/scene.vert";
 constexpr const char* MOMENTS = "passes/moments.frag";
+constexpr const char* FACTOR = "passes/factor.frag";
 constexpr const char* COLOR = "passes/color.frag";
 constexpr const char* FAILURES = "passes/failures.frag";
 
@@ -41,6 +42,7 @@ ShaderVariant moment_variant(const Technique& technique) {
 ShaderVariant reconstruction_variant(const Technique& technique, const ResolvedParameters& parameters) {
     ShaderVariant variant = moment_variant(technique);
     if (parameters.textbook) variant.defines["TEXTBOOK_SOLVER"] = "1";
+    if (parameters.factored_once) variant.defines["STORED_FACTOR"] = "1";
     return variant;
 }
 
@@ -51,7 +53,7 @@ ShaderVariant accumulation_variant(const Technique& technique, bool ordered, Ord
 }
 
 MomentPasses::MomentPasses(const Technique& technique, glm::ivec2 size, GLuint depth, OrderedAccess access)
-    : technique_(technique), access_(access) {
+    : technique_(technique), access_(access), size_(size) {
     if (const std::string why = why_unavailable(technique, access); !why.empty())
         throw Error(
             fmt::format("{} cannot be drawn here. {} Choose a variant of 32 bits.", technique.name, why));
@@ -74,6 +76,7 @@ void MomentPasses::draw_moments(const PassInput& input) {
     if (ordered && access_ == OrderedAccess::none)
         throw Error(fmt::format("{} Set --accumulation to blending.", NO_ORDERED_ACCESS));
     const bool by_images = ordered && access_ == OrderedAccess::interlock;
+    factored_bias_.reset();
     clear_colors(moment_target_, moments_5_to_8_ != 0 ? 3 : 2);
     if (by_images) {
         const Formats formats = formats_of(*technique_.kernel);
@@ -90,10 +93,31 @@ void MomentPasses::draw_moments(const PassInput& input) {
     if (by_images) glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
 }
 
+void MomentPasses::make_factors() {
+    std::vector<GLuint> targets;
+    for (int left = technique_.kernel->factor_floats; left > 0; left -= 4) {
+        factors_.push_back(make_texture(left == 1 ? GL_R32F : left == 2 ? GL_RG32F : GL_RGBA32F, size_));
+        targets.push_back(factors_.back());
+    }
+    factor_target_ = make_framebuffer(targets.data(), static_cast<int>(targets.size()), 0);
+}
+
+// Neither beta nor theta changes them.
+void MomentPasses::draw_factors(const PassInput& input) {
+    if (factored_bias_ == input.parameters.alpha) return;
+    if (factors_.empty()) make_factors();
+    bind_stored();
+    glBindFramebuffer(GL_FRAMEBUFFER, factor_target_);
+    glUseProgram(programs_.get("passes/fullscreen.vert", FACTOR, moment_variant(technique_)));
+    draw_fullscreen();
+    factored_bias_ = input.parameters.alpha;
+}
+
 void MomentPasses::draw_color(const PassInput& input) {
+    if (input.parameters.factored_once) draw_factors(input);
     clear_colors(color_target_, 1);
     glUseProgram(programs_.get(SCENE, COLOR, reconstruction_variant(technique_, input.parameters)));
-    bind_moments();
+    bind_stored();
     draw_transparent(input.scene, color_target_, Blending::add);
 }
 
@@ -108,14 +132,16 @@ void MomentPasses::draw_composite(const PassInput& input) {
 bool MomentPasses::draw_failures(const PassInput& input) {
     GLint target = 0;
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
-    glUseProgram(programs_.get(SCENE, FAILURES, reconstruction_variant(technique_, input.parameters)));
-    bind_moments();
+    ResolvedParameters parameters = input.parameters;
+    parameters.factored_once = false;  // stored factors forget which pivots were raised
+    glUseProgram(programs_.get(SCENE, FAILURES, reconstruction_variant(technique_, parameters)));
+    bind_stored();
     draw_transparent(input.scene, static_cast<GLuint>(target), Blending::add);
     return true;
 }
 
 std::optional<ShaderVariant> MomentPasses::bind_for_capture(const ResolvedParameters& parameters) const {
-    bind_moments();
+    bind_stored();
     return reconstruction_variant(technique_, parameters);
 }
 
@@ -141,10 +167,12 @@ std::vector<MomentVector> MomentPasses::read_moments(glm::ivec2 corner, glm::ive
     return moments;
 }
 
-void MomentPasses::bind_moments() const {
+void MomentPasses::bind_stored() const {
     glBindTextureUnit(0, total_absorbance_);
     glBindTextureUnit(1, moments_1_to_4_);
     glBindTextureUnit(2, moments_5_to_8_);
+    for (std::size_t i = 0; i < factors_.size(); ++i)
+        glBindTextureUnit(static_cast<GLuint>(3 + i), factors_[i]);
 }
 
 }  // namespace momentscope

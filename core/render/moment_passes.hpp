@@ -8,7 +8,7 @@ namespace momentscope {
 /// The shader variant that knows a moment-based technique.
 ShaderVariant moment_variant(const Technique& technique);
 
-/// The one that reconstructs with the parameters' solver.
+/// The one that reconstructs with the parameters' solver, from moments or from factors.
 ShaderVariant reconstruction_variant(const Technique& technique, const ResolvedParameters& parameters);
 
 /// The one that adds up moments: by blending, or in order with an access that is not none.
@@ -27,12 +27,18 @@ public:
     std::vector<MomentVector> read_moments(glm::ivec2 corner, glm::ivec2 extent) const override;
 
 private:
-    void bind_moments() const;
+    void bind_stored() const;
+    void draw_factors(const PassInput& input);
+    void make_factors();
 
     const Technique& technique_;
     OrderedAccess access_;
     GlTexture total_absorbance_, moments_1_to_4_, moments_5_to_8_, weighted_color_;
     GlFramebuffer moment_target_, depth_target_, color_target_;
+    std::vector<GlTexture> factors_;  // made when they are first needed
+    GlFramebuffer factor_target_;
+    glm::ivec2 size_;
+    std::optional<float> factored_bias_;  // of what factors_ hold; nothing when moments are newer
     ProgramCache programs_;
     GlProgram composite_program_;
 };

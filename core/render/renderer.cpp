@@ -105,10 +105,11 @@ void Renderer::update_frame_block(const View& view) {
     const ResolvedParameters& p = parameters_;
     const glm::vec2 warp = depth_warp_factors(warp_);
     const float aspect = static_cast<float>(view.size.x) / static_cast<float>(view.size.y);
-    const FrameBlock block = {view_matrix(view.camera), projection_matrix(view.camera, aspect),
-                              glm::vec4(warp, NEAR_PLANE, FAR_PLANE),
-                              glm::vec4(p.beta, p.theta, p.alpha, p.renormalize ? 1 : 0),
-                              glm::ivec4(view.size, 0, 0)};
+    const FrameBlock block = {
+        view_matrix(view.camera), projection_matrix(view.camera, aspect),
+        glm::vec4(warp, NEAR_PLANE, FAR_PLANE),
+        glm::vec4(p.beta, basis_parameter(p, *view.technique), p.alpha, p.renormalize ? 1 : 0),
+        glm::ivec4(view.size, 0, 0)};
     glNamedBufferSubData(frame_block_, 0, sizeof(block), &block);
 }
 

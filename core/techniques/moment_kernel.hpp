@@ -22,6 +22,7 @@ enum class Solver { robust, textbook };
 struct ReconstructionSettings {
     float overestimation = 0.25f;   // beta in [0, 1]
     float wrapping_zone_angle = 0;  // theta in [0, pi]; trigonometric moments only
+    float tolerance = 0;            // epsilon of nested orders, which choose their own
     float bias = 0;                 // moment bias alpha in [0, 1]
     Solver solver = Solver::robust;
 };
@@ -51,6 +52,7 @@ struct ReconstructionSteps {
 struct MomentKernel {
     int moment_floats;
     int node_count;
+    int factor_floats;  // numbers that the factor of a pixel's matrix takes
     int bits;           // per stored number, 32 or 16
     bool has_textbook;  // is there an Algorithm 1 or 2 for it? Else settings ask for Solver::robust
 

@@ -53,6 +53,14 @@ MomentVector from_shared(const g::Moments& moments) {
     return vector;
 }
 
+g::Basis basis_of(const ReconstructionSettings& settings) {
+#ifdef NESTED_ORDERS
+    return g::make_basis(settings.tolerance);
+#else
+    return g::make_basis(settings.wrapping_zone_angle);
+#endif
+}
+
 g::Moments unpacked(const MomentVector& stored) {
     return g::unpacked_moments(to_shared(stored));
 }
@@ -84,7 +92,7 @@ constexpr bool HAS_TEXTBOOK = true;
 float textbook(const g::Moments& moments, const ReconstructionSettings& settings, float overestimation,
                float depth) {
     return g::textbook_fraction(moments, depth, settings.bias, overestimation,
-                                g::make_basis(settings.wrapping_zone_angle));
+                                basis_of(settings));
 }
 #else
 constexpr bool HAS_TEXTBOOK = false;
@@ -116,7 +124,7 @@ void evaluate(const MomentVector& vector, const ReconstructionSettings& settings
         return;
     }
     if (settings.solver == Solver::textbook) return evaluate_textbook(moments, settings, depths, curves);
-    const g::Basis basis = g::make_basis(settings.wrapping_zone_angle);
+    const g::Basis basis = basis_of(settings);
     const g::Factor factor = g::factor_moments(g::biased_moments(moments, settings.bias));
     evaluate_wide(factor, basis, vector.b0, settings.overestimation, depths.data(), depths.size(),
                   curves.reconstructed.data(), curves.beta0.data(), curves.beta1.data());
@@ -127,7 +135,7 @@ float fraction(const MomentVector& vector, const ReconstructionSettings& setting
     if (g::is_empty(moments)) return 0;
     if (settings.solver == Solver::textbook)
         return textbook(moments, settings, settings.overestimation, depth);
-    const g::Basis basis = g::make_basis(settings.wrapping_zone_angle);
+    const g::Basis basis = basis_of(settings);
     const g::Factor factor = g::factor_moments(g::biased_moments(moments, settings.bias));
     return g::fraction_in_front(g::reconstruct(factor, basis, depth), settings.overestimation);
 }
@@ -135,7 +143,7 @@ float fraction(const MomentVector& vector, const ReconstructionSettings& setting
 ReconstructionSteps steps(const MomentVector& vector, const ReconstructionSettings& settings, float depth) {
     ReconstructionSteps result;
     if (g::is_empty(to_shared(vector))) return result;
-    const g::Basis basis = g::make_basis(settings.wrapping_zone_angle);
+    const g::Basis basis = basis_of(settings);
     const g::BiasedMoments biased = g::biased_moments(unpacked(vector), settings.bias);
     const g::Factor factor = g::factor_moments(biased);
     const g::Kernel kernel = g::kernel_polynomial(g::query_at(depth, factor, basis), factor);
@@ -162,6 +170,7 @@ ReconstructionSteps steps(const MomentVector& vector, const ReconstructionSettin
 const MomentKernel& moment_kernel(MomentKernelTag<MomentTechnique::KERNEL_ID>) {
     static constexpr MomentKernel kernel = {.moment_floats = MOMENT_FLOATS,
                                             .node_count = ROOT_COUNT,
+                                            .factor_floats = FACTOR_FLOATS,
                                             .bits = MOMENT_BITS,
                                             .has_textbook = HAS_TEXTBOOK,
                                             .add_fragment = add_fragment,

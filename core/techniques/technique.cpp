@@ -19,11 +19,21 @@ namespace {
 std::vector<ParameterId> moment_parameters(const MomentKernel& kernel, std::string_view basis) {
     std::vector<ParameterId> ids = {ParameterId::beta};
     if (basis == "trigonometric") ids.push_back(ParameterId::theta);
+    if (basis == "nested") ids.push_back(ParameterId::tolerance);
     ids.insert(ids.end(), {ParameterId::alpha, ParameterId::preset});
     if (kernel.has_textbook) ids.push_back(ParameterId::solver);
+    // A stored factor takes more bits than storing moments in 16 bits saves.
+    if (kernel.bits == 32) ids.push_back(ParameterId::factorisation);
     if (kernel.bits == 32) ids.push_back(ParameterId::accumulation);
     ids.push_back(ParameterId::renormalize);
     return ids;
+}
+
+// The factor may take the place of the moments, whenever alpha rests; only the window keeps both.
+int moment_bits(const MomentKernel& kernel, bool factored_once) {
+    const int floats =
+        factored_once ? std::max(kernel.moment_floats, kernel.factor_floats) : kernel.moment_floats;
+    return kernel.bits * (1 + floats);
 }
 
 Technique moment_technique(const MomentKernel& kernel, const char* basis, int moment_count, const char* id,
@@ -41,7 +51,7 @@ Technique moment_technique(const MomentKernel& kernel, const char* basis, int mo
             .recommended_bias = recommended_bias,
             .robust_bias = robust_bias,
             .has_bounds = has_bounds,
-            .bits_per_pixel = kernel.bits * (1 + kernel.moment_floats),
+            .bits_per_pixel = moment_bits(kernel, false),
             .geometry_passes = 2,
             .order_dependent = kernel.bits == 16};
 }
@@ -166,14 +176,19 @@ ResolvedParameters resolve(const ParameterValues& values, const Technique& techn
             .theta = values[ParameterId::theta].value_or(0.0f),
             .alpha = values[ParameterId::alpha].value_or(automatic_bias(values, technique)),
             .textbook = on(ParameterId::solver),
+            .factored_once = technique.uses(ParameterId::factorisation) && !on(ParameterId::factorisation) &&
+                             !on(ParameterId::solver),
+            .tolerance = technique.uses(ParameterId::tolerance) ? *values[ParameterId::tolerance] : 0.0f,
             .ordered = on(ParameterId::accumulation) || needs_order(technique),
             .renormalize = values[ParameterId::renormalize].value_or(1.0f) >= 0.5f,
             .method = technique.method != nullptr ? technique.method_settings(values) : MethodSettings()};
 }
 
 int bits_per_pixel(const Technique& technique, const ParameterValues& values) {
-    return technique.method != nullptr ? technique.state_bits(technique.method_settings(values))
-                                       : technique.bits_per_pixel;
+    if (technique.method != nullptr) return technique.state_bits(technique.method_settings(values));
+    if (technique.kernel != nullptr)
+        return moment_bits(*technique.kernel, resolve(values, technique).factored_once);
+    return technique.bits_per_pixel;
 }
 
 const char* why_refused(const Technique& technique, const ParameterValues& values) {
@@ -193,9 +208,14 @@ bool has_function(const Technique& technique) {
     return technique.kernel != nullptr || (technique.method != nullptr && technique.method->has_depths());
 }
 
+float basis_parameter(const ResolvedParameters& parameters, const Technique& technique) {
+    return technique.uses(ParameterId::tolerance) ? parameters.tolerance : parameters.theta;
+}
+
 ReconstructionSettings settings_of(const ResolvedParameters& parameters) {
     return {.overestimation = parameters.beta,
             .wrapping_zone_angle = parameters.theta,
+            .tolerance = parameters.tolerance,
             .bias = parameters.alpha,
             .solver = parameters.textbook ? Solver::textbook : Solver::robust};
 }

@@ -31,16 +31,20 @@ struct Technique {
     int (*state_floats)(const MethodSettings&) = nullptr;                 // numbers that a pixel stores then
     int (*state_bits)(const MethodSettings&) = nullptr;                   // bits that they need as published
     std::vector<ParameterId> parameters = {};                             // those that it reads
-    float recommended_bias = 0;  // what alpha = auto means with the preset table1
-    float robust_bias = 0;       // and with the preset robust (docs/bias.md)
-    bool has_bounds = false;     // beta = 0 and beta = 1 bound the truth (of the biased moments)
-    int bits_per_pixel =
-        0;  // as parameters are at first; beside the colour buffers; 0 where it grows with the fragments
+    float recommended_bias = 0;    // what alpha = auto means with the preset table1
+    float robust_bias = 0;         // and with the preset robust (docs/bias.md)
+    bool has_bounds = false;       // beta = 0 and beta = 1 bound the truth (of the biased moments)
+    int bits_per_pixel = 0;        // that the first pass stores as parameters are at first, beside the colour
+                                   // buffers; 0 where it grows with the fragments
     int geometry_passes = 1;       // of the transparent geometry; 0 where it grows with the layers
     bool order_dependent = false;  // does the submission order of geometry change the picture?
 
     bool uses(ParameterId parameter_id) const;
     bool on_circle() const { return basis != nullptr && std::string_view(basis) == "trigonometric"; }
+    bool on_chebyshev() const {  // are its moments those of Chebyshev polynomials?
+        return basis != nullptr &&
+               (std::string_view(basis) == "chebyshev" || std::string_view(basis) == "nested");
+    }
     bool is_truth() const { return kernel == nullptr && method == nullptr; }
 };
 
@@ -55,14 +59,17 @@ const Technique& require_technique(std::string_view id);
 /// The values that a technique computes with: `auto` replaced by its recommendation.
 struct ResolvedParameters {
     float beta = 0, theta = 0, alpha = 0;
-    bool textbook = false;  // the solver is Algorithm 1 or 2 as published
-    bool ordered = false;   // moments are summed in order, not by blending
+    bool textbook = false;       // the solver is Algorithm 1 or 2 as published
+    bool factored_once = false;  // per pixel, between the passes
+    float tolerance = 0;         // epsilon of orders that are chosen per fragment
+    bool ordered = false;        // moments are summed in order, not by blending
     bool renormalize = true;
     MethodSettings method = {};
 };
 ResolvedParameters resolve(const ParameterValues& values, const Technique& technique);
 
-/// Bits that a pixel needs beside the colour buffers; 0 where it grows with the fragments, or for none.
+/// Bits that a pixel needs beside the colour buffers, those of a factor that is stored between the passes
+/// among them; 0 where it grows with the fragments, or for none.
 int bits_per_pixel(const Technique& technique, const ParameterValues& values);
 
 /// Why values make no sense together for the technique, as a sentence that says what to do; nullptr when they
@@ -77,6 +84,9 @@ bool has_function(const Technique& technique);
 
 /// What alpha = auto means for the technique under these values' preset.
 float automatic_bias(const ParameterValues& values, const Technique& technique);
+
+/// What shaders call make_basis with: theta of the circle, or epsilon of nested orders.
+float basis_parameter(const ResolvedParameters& parameters, const Technique& technique);
 
 /// What a kernel is told of them.
 ReconstructionSettings settings_of(const ResolvedParameters& parameters);

@@ -5,7 +5,7 @@ layout(std140, binding = 0) uniform Frame
     mat4 view;
     mat4 projection;
     vec4 depth_warp;      // log_z_min, scale of shared/fragment.glsl; near and far plane
-    vec4 parameters;      // beta, theta, alpha, renormalise (0 or 1)
+    vec4 parameters;      // beta; theta, or epsilon of nested orders; alpha; renormalise (0 or 1)
     ivec4 picture;        // width, height
 } frame;
 

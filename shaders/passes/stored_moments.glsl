@@ -1,49 +1,49 @@
-// stored_moments.glsl -- reads what the first pass stored, and reconstructs the transmittance to a fragment.
+// stored_moments.glsl -- the transmittance to a fragment from what the first pass stored: from the pixel's moments, or, with
+// STORED_FACTOR, from their factor, which factor.frag made once for all of the pixel's fragments.
+#ifdef STORED_FACTOR
 #include "shared/storage.glsl"
-#include "passes/moment_texels.glsl"
+#else
+#include "passes/moment_textures.glsl"
+#endif
 #include "shared/reconstruction.glsl"
 #ifdef TEXTBOOK_SOLVER
 #include "shared/textbook.glsl"
 #endif
-
-layout(binding = 0) uniform sampler2D total_absorbance_texture;
-layout(binding = 1) uniform sampler2D moments_1_to_4_texture;
-#if MOMENT_FLOATS > 4
-layout(binding = 2) uniform sampler2D moments_5_to_8_texture;
+#ifdef STORED_FACTOR
+#include "passes/stored_factor.glsl"
 #endif
 
-Moments stored_moments(ivec2 pixel)
+/// A(z_f, b, beta) / b_0 for the fragment at hand from its pixel's factor, before it is clamped.
+float fragment_fraction(Factor factor)
 {
-    float b0 = texelFetch(total_absorbance_texture, pixel, 0).x;
-    vec4 first = texelFetch(moments_1_to_4_texture, pixel, 0);
-#if MOMENT_FLOATS > 4
-    vec4 second = texelFetch(moments_5_to_8_texture, pixel, 0);
-#else
-    vec4 second = vec4(0.0);
-#endif
-    return unpacked_moments(moments_of_texels(b0, first, second));
+    Reconstruction at_depth = reconstruct(factor, make_basis(frame.parameters.y), fragment_depth());
+    precise float fraction = fraction_in_front(at_depth, frame.parameters.x);
+    return fraction;
 }
 
-/// A(z_f, b, beta) / b_0 for the fragment at hand, before it is clamped; NaN where the textbook solver breaks.
+/// The same from moments; NaN where the textbook solver breaks.
 float fragment_fraction(Moments moments)
 {
 #ifdef TEXTBOOK_SOLVER
     precise float fraction = textbook_fraction(moments, fragment_depth(), frame.parameters.z, frame.parameters.x,
                                                make_basis(frame.parameters.y));
-#else
-    Factor factor = factor_moments(biased_moments(moments, frame.parameters.z));
-    Reconstruction at_depth = reconstruct(factor, make_basis(frame.parameters.y), fragment_depth());
-    precise float fraction = fraction_in_front(at_depth, frame.parameters.x);
-#endif
     return fraction;
+#else
+    return fragment_fraction(factor_moments(biased_moments(moments, frame.parameters.z)));
+#endif
 }
 
 /// T(z_f, b, beta) for the fragment at hand.
 float fragment_transmittance()
 {
-    Moments moments = stored_moments(ivec2(gl_FragCoord.xy));
-    if (is_empty(moments)) return 1.0;
-    precise float absorbance = moments.b0 * number_in_unit_range(fragment_fraction(moments));
+#ifdef STORED_FACTOR
+    Factor pixel = stored_factor(ivec2(gl_FragCoord.xy));
+    if (!(pixel.b0 >= LEAST_ABSORBANCE)) return 1.0;
+#else
+    Moments pixel = stored_moments(ivec2(gl_FragCoord.xy));
+    if (is_empty(pixel)) return 1.0;
+#endif
+    precise float absorbance = pixel.b0 * number_in_unit_range(fragment_fraction(pixel));
     precise float transmittance = transmittance_of(absorbance);
     return transmittance;
 }

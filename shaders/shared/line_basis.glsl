@@ -1,5 +1,5 @@
-// line_basis.glsl -- what power and Chebyshev moments are made of: as many floats as moments, half as many roots, and no
-// parameters.
+// line_basis.glsl -- what power and Chebyshev moments are made of: as many floats as moments, half as many roots, and at
+// most one parameter.
 
 #define ROOT_COUNT (MOMENT_COUNT / 2)
 #define MOMENT_FLOATS MOMENT_COUNT
@@ -9,12 +9,13 @@
 #include "elimination.glsl"
 #include "real_roots.glsl"
 
-/// What depends on parameters but not on depth: nothing. Trigonometric moments have a wrapping zone here.
-struct Basis { float wrapping_zone_angle; };
+/// What depends on parameters but not on depth: the tolerance of nested orders (nested_orders.glsl), and else nothing.
+/// Trigonometric moments have a wrapping zone here.
+struct Basis { float tolerance; };
 
-FN Basis make_basis(float wrapping_zone_angle)
+FN Basis make_basis(float tolerance)
 {
     Basis basis;
-    basis.wrapping_zone_angle = wrapping_zone_angle;
+    basis.tolerance = tolerance;
     return basis;
 }

@@ -3,11 +3,55 @@
 
 struct Factor
 {
+    float b0;
     float a[ROOT_COUNT];       // recurrence, diagonal
     float ratio[ROOT_COUNT];   // h_k / h_{k-1}; [0] unused
     float inverse_h[ORDER];    // 1 / pivot
     int floored;               // how many pivots were raised to the floor
 };
+
+/// h_k / h_{k-1} from the pivots, which is all of the factor that need not be stored.
+FN Factor with_ratios(IN(Factor) factor)
+{
+    Factor result = factor;
+    result.ratio[0] = 0.0f;
+    UNROLL
+    for (int k = 1; k < ROOT_COUNT; ++k) result.ratio[k] = min(factor.inverse_h[k - 1] / factor.inverse_h[k], 1.0f);
+    return result;
+}
+
+/// What a pixel stores of its factor, so that the second pass need not factor again: a_k, then 1 / h_k for k > 0, and
+/// h_0 = 1 always.
+#define FACTOR_FLOATS (2 * ROOT_COUNT)
+struct StoredFactor { float x[FACTOR_FLOATS]; };
+
+FN StoredFactor packed_factor(IN(Factor) factor)
+{
+    StoredFactor stored;
+    UNROLL
+    for (int k = 0; k < ROOT_COUNT; ++k)
+    {
+        stored.x[k] = factor.a[k];
+        stored.x[ROOT_COUNT + k] = factor.inverse_h[k + 1];
+    }
+    return stored;
+}
+
+/// b0: the total absorbance, which stands beside it.
+FN Factor unpacked_factor(IN(StoredFactor) stored, float b0)
+{
+    Factor factor;
+    factor.b0 = b0;
+    factor.floored = 0;
+    factor.inverse_h[0] = 1.0f;
+    UNROLL
+    for (int k = 0; k < ROOT_COUNT; ++k)
+    {
+        factor.a[k] = stored.x[k];
+        factor.inverse_h[k + 1] = stored.x[ROOT_COUNT + k];
+    }
+    return with_ratios(factor);
+}
 
 /// LDL^T of the matrix of biased moments, normalised to b_0 = 1, as the recurrence of the monic orthogonal polynomials.
 /// Depths lie in [-1, 1], so that |a_k| <= 1 and h_k <= h_{k-1} for every measure. Where rounding leaves moments that no
@@ -17,6 +61,7 @@ FN Factor factor_moments(IN(BiasedMoments) biased)
     FloatPair entry[ORDER * ORDER];    // entry[i ORDER + j] for i >= j: the rest of H, times scale
     float lower[ORDER * ORDER];        // L, with 1 on its diagonal
     Factor factor;
+    factor.b0 = biased.b0;
     factor.floored = 0;
     float unit = inverse_power_of_two(biased.b0);   // brings b_0 into [1, 2) exactly, so that no product underflows
     UNROLL
@@ -27,7 +72,6 @@ FN Factor factor_moments(IN(BiasedMoments) biased)
             entry[i * ORDER + j] = matrix_entry(biased, i, j, unit);
     }
     float scale = biased.b0 * unit;
-    float previous_h = 1.0f;
     UNROLL
     for (int k = 0; k < ORDER; ++k)
     {
@@ -36,9 +80,6 @@ FN Factor factor_moments(IN(BiasedMoments) biased)
         // The pivot is the norm of the k-th orthogonal polynomial with the basis's leading coefficient, a power of two.
         float leading = leading_coefficient(k);
         factor.inverse_h[k] = pivot.inverse_h * (leading * leading);
-        float h = pivot.h / (leading * leading);
-        if (k < ROOT_COUNT) factor.ratio[min(k, ROOT_COUNT - 1)] = k == 0 ? 0.0f : min(h / previous_h, 1.0f);
-        previous_h = h;
         PRECISE float inverse_pivot = pivot.inverse_h / scale;
         UNROLL
         for (int i = k + 1; i < ORDER; ++i)
@@ -63,5 +104,5 @@ FN Factor factor_moments(IN(BiasedMoments) biased)
         }
         factor.a[k] = clamp(a, -1.0f, 1.0f);
     }
-    return factor;
+    return with_ratios(factor);
 }

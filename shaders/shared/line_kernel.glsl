@@ -19,7 +19,8 @@ FN Query query_at(float depth, IN(Factor) factor, IN(Basis) basis)
 /// K(z_f, z_f + s) = at_query (1 + e[0] s + ... + e[n-1] s^n); at_query = 1 / w_0 >= 1.
 struct Kernel { float at_query; MonicPolynomial in_t; };
 
-FN Kernel kernel_polynomial(IN(Query) query, IN(Factor) factor)
+/// The kernel of the first polynomials up to a degree from 1 to ROOT_COUNT: that of the first 2 degree moments alone.
+FN Kernel kernel_of_degree(IN(Query) query, IN(Factor) factor, int degree)
 {
     float p[ORDER];            // p_k(z_f + s), coefficients of s^j
     float previous[ORDER];     // p_{k-1}
@@ -34,6 +35,7 @@ FN Kernel kernel_polynomial(IN(Query) query, IN(Factor) factor)
     UNROLL
     for (int k = 0; k < ROOT_COUNT; ++k)
     {
+        if (k >= degree) continue;
         PRECISE float carried = 0.0f;   // coefficient j - 1 of p_k: the product with s
         UNROLL
         for (int j = 0; j <= ROOT_COUNT; ++j)
@@ -55,9 +57,14 @@ FN Kernel kernel_polynomial(IN(Query) query, IN(Factor) factor)
     return kernel;
 }
 
-/// Weight 1 / K(z, z) of the node z = z_f + 1/t; 0 for t = 0, a node at infinity. Computed in t or in s, whichever
-/// is below 1, so that nothing overflows.
-FN float node_weight(float t, IN(Query) query, IN(Factor) factor)
+FN Kernel kernel_polynomial(IN(Query) query, IN(Factor) factor)
+{
+    return kernel_of_degree(query, factor, ROOT_COUNT);
+}
+
+/// Weight 1 / K(z, z) of the node z = z_f + 1/t of such a kernel; 0 for t = 0, a node at infinity. Computed in t or in s,
+/// whichever is below 1, so that nothing overflows.
+FN float node_weight_of_degree(float t, IN(Query) query, IN(Factor) factor, int degree)
 {
     PRECISE float s = 1.0f / max(abs(t), 1.0f);
     PRECISE float u = t * s;            // (s, u) is (1, t) scaled to a greatest component of at most 1
@@ -69,6 +76,7 @@ FN float node_weight(float t, IN(Query) query, IN(Factor) factor)
     UNROLL
     for (int k = 0; k < ROOT_COUNT; ++k)
     {
+        if (k >= degree) continue;
         PRECISE float next = (query.offset[k] * u + s) * q - factor.ratio[k] * u2 * previous;
         previous = q;
         q = next;
@@ -76,6 +84,11 @@ FN float node_weight(float t, IN(Query) query, IN(Factor) factor)
         u_power = u_power * u2;
     }
     return u_power / kernel;
+}
+
+FN float node_weight(float t, IN(Query) query, IN(Factor) factor)
+{
+    return node_weight_of_degree(t, query, factor, ROOT_COUNT);
 }
 
 /// v_l of Algorithm 1: 1 for a node in front of the query depth, 0 behind.

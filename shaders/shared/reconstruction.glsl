@@ -84,18 +84,14 @@ FN Masses with_certain_sum(IN(Masses) masses, IN(Roots) roots, float sum)
 }
 #endif
 
-/// depth in [-1, 1].
-FN Reconstruction reconstruct(IN(Factor) factor, IN(Basis) basis, float depth)
+/// What the roots of a kernel polynomial and their masses make of a query.
+FN Reconstruction representation(float at_query, IN(Roots) roots, IN(Masses) node_masses, IN(Query) query,
+                                 IN(Basis) basis)
 {
     Reconstruction result;
-    Query query = query_at(depth, factor, basis);
-    Kernel kernel = kernel_polynomial(query, factor);
-    Roots roots = real_roots(kernel.in_t);
-    PRECISE float query_weight = 1.0f / kernel.at_query;
+    PRECISE float query_weight = 1.0f / at_query;
     PRECISE float rest = max(1.0f - query_weight, 0.0f);
-    Masses masses;
-    UNROLL
-    for (int l = 0; l < ROOT_COUNT; ++l) masses.weight[l] = node_weight(roots.t[l], query, factor);
+    Masses masses = node_masses;
 #if ROOT_COUNT >= 3
     masses = with_certain_sum(masses, roots, rest);
 #endif
@@ -119,6 +115,22 @@ FN Reconstruction reconstruct(IN(Factor) factor, IN(Basis) basis, float depth)
     return result;
 }
 
+#ifdef NESTED_ORDERS
+#include "nested_orders.glsl"
+#else
+/// depth in [-1, 1].
+FN Reconstruction reconstruct(IN(Factor) factor, IN(Basis) basis, float depth)
+{
+    Query query = query_at(depth, factor, basis);
+    Kernel kernel = kernel_polynomial(query, factor);
+    Roots roots = real_roots(kernel.in_t);
+    Masses masses;
+    UNROLL
+    for (int l = 0; l < ROOT_COUNT; ++l) masses.weight[l] = node_weight(roots.t[l], query, factor);
+    return representation(kernel.at_query, roots, masses, query, basis);
+}
+#endif
+
 /// The fraction of b0 in front of the query depth, before it is clamped. overestimation beta in [0, 1] is the share of
 /// the mass at the query depth that counts as in front of it: 0 and 1 give the bounds of power moments.
 FN float fraction_in_front(IN(Reconstruction) reconstruction, float overestimation)
@@ -141,9 +153,9 @@ FN float absorbance_in_front(IN(Reconstruction) reconstruction, float b0, float 
 
 /// Absorbance in front of a depth straight from stored moments: what the second pass computes for a fragment.
 FN float absorbance_from_moments(IN(Moments) moments, float depth, float bias, float overestimation,
-                                 float wrapping_zone_angle)
+                                 float basis_parameter)
 {
-    Basis basis = make_basis(wrapping_zone_angle);
+    Basis basis = make_basis(basis_parameter);
     Factor factor = factor_moments(biased_moments(moments, bias));
     return absorbance_in_front(reconstruct(factor, basis, depth), moments.b0, overestimation);
 }

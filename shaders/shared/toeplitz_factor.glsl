@@ -5,10 +5,45 @@
 
 struct Factor
 {
+    float b0;
     Complex gamma[MOMENT_COUNT];   // Szego recurrence (Verblunsky) coefficients
     float inverse_h[ORDER];        // 1 / pivot, h_k = E[|p_k|^2]
     int floored;                   // how many pivots were raised to the floor
 };
+
+/// What a pixel stores of its factor, so that the second pass need not factor again: gamma_k, then 1 / h_k for k > 0, and
+/// h_0 = 1 always.
+#define FACTOR_FLOATS (3 * MOMENT_COUNT)
+struct StoredFactor { float x[FACTOR_FLOATS]; };
+
+FN StoredFactor packed_factor(IN(Factor) factor)
+{
+    StoredFactor stored;
+    UNROLL
+    for (int k = 0; k < MOMENT_COUNT; ++k)
+    {
+        stored.x[2 * k] = factor.gamma[k].re;
+        stored.x[2 * k + 1] = factor.gamma[k].im;
+        stored.x[2 * MOMENT_COUNT + k] = factor.inverse_h[k + 1];
+    }
+    return stored;
+}
+
+/// b0: the total absorbance, which stands beside it.
+FN Factor unpacked_factor(IN(StoredFactor) stored, float b0)
+{
+    Factor factor;
+    factor.b0 = b0;
+    factor.floored = 0;
+    factor.inverse_h[0] = 1.0f;
+    UNROLL
+    for (int k = 0; k < MOMENT_COUNT; ++k)
+    {
+        factor.gamma[k] = make_complex(stored.x[2 * k], stored.x[2 * k + 1]);
+        factor.inverse_h[k + 1] = stored.x[2 * MOMENT_COUNT + k];
+    }
+    return factor;
+}
 
 struct LowerMatrix { Complex entry[ORDER * ORDER]; };   // entry (i, j) at i ORDER + j for i > j; 1 on the diagonal
 
@@ -75,6 +110,7 @@ FN Factor factor_moments(IN(BiasedMoments) biased)
     HermitianMatrix rest = toeplitz_matrix(biased, unit);
     LowerMatrix lower;
     Factor factor;
+    factor.b0 = biased.b0;
     factor.floored = 0;
     float scale = biased.b0 * unit;
     UNROLL

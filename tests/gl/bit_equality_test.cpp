@@ -57,7 +57,8 @@ Result evaluate(const Technique& technique, const ResolvedParameters& p, const I
     result.absorbance = technique.kernel->steps(moments, settings_of(p), item.depth).absorbance;
     result.transmittance = transmittance(result.absorbance);
     result.warped = to_depth(item.view_depth, {true, Z_MIN, Z_MAX});
-    technique.kernel->add_fragment(moments, result.warped, fragment_absorbance(item.opacity), p.theta);
+    technique.kernel->add_fragment(moments, result.warped, fragment_absorbance(item.opacity),
+                                   basis_parameter(p, technique));
     result.b0_with_fragment = moments.b0;
     std::ranges::copy(moments.b, result.b_with_fragment);
     return result;
@@ -68,7 +69,7 @@ protected:
     // Runs `draw` with the items bound and returns what it wrote.
     template <typename Draw>
     std::vector<Result> run(const std::vector<Item>& items, const ResolvedParameters& p, Draw draw) {
-        const Header header = {p.beta, p.theta, p.alpha, 0, Z_MIN, Z_MAX, {}};
+        const Header header = {p.beta, basis_parameter(p, *GetParam()), p.alpha, 0, Z_MIN, Z_MAX, {}};
         GLuint names[2];
         glCreateBuffers(2, names);
         const GlBuffer input(names[0]);

@@ -1,0 +1,18 @@
+// stored_factor.glsl -- the factor that factor.frag made of a pixel's moments.
+#include "passes/factor_texels.glsl"
+
+layout(binding = 0) uniform sampler2D total_absorbance_texture;
+layout(binding = 3) uniform sampler2D factor_1_texture;
+layout(binding = 4) uniform sampler2D factor_2_texture;
+layout(binding = 5) uniform sampler2D factor_3_texture;
+
+/// Of a pixel with less than LEAST_ABSORBANCE all but b0 is undefined.
+Factor stored_factor(ivec2 pixel)
+{
+    float b0 = texelFetch(total_absorbance_texture, pixel, 0).x;
+    vec4 texels[3];
+    texels[0] = texelFetch(factor_1_texture, pixel, 0);
+    texels[1] = FACTOR_FLOATS > 4 ? texelFetch(factor_2_texture, pixel, 0) : vec4(0.0);
+    texels[2] = FACTOR_FLOATS > 8 ? texelFetch(factor_3_texture, pixel, 0) : vec4(0.0);
+    return unpacked_factor(factor_of_texels(texels), b0);
+}

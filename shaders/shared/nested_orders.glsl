@@ -1,0 +1,81 @@
+// nested_orders.glsl -- reconstruction from as few moments as a fragment needs: the first four where they are as certain as
+// all eight within a tolerance.
+//
+// The recurrence of the orthogonal polynomials nests: its first two steps are the factor of the first four moments. So the
+// masses w_0 that either order allows at the query depth are known before any root is looked for. That of eight moments is
+// at least the fragment's own absorbance; by as much as that of four exceeds it, four are less certain.
+
+/// 1 / K(z_f, z_f) of four and of eight moments.
+struct QueryWeights { float of_4; float of_8; };
+
+FN QueryWeights query_weights(IN(Query) query, IN(Factor) factor)
+{
+    QueryWeights weights;
+    PRECISE float previous = 0.0f;
+    PRECISE float p = 1.0f;
+    PRECISE float kernel = 1.0f;
+    UNROLL
+    for (int k = 0; k < ROOT_COUNT; ++k)
+    {
+        PRECISE float next = query.offset[k] * p - factor.ratio[k] * previous;
+        previous = p;
+        p = next;
+        kernel = kernel + p * p * factor.inverse_h[k + 1];
+        if (k == 1) weights.of_4 = 1.0f / kernel;
+    }
+    weights.of_8 = 1.0f / kernel;
+    return weights;
+}
+
+/// The share of eight moments in the result. Up to half of the tolerance four alone count, beyond it eight alone, so that
+/// the picture is continuous and nothing pops. Certainty is that of T, which is greatest, and falls fastest, at four moments'
+/// lower bound of the absorbance in front.
+FN float share_of_8(IN(QueryWeights) weights, float lower_bound_of_4, float b0, float tolerance)
+{
+    PRECISE float wider = b0 * max(weights.of_4 - weights.of_8, 0.0f);
+    PRECISE float of_transmittance =
+        portable_exp(-b0 * clamp(lower_bound_of_4, 0.0f, 1.0f)) * (1.0f - portable_exp(-wider));
+    PRECISE float x = clamp(2.0f * of_transmittance / tolerance - 1.0f, 0.0f, 1.0f);
+    PRECISE float share = x * x * (3.0f - 2.0f * x);
+    return share;
+}
+
+FN Reconstruction reconstruct_with_4(IN(Query) query, IN(Factor) factor, IN(Basis) basis)
+{
+    Kernel kernel = kernel_of_degree(query, factor, 2);
+    RootPair pair = quadratic_roots(kernel.in_t.e[0], kernel.in_t.e[1]);
+    Roots roots;
+    Masses masses;
+    UNROLL
+    for (int l = 0; l < ROOT_COUNT; ++l)   // the other nodes are infinitely far and weigh nothing
+    {
+        roots.t[l] = l == 0 ? pair.first : (l == 1 ? pair.second : 0.0f);
+        masses.weight[l] = l < 2 ? node_weight_of_degree(roots.t[l], query, factor, 2) : 0.0f;
+    }
+    return representation(kernel.at_query, roots, masses, query, basis);
+}
+
+FN Reconstruction reconstruct_with_8(IN(Query) query, IN(Factor) factor, IN(Basis) basis)
+{
+    Kernel kernel = kernel_polynomial(query, factor);
+    Roots roots = real_roots(kernel.in_t);
+    Masses masses;
+    UNROLL
+    for (int l = 0; l < ROOT_COUNT; ++l) masses.weight[l] = node_weight(roots.t[l], query, factor);
+    return representation(kernel.at_query, roots, masses, query, basis);
+}
+
+/// depth in [-1, 1]. Between the orders, nodes are those of eight moments; what is computed from them is mixed.
+FN Reconstruction reconstruct(IN(Factor) factor, IN(Basis) basis, float depth)
+{
+    Query query = query_at(depth, factor, basis);
+    Reconstruction of_4 = reconstruct_with_4(query, factor, basis);
+    float share = share_of_8(query_weights(query, factor), of_4.in_front, factor.b0, basis.tolerance);
+    if (share <= 0.0f) return of_4;
+    Reconstruction result = reconstruct_with_8(query, factor, basis);
+    PRECISE float in_front = of_4.in_front + share * (result.in_front - of_4.in_front);
+    PRECISE float query_weight = of_4.query_weight + share * (result.query_weight - of_4.query_weight);
+    result.in_front = in_front;
+    result.query_weight = query_weight;
+    return result;
+}
