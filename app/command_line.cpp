@@ -123,6 +123,42 @@ void add_figure(CLI::App& app, Options& options) {
     figure->add_option("-o,--output", options.output, "folder for the pictures [figures]");
 }
 
+void add_shard_option(CLI::App& command, Options& options) {
+    command
+        .add_option("--shard", options.shard, "a part of the rows, as 2/4 for the second of four (see merge)")
+        ->capture_default_str();
+}
+
+void add_metric_option(CLI::App& command, Options& options) {
+    command.add_option("--metric", options.metric, "error of drawings: rmse, delta-e or flip [rmse]");
+}
+
+void add_chart(CLI::App& app, Options& options) {
+    CLI::App* chart = app.add_subcommand("chart", "chart the speed of techniques against their accuracy");
+    chart
+        ->add_option("--scene", options.scene,
+                     "ids of scenes or paths of mesh files, separated by commas, or all")
+        ->capture_default_str();
+    chart->add_option("--size", options.size, "width and height in pixels [640x360]");
+    chart->add_option("--technique", options.techniques,
+                      "ids of techniques, or single configurations such as at:nodes=8 [all]");
+    chart->add_option("--repeat", options.repeat, "rounds in which each configuration is timed once")
+        ->capture_default_str();
+    add_metric_option(*chart, options);
+    add_shard_option(*chart, options);
+    chart->add_option("-o,--output", options.output,
+                      ".csv, .md, .svg, .html or .png; the same command goes on where an ended one stopped");
+    add_parameter_options(*chart, options);
+}
+
+void add_merge(CLI::App& app, Options& options) {
+    CLI::App* merge = app.add_subcommand("merge", "put the shards of a chart or stress run together");
+    merge->add_option("files", options.files, "the .csv files of all shards of one run")->required();
+    add_metric_option(*merge, options);
+    merge->add_option("-o,--output", options.output, ".csv, or of a chart .md, .svg, .html or .png")
+        ->required();
+}
+
 void add_commands(CLI::App& app, Options& options, std::string& what) {
     add_explore_options(app, options);
     CLI::App* explore = app.add_subcommand("explore", "open the window (the default)");
@@ -139,6 +175,8 @@ void add_commands(CLI::App& app, Options& options, std::string& what) {
     add_figure(app, options);
     add_stress(app, options);
     add_tune(app, options);
+    add_chart(app, options);
+    add_merge(app, options);
 
     CLI::App* list = app.add_subcommand("list", "print a registry");
     list->add_option("what", what,
@@ -157,6 +195,8 @@ void run(const CLI::App& app, const Options& options, const std::string& what) {
     if (app.got_subcommand("figure")) return run_figure(options);
     if (app.got_subcommand("stress")) return run_stress_command(options);
     if (app.got_subcommand("tune")) return run_tune_command(options);
+    if (app.got_subcommand("chart")) return run_chart_command(options);
+    if (app.got_subcommand("merge")) return run_merge_command(options);
     if (app.got_subcommand("list")) return run_list(what, options.format.empty() ? "table" : options.format);
     run_explore(options);
 }

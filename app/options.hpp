@@ -31,6 +31,9 @@ struct Options {
     std::vector<std::string> pictures;  // of compare: reference and test
     std::string metric;
     std::string region;
+    std::string repeat = "3";
+    std::string shard = "1/1";
+    std::vector<std::string> files;  // of merge
     bool steps = false;
     bool sharp_bounds = false;
     bool headless = false;
