@@ -73,6 +73,12 @@ void add_inspect(CLI::App& app, Options& options) {
     add_parameter_options(*inspect, options);
 }
 
+void add_shard_option(CLI::App& command, Options& options) {
+    command
+        .add_option("--shard", options.shard, "a part of the rows, as 2/4 for the second of four (see merge)")
+        ->capture_default_str();
+}
+
 void add_stress(CLI::App& app, Options& options) {
     CLI::App* stress =
         app.add_subcommand("stress", "try techniques under hard conditions and count failures");
@@ -82,6 +88,7 @@ void add_stress(CLI::App& app, Options& options) {
     stress->add_option("--rays", options.rays, "random rays for each technique and condition")
         ->capture_default_str();
     stress->add_option("--seed", options.seed, "of the random rays")->capture_default_str();
+    add_shard_option(*stress, options);
     stress->add_option("-o,--output", options.output, ".csv, .html or .png (a heat map)");
     add_parameter_options(*stress, options);
 }
@@ -121,12 +128,6 @@ void add_figure(CLI::App& app, Options& options) {
     figure->add_option("figure", options.figure, "id of a figure (momentscope list figures), or all")
         ->required();
     figure->add_option("-o,--output", options.output, "folder for the pictures [figures]");
-}
-
-void add_shard_option(CLI::App& command, Options& options) {
-    command
-        .add_option("--shard", options.shard, "a part of the rows, as 2/4 for the second of four (see merge)")
-        ->capture_default_str();
 }
 
 void add_metric_option(CLI::App& command, Options& options) {

@@ -100,6 +100,35 @@ std::string stress_to_csv(const std::vector<StressCell>& cells) {
     return text;
 }
 
+RunTable stress_table(const std::vector<StressCell>& cells, const StressOptions& options) {
+    constexpr int SCHEMA = 1;  // counts changes of the columns and of what they mean
+    const auto joined = [](const auto& rows) {
+        std::string text;
+        for (const auto* row : rows) text += fmt::format("{}{}", text.empty() ? "" : " ", row->id);
+        return text;
+    };
+    std::string changed;
+    for (const Parameter& row : parameters())
+        if (options.values[row.id] != row.standard)
+            changed += fmt::format("{}{}={}", changed.empty() ? "" : " ", row.key,
+                                   parameter_text(row, options.values[row.id]));
+    RunTable table;
+    table.settings = begin_settings("stress", SCHEMA, options.techniques.size() * options.conditions.size(),
+                                    options.shard);
+    table.settings.insert(table.settings.end(), {{"rays", fmt::format("{}", options.rays)},
+                                                 {"seed", fmt::format("{}", options.seed)},
+                                                 {"techniques", joined(options.techniques)},
+                                                 {"conditions", joined(options.conditions)},
+                                                 {"parameters", changed.empty() ? "standard" : changed}});
+    const std::string text = stress_to_csv(cells);
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = text.find('\n', begin);
+        (begin == 0 ? table.columns : table.rows.emplace_back()) = text.substr(begin, end - begin);
+        begin = end + 1;
+    }
+    return table;
+}
+
 std::string stress_to_html(const std::vector<StressCell>& cells, const StressOptions& options) {
     const std::size_t columns = options.conditions.size();
     std::string map = heading(cells, columns);
