@@ -35,7 +35,7 @@ std::vector<std::string> parse_scenes(const std::string& text) {
     return scenes;
 }
 
-std::vector<Configuration> parse_configurations(const Options& options, const ParameterValues& values) {
+std::vector<Configuration> charted_configurations(const Options& options, const ParameterValues& values) {
     std::vector<Configuration> all;
     for (const std::string& list : options.techniques)
         for (const std::string& text : split_configurations(list)) {
@@ -55,7 +55,7 @@ ChartPlan parse_plan(const Options& options) {
     plan.settings.repeat = parse_count(options.repeat, "number of rounds", 1, MOST_REPEATS);
     plan.settings.values = parse_parameters(options);
     plan.scenes = parse_scenes(options.scene);
-    plan.configurations = parse_configurations(options, plan.settings.values);
+    plan.configurations = charted_configurations(options, plan.settings.values);
     plan.shard = parse_shard(options.shard);
     return plan;
 }

@@ -59,8 +59,9 @@ void add_inspect(CLI::App& app, Options& options) {
     inspect->add_option("--pixel", options.pixel,
                         "pixel of the picture, as 320,200; the scene's own if left out");
     add_ray_option(*inspect, options);
-    inspect->add_option("--technique", options.techniques,
-                        "ids of techniques, separated by commas or repeated");
+    inspect->add_option(
+        "--technique", options.techniques,
+        "ids of techniques or configurations such as at:nodes=8, separated by commas or repeated");
     inspect->add_option("--samples", options.samples, "how many depths from -1 to 1")->capture_default_str();
     inspect->add_option("--depths", options.depths, "depths instead of --samples, as -0.5,0,0.25");
     inspect->add_flag("--steps", options.steps,
@@ -111,8 +112,9 @@ void add_tune(CLI::App& app, Options& options) {
 void add_compare(CLI::App& app, Options& options) {
     CLI::App* compare = app.add_subcommand("compare", "tell how far a picture is from a reference");
     compare
-        ->add_option("pictures", options.pictures,
-                     "reference and test: picture files, or ids of techniques that draw the scene")
+        ->add_option(
+            "pictures", options.pictures,
+            "reference and test: picture files, or techniques that draw the scene, as at or at:nodes=8")
         ->required()
         ->expected(2);
     add_scene_options(*compare, options);
@@ -167,7 +169,8 @@ void add_commands(CLI::App& app, Options& options, std::string& what) {
 
     CLI::App* render = app.add_subcommand("render", "draw a scene to a picture");
     add_scene_options(*render, options);
-    render->add_option("--technique", options.techniques, "id of a technique");
+    render->add_option("--technique", options.techniques,
+                       "id of a technique, or a configuration such as at:nodes=8");
     render->add_option("-o,--output", options.output, ".exr (linear floats) or .png")->required();
     add_parameter_options(*render, options);
 

@@ -14,11 +14,11 @@ namespace momentscope {
 namespace {
 
 const glm::vec2 SIZE(1120, 720);
-const Box PLOT = {{70, 84}, {1104, 664}};
+const Box PLOT = {{76, 104}, {1104, 664}};
 constexpr float STRIP = 30;  // at the bottom, for errors too small for the axis
 constexpr float RADIUS = 5;
 constexpr float FONT = 11, AXIS_FONT = 12, TITLE_FONT = 17;
-constexpr double LEAST_SHARE = 1e-3;  // of the greatest error, that still has a place of its own
+constexpr double LEAST_SHARE = 4e-3;  // of the greatest error, that still has a place of its own
 const glm::vec3 TEXT(0.13f, 0.15f, 0.18f), WEAK(0.42f, 0.45f, 0.50f), GRID(0.90f, 0.91f, 0.93f),
     AXIS(0.55f, 0.58f, 0.62f), FRONT(0.13f, 0.15f, 0.18f);
 
@@ -119,7 +119,7 @@ private:
         drawing_.texts.push_back(
             {{16, 24}, fmt::format("Speed against accuracy: {}", scene), TITLE_FONT, TEXT, true});
         drawing_.texts.push_back(
-            {{16, 74}, fmt::format("{} against sorted", metric.symbol), AXIS_FONT, TEXT, true});
+            {{16, 92}, fmt::format("{} against sorted", metric.symbol), AXIS_FONT, TEXT, true});
         const std::string axis = fmt::format("total time of the transparent passes [ms], {}", times);
         drawing_.texts.push_back(
             {{PLOT.high.x - text_width(axis, AXIS_FONT) * 1.1f, SIZE.y - 14}, axis, AXIS_FONT, TEXT, true});
@@ -140,7 +140,7 @@ private:
         }
         add_line({{PLOT.low.x, PLOT.high.y - STRIP}, {PLOT.high.x, PLOT.high.y - STRIP}}, AXIS, 1);
         add_line({{PLOT.low.x, PLOT.low.y}, {PLOT.low.x, PLOT.high.y}, PLOT.high}, AXIS, 1);
-        right_aligned("≈ 0", PLOT.high.y - 0.5f * STRIP);
+        right_aligned(fmt::format("< {:.1g}", error_.least), PLOT.high.y - 0.5f * STRIP);
     }
 
     void right_aligned(const std::string& text, float y) {
@@ -152,9 +152,10 @@ private:
         if (row == rows_.end() || !row->numbers) return;
         const float x = time_.at(row->numbers->total.median);
         add_line({{x, PLOT.low.y}, {x, PLOT.high.y}}, AXIS, 1.2f, true);
+        taken_.push_back({{x - 1, PLOT.low.y}, {x + 1, PLOT.high.y}});
     }
 
-    // As a staircase: nothing that was measured lies to its lower left.
+    // As a staircase, behind the marks: nothing that was measured lies to its lower left.
     void draw_front() {
         std::vector<glm::vec2> stairs;
         for (const std::size_t row : front_of(rows_, metric_)) {
@@ -162,31 +163,45 @@ private:
             if (!stairs.empty()) stairs.emplace_back(at.x, stairs.back().y);
             stairs.push_back(at);
             drawing_.marks.push_back({at, MarkShape::ring, FRONT, RADIUS + 4, Drawing::NO_ROW});
+            taken_.push_back({at - (RADIUS + 4), at + (RADIUS + 4)});
         }
+        for (std::size_t i = 1; i < stairs.size(); ++i)
+            taken_.push_back(
+                {glm::min(stairs[i - 1], stairs[i]) - 1.0f, glm::max(stairs[i - 1], stairs[i]) + 1.0f});
         if (!stairs.empty()) add_line(stairs, FRONT, 1.6f);
     }
 
+    // In lines as long as the drawing is wide.
     void draw_legend() {
-        float x = 16;
-        const float y = 48;
+        glm::vec2 at(16, 48);
+        const auto name = [&](const char* text) {
+            drawing_.texts.push_back({at + glm::vec2(18, 0), text, FONT, TEXT});
+            at.x += 18 + text_width(text, FONT) + 12;
+        };
+        const auto make_room = [&](const char* text) {
+            if (at.x + 18 + text_width(text, FONT) > SIZE.x) at = {16, at.y + 20};
+        };
         for (const Family& family : families()) {
-            const bool there =
-                std::ranges::any_of(points_, [&](const Point& p) { return p.family == &family; });
-            if (!there) continue;
-            drawing_.marks.push_back({{x + 6, y}, family.shape, family.color, RADIUS, Drawing::NO_ROW});
-            drawing_.texts.push_back({{x + 16, y}, family.name, FONT, TEXT});
-            x += 16 + text_width(family.name, FONT) + 10;
+            const auto is_of = [&](const Point& p) { return p.family == &family; };
+            if (std::ranges::none_of(points_, is_of)) continue;
+            make_room(family.name);
+            drawing_.marks.push_back(
+                {at + glm::vec2(6, 0), family.shape, family.color, RADIUS, Drawing::NO_ROW});
+            name(family.name);
         }
-        drawing_.marks.push_back({{x + 8, y}, MarkShape::ring, FRONT, RADIUS + 2, Drawing::NO_ROW});
-        drawing_.texts.push_back({{x + 20, y}, "Pareto front", FONT, TEXT});
+        make_room("Pareto front");
+        drawing_.marks.push_back({at + glm::vec2(6, 0), MarkShape::ring, FRONT, RADIUS + 2, Drawing::NO_ROW});
+        name("Pareto front");
+        make_room("time of unsorted");
+        add_line({at - glm::vec2(2, 0), at + glm::vec2(14, 0)}, AXIS, 1.2f, true);
+        name("time of unsorted");
     }
 
     // Those on the front first, then techniques as they are, then their variants.
     void draw_labels() {
         const std::vector<std::size_t> front = front_of(rows_, metric_);
         std::vector<Label> labels;
-        std::vector<Box> taken;
-        for (const Point& point : points_) taken.push_back({point.at - RADIUS, point.at + RADIUS});
+        for (const Point& point : points_) taken_.push_back({point.at - RADIUS, point.at + RADIUS});
         for (int rank = 0; rank < 3; ++rank)
             for (const Point& point : points_) {
                 const bool on_front = std::ranges::find(front, point.row) != front.end();
@@ -194,13 +209,14 @@ private:
                     labels.push_back({point.at, short_name(rows_[point.row].configuration),
                                       0.85f * point.family->color, on_front});
             }
-        place_labels(drawing_, labels, taken, {PLOT.low + 2.0f, PLOT.high - 2.0f}, FONT);
+        place_labels(drawing_, labels, taken_, {PLOT.low + 2.0f, PLOT.high - 2.0f}, FONT);
     }
 
     std::span<const ChartRow> rows_;
     Metric metric_;
     LogAxis time_{}, error_{};
     std::vector<Point> points_;
+    std::vector<Box> taken_;  // where no label may stand
     Drawing drawing_;
 };
 

@@ -9,7 +9,7 @@ namespace momentscope {
 
 /// Both axes are logarithmic. Time is the total: the difference to `unsorted` may be zero or less where noise
 /// is as great, which a logarithm cannot show; a dashed line stands where `unsorted` is. Errors below a
-/// thousandth of the greatest stand in a strip at the bottom. The Pareto front is a line. Names are written
+/// 250th of the greatest stand in a strip at the bottom. The Pareto front is a line. Names are written
 /// where there is room. `times` says how times were taken.
 Drawing chart_drawing(std::span<const ChartRow> rows, Metric metric, const std::string& times);
 

@@ -7,7 +7,7 @@
 
 namespace momentscope {
 
-enum class MarkShape { circle, square, diamond, triangle_up, triangle_down, cross, ring };
+enum class MarkShape { circle, square, diamond, triangle_up, triangle_down, bar, pillar, cross, ring };
 
 /// Places are in pixels from the upper left; colours are sRGB in [0, 1].
 struct Drawing {

@@ -27,9 +27,9 @@ const Family ROWS[] = {
     {"ground truth", rgb(0x16181C), MarkShape::cross, [](const Technique& t) { return t.is_truth(); }},
     {"in order, bounded memory", rgb(0x8A6D00), MarkShape::triangle_down,
      [](const Technique& t) { return needs_order(t); }},
-    {"other functions of depth", rgb(0x2E8FC9), MarkShape::cross,
-     [](const Technique& t) { return has_function(t); }},
-    {"one pass", rgb(0x6B7280), MarkShape::square, [](const Technique&) { return true; }},
+    {"other functions of depth", rgb(0x2E8FC9), MarkShape::bar,
+     [](const Technique& t) { return t.method != nullptr && !t.method->holds_colors; }},
+    {"one pass", rgb(0x6B7280), MarkShape::pillar, [](const Technique&) { return true; }},
 };
 
 }  // namespace

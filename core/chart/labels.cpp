@@ -9,8 +9,9 @@ namespace momentscope {
 
 namespace {
 
-constexpr float GAP = 9;  // between a point and the label beside it
-constexpr std::array DISTANCES = {GAP, 18.0f, 30.0f, 44.0f, 62.0f, 84.0f, 110.0f};
+constexpr float GAP = 13;  // between a point and the label beside it
+constexpr float OWN = 16;  // about a point, where its own mark may be
+constexpr std::array DISTANCES = {GAP, 20.0f, 30.0f, 44.0f, 62.0f, 84.0f, 110.0f};
 constexpr int DIRECTIONS = 16;
 const glm::vec3 LEADER(0.62f, 0.65f, 0.69f);
 
@@ -21,7 +22,7 @@ bool is_free(const Box& box, const std::vector<Box>& taken) {
 // Of a line from a point to its label; the point itself does not count.
 bool is_free_line(glm::vec2 from, glm::vec2 to, const std::vector<Box>& taken) {
     const float length = glm::length(to - from);
-    for (float way = GAP; way < length; way += 3) {
+    for (float way = OWN; way < length; way += 3) {
         const glm::vec2 at = glm::mix(from, to, way / length);
         if (!is_free({at - 0.5f, at + 0.5f}, taken)) return false;
     }
