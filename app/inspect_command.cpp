@@ -43,7 +43,7 @@ std::string text_of_verdicts(const PixelCapture& capture, const std::vector<Curv
     std::string text;
     for (const Curve& curve : curves)
         text +=
-            fmt::format("{}: {}\n", curve.technique->id,
+            fmt::format("{}: {}\n", curve_name(curve, curves),
                         pixel_verdict(capture.ray, *curve.technique, curve.values, capture.behind).sentence);
     return text;
 }

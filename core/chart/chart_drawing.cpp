@@ -39,10 +39,10 @@ struct Point {
     bool standard;  // no parameter was changed
 };
 
-/// 1, 2 and 5 times powers of ten within a range; of more than two decades powers alone.
+/// 1, 2 and 5 times powers of ten within a range; of more than three decades powers alone.
 std::vector<double> ticks_of(double least, double most) {
     std::vector<double> ticks;
-    const bool wide = most / least > 100;
+    const bool wide = most / least > 1000;
     for (double power = std::pow(10, std::floor(std::log10(least))); power <= most; power *= 10)
         for (const double factor : {1.0, 2.0, 5.0}) {
             const double tick = power * factor;

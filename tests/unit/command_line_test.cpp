@@ -267,6 +267,9 @@ TEST_F(CommandLine, InspectPrintsTheTruthAsJsonCsvAndTable) {
     EXPECT_TRUE(table.starts_with("2 fragments, total absorbance 2.07944\n")) << table;
     EXPECT_NE(table.find("    0.000000    0.693147"), std::string::npos) << table;
     EXPECT_NE(table.find("\npower8-32: "), std::string::npos) << "the verdict; " << table;
+    const std::string twice =
+        expect_success("inspect --ray ray.json --technique at,at:nodes=8 --depths=0 --format csv").output;
+    EXPECT_NE(twice.find("\nat:nodes=8,0,"), std::string::npos) << twice;
     for (const std::string& text : {csv, table})
         for (const char* word : {"nan", "null", "inf"}) EXPECT_EQ(text.find(word), std::string::npos) << text;
 }
