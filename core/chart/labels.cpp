@@ -22,8 +22,10 @@ bool is_free(const Box& box, const std::vector<Box>& taken) {
 // Of a line from a point to its label; the point itself does not count.
 bool is_free_line(glm::vec2 from, glm::vec2 to, const std::vector<Box>& taken) {
     const float length = glm::length(to - from);
-    for (float way = OWN; way < length; way += 3) {
-        const glm::vec2 at = glm::mix(from, to, way / length);
+    constexpr float STEP = 3;
+    const int steps = static_cast<int>(std::ceil((length - OWN) / STEP));
+    for (int i = 0; i < steps; ++i) {
+        const glm::vec2 at = glm::mix(from, to, (OWN + STEP * static_cast<float>(i)) / length);
         if (!is_free({at - 0.5f, at + 0.5f}, taken)) return false;
     }
     return true;

@@ -11,7 +11,7 @@ namespace momentscope {
 
 /// A configuration while it is measured, with a renderer of its own, so that no round links programs.
 struct ChartBench::Candidate {
-    const Configuration* configuration;
+    const Configuration* configuration = nullptr;
     std::unique_ptr<Renderer> renderer;  // null when this GL cannot draw it
     std::string unavailable;
     ChartNumbers numbers;
@@ -130,7 +130,8 @@ std::vector<ChartRow> ChartBench::measure(std::span<const Configuration> block, 
     std::vector<Candidate> candidates;
     for (const Configuration& configuration : block) {
         if (stop.stop_requested()) return {};
-        Candidate& candidate = candidates.emplace_back(&configuration);
+        Candidate& candidate = candidates.emplace_back();
+        candidate.configuration = &configuration;
         candidate.unavailable = why_unavailable(*configuration.technique, yardstick_->ordered_access());
         if (candidate.unavailable.empty()) {
             candidate.renderer = new_renderer();
