@@ -59,8 +59,9 @@ void add_inspect(CLI::App& app, Options& options) {
     inspect->add_option("--pixel", options.pixel,
                         "pixel of the picture, as 320,200; the scene's own if left out");
     add_ray_option(*inspect, options);
-    inspect->add_option("--technique", options.techniques,
-                        "ids of techniques, separated by commas or repeated");
+    inspect->add_option(
+        "--technique", options.techniques,
+        "ids of techniques or configurations such as at:nodes=8, separated by commas or repeated");
     inspect->add_option("--samples", options.samples, "how many depths from -1 to 1")->capture_default_str();
     inspect->add_option("--depths", options.depths, "depths instead of --samples, as -0.5,0,0.25");
     inspect->add_flag("--steps", options.steps,
@@ -73,6 +74,12 @@ void add_inspect(CLI::App& app, Options& options) {
     add_parameter_options(*inspect, options);
 }
 
+void add_shard_option(CLI::App& command, Options& options) {
+    command
+        .add_option("--shard", options.shard, "a part of the rows, as 2/4 for the second of four (see merge)")
+        ->capture_default_str();
+}
+
 void add_stress(CLI::App& app, Options& options) {
     CLI::App* stress =
         app.add_subcommand("stress", "try techniques under hard conditions and count failures");
@@ -82,6 +89,7 @@ void add_stress(CLI::App& app, Options& options) {
     stress->add_option("--rays", options.rays, "random rays for each technique and condition")
         ->capture_default_str();
     stress->add_option("--seed", options.seed, "of the random rays")->capture_default_str();
+    add_shard_option(*stress, options);
     stress->add_option("-o,--output", options.output, ".csv, .html or .png (a heat map)");
     add_parameter_options(*stress, options);
 }
@@ -104,8 +112,9 @@ void add_tune(CLI::App& app, Options& options) {
 void add_compare(CLI::App& app, Options& options) {
     CLI::App* compare = app.add_subcommand("compare", "tell how far a picture is from a reference");
     compare
-        ->add_option("pictures", options.pictures,
-                     "reference and test: picture files, or ids of techniques that draw the scene")
+        ->add_option(
+            "pictures", options.pictures,
+            "reference and test: picture files, or techniques that draw the scene, as at or at:nodes=8")
         ->required()
         ->expected(2);
     add_scene_options(*compare, options);
@@ -123,6 +132,36 @@ void add_figure(CLI::App& app, Options& options) {
     figure->add_option("-o,--output", options.output, "folder for the pictures [figures]");
 }
 
+void add_metric_option(CLI::App& command, Options& options) {
+    command.add_option("--metric", options.metric, "error of drawings: rmse, delta-e or flip [rmse]");
+}
+
+void add_chart(CLI::App& app, Options& options) {
+    CLI::App* chart = app.add_subcommand("chart", "chart the speed of techniques against their accuracy");
+    chart
+        ->add_option("--scene", options.scene,
+                     "ids of scenes or paths of mesh files, separated by commas, or all")
+        ->capture_default_str();
+    chart->add_option("--size", options.size, "width and height in pixels [640x360]");
+    chart->add_option("--technique", options.techniques,
+                      "ids of techniques, or single configurations such as at:nodes=8 [all]");
+    chart->add_option("--repeat", options.repeat, "rounds in which each configuration is timed once")
+        ->capture_default_str();
+    add_metric_option(*chart, options);
+    add_shard_option(*chart, options);
+    chart->add_option("-o,--output", options.output,
+                      ".csv, .md, .svg, .html or .png; the same command goes on where an ended one stopped");
+    add_parameter_options(*chart, options);
+}
+
+void add_merge(CLI::App& app, Options& options) {
+    CLI::App* merge = app.add_subcommand("merge", "put the shards of a chart or stress run together");
+    merge->add_option("files", options.files, "the .csv files of all shards of one run")->required();
+    add_metric_option(*merge, options);
+    merge->add_option("-o,--output", options.output, ".csv, or of a chart .md, .svg, .html or .png")
+        ->required();
+}
+
 void add_commands(CLI::App& app, Options& options, std::string& what) {
     add_explore_options(app, options);
     CLI::App* explore = app.add_subcommand("explore", "open the window (the default)");
@@ -130,7 +169,8 @@ void add_commands(CLI::App& app, Options& options, std::string& what) {
 
     CLI::App* render = app.add_subcommand("render", "draw a scene to a picture");
     add_scene_options(*render, options);
-    render->add_option("--technique", options.techniques, "id of a technique");
+    render->add_option("--technique", options.techniques,
+                       "id of a technique, or a configuration such as at:nodes=8");
     render->add_option("-o,--output", options.output, ".exr (linear floats) or .png")->required();
     add_parameter_options(*render, options);
 
@@ -139,6 +179,8 @@ void add_commands(CLI::App& app, Options& options, std::string& what) {
     add_figure(app, options);
     add_stress(app, options);
     add_tune(app, options);
+    add_chart(app, options);
+    add_merge(app, options);
 
     CLI::App* list = app.add_subcommand("list", "print a registry");
     list->add_option("what", what,
@@ -157,6 +199,8 @@ void run(const CLI::App& app, const Options& options, const std::string& what) {
     if (app.got_subcommand("figure")) return run_figure(options);
     if (app.got_subcommand("stress")) return run_stress_command(options);
     if (app.got_subcommand("tune")) return run_tune_command(options);
+    if (app.got_subcommand("chart")) return run_chart_command(options);
+    if (app.got_subcommand("merge")) return run_merge_command(options);
     if (app.got_subcommand("list")) return run_list(what, options.format.empty() ? "table" : options.format);
     run_explore(options);
 }

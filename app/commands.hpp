@@ -11,6 +11,8 @@ void run_compare(const Options& options);
 void run_figure(const Options& options);
 void run_stress_command(const Options& options);
 void run_tune_command(const Options& options);
+void run_chart_command(const Options& options);
+void run_merge_command(const Options& options);
 void run_list(const std::string& what, const std::string& format);
 
 }  // namespace momentscope

@@ -37,8 +37,8 @@ public:
     explicit Pictures(const Options& options) : options_(options), parameters_(parse_parameters(options)) {}
 
     Image get(const std::string& name) {
-        const Technique* technique = find_technique(name);
-        if (technique == nullptr) return read_image(name);
+        if (find_technique(name.substr(0, name.find(':'))) == nullptr) return read_image(name);
+        const Configuration configuration = parse_configuration(name, parameters_);
         if (renderer_ == nullptr) {
             scene_ = load_scene_option(options_, parameters_);
             context_ = make_gl_context("osmesa", {16, 16});
@@ -46,7 +46,7 @@ public:
             renderer_->set_scene(scene_);
         }
         const glm::ivec2 size = parse_size(options_.size.empty() ? "960x540" : options_.size);
-        renderer_->render({scene_.camera, size, technique, parameters_});
+        renderer_->render({scene_.camera, size, configuration.technique, configuration.values});
         return renderer_->read_picture();
     }
 

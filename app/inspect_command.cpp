@@ -20,16 +20,15 @@ namespace {
 
 constexpr int MAX_SAMPLES = 1'000'000;
 
-PixelCapture capture_scene_pixel(const Options& options, const ParameterValues& parameters,
-                                 const Technique& technique) {
+PixelCapture capture_scene_pixel(const Options& options, const Configuration& configuration) {
     const glm::ivec2 size = parse_size(options.size.empty() ? "960x540" : options.size);
     std::optional<glm::ivec2> pixel;
     if (!options.pixel.empty()) pixel = parse_pixel(options.pixel, size);
-    const Scene scene = load_scene_option(options, parameters);
+    const Scene scene = load_scene_option(options, configuration.values);
     const auto context = make_gl_context("osmesa", {16, 16});
     Renderer renderer;
     renderer.set_scene(scene);
-    renderer.render({scene.camera, size, &technique, parameters});
+    renderer.render({scene.camera, size, configuration.technique, configuration.values});
     return renderer.capture_pixel(pixel.value_or(picked_pixel(scene, size)));
 }
 
@@ -44,7 +43,7 @@ std::string text_of_verdicts(const PixelCapture& capture, const std::vector<Curv
     std::string text;
     for (const Curve& curve : curves)
         text +=
-            fmt::format("{}: {}\n", curve.technique->id,
+            fmt::format("{}: {}\n", curve_name(curve, curves),
                         pixel_verdict(capture.ray, *curve.technique, curve.values, capture.behind).sentence);
     return text;
 }
@@ -76,10 +75,7 @@ void run_inspect(const Options& options) {
     const std::string format = options.format.empty() ? "json" : options.format;
     if (format != "json" && format != "csv" && format != "table")
         throw Error(fmt::format("There is no format '{}'; use json, csv or table.", format));
-    const ParameterValues parameters = parse_parameters(options);
-    const auto techniques = parse_techniques(options, "power6-32");
-    for (const Technique* technique : techniques)
-        if (const char* why = why_refused(*technique, parameters); why != nullptr) throw Error(why);
+    const auto configurations = parse_configurations(options, "power6-32");
     if (options.steps && !options.format.empty()) throw Error("The steps are text; leave --format out.");
     if (options.steps && options.sharp_bounds)
         throw Error("Sharp bounds belong to curves; leave --steps or --sharp-bounds out.");
@@ -89,14 +85,13 @@ void run_inspect(const Options& options) {
                                                 options.samples, "number of samples", 2, MAX_SAMPLES)))
                                           : parse_depths(options.depths);
     if (!options.output.empty()) require_writable(options.output);
-    const PixelCapture capture = options.ray.empty()
-                                     ? capture_scene_pixel(options, parameters, *techniques.front())
-                                     : ray_of_file(options.ray);
+    const PixelCapture capture =
+        options.ray.empty() ? capture_scene_pixel(options, configurations.front()) : ray_of_file(options.ray);
     const ViewRay& ray = capture.ray;
     std::vector<Curve> curves;
-    curves.reserve(techniques.size());
-    for (const Technique* technique : techniques)
-        curves.push_back(sample_curve(ray, *technique, parameters, depths));
+    curves.reserve(configurations.size());
+    for (const Configuration& one : configurations)
+        curves.push_back(sample_curve(ray, *one.technique, one.values, depths));
     if (options.sharp_bounds)
         for (Curve& curve : curves) add_sharp_bounds(curve, ray);
     const std::string text = options.steps      ? text_of_steps(curves, depths)

@@ -125,6 +125,16 @@ std::vector<const Technique*> parse_techniques(const Options& options, const cha
     return techniques;
 }
 
+std::vector<Configuration> parse_configurations(const Options& options, const char* standard) {
+    const ParameterValues values = parse_parameters(options);
+    std::vector<Configuration> configurations;
+    for (const std::string& list : options.techniques)
+        for (const std::string& text : split_configurations(list))
+            configurations.push_back(parse_configuration(text, values));
+    if (configurations.empty()) configurations.push_back(parse_configuration(standard, values));
+    return configurations;
+}
+
 Scene load_scene_option(const Options& options, const ParameterValues& parameters) {
     Scene scene = load_scene(options.scene, *parameters[ParameterId::opacity]);
     for (const std::string& warning : scene.warnings)

@@ -7,6 +7,7 @@
 
 #include "core/render/view.hpp"
 #include "core/scene/scenes.hpp"
+#include "core/techniques/configuration.hpp"
 
 namespace momentscope {
 
@@ -31,6 +32,9 @@ struct Options {
     std::vector<std::string> pictures;  // of compare: reference and test
     std::string metric;
     std::string region;
+    std::string repeat = "3";
+    std::string shard = "1/1";
+    std::vector<std::string> files;  // of merge
     bool steps = false;
     bool sharp_bounds = false;
     bool headless = false;
@@ -70,6 +74,9 @@ int parse_count(const std::string& text, const char* what, int least, int most);
 /// The parameters that were typed, over `standard`.
 ParameterValues parse_parameters(const Options& options, ParameterValues standard = {});
 std::vector<const Technique*> parse_techniques(const Options& options, const char* standard);
+
+/// Ids of techniques, or configurations such as at:nodes=8, over the parameters that were typed.
+std::vector<Configuration> parse_configurations(const Options& options, const char* standard);
 
 /// The scene, with the opacity parameter applied to a mesh file.
 Scene load_scene_option(const Options& options, const ParameterValues& parameters);

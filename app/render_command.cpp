@@ -9,8 +9,8 @@ namespace momentscope {
 void run_render(const Options& options) {
     const glm::ivec2 size = parse_size(options.size.empty() ? "960x540" : options.size);
     const ParameterValues parameters = parse_parameters(options);
-    const auto techniques = parse_techniques(options, "power6-32");
-    if (techniques.size() != 1)
+    const auto configurations = parse_configurations(options, "power6-32");
+    if (configurations.size() != 1)
         throw Error("A picture is drawn by one technique; give a single --technique.");
     const std::string extension = std::filesystem::path(options.output).extension();
     if (extension != ".png" && extension != ".exr")
@@ -20,7 +20,7 @@ void run_render(const Options& options) {
     const auto context = make_gl_context("osmesa", {16, 16});
     Renderer renderer;
     renderer.set_scene(scene);
-    renderer.render({scene.camera, size, techniques.front(), parameters});
+    renderer.render({scene.camera, size, configurations.front().technique, configurations.front().values});
     write_image(renderer.read_picture(), options.output, tone_map_of(parameters));
 }
 

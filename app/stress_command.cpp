@@ -20,7 +20,8 @@ constexpr int MOST_SEED = 2'000'000'000;
 
 std::string report_text(const std::filesystem::path& path, const std::vector<StressCell>& cells,
                         const StressOptions& stress) {
-    return path.extension() == ".csv" ? stress_to_csv(cells) : stress_to_html(cells, stress);
+    return path.extension() == ".csv" ? run_table_text(stress_table(cells, stress))
+                                      : stress_to_html(cells, stress);
 }
 
 }  // namespace
@@ -44,6 +45,9 @@ void run_stress_command(const Options& options) {
     const std::string kind = path.extension().string();
     if (!path.empty() && kind != ".csv" && kind != ".html" && kind != ".png")
         throw Error(fmt::format("'{}' is neither .csv, .html nor .png.", path.string()));
+    stress.shard = parse_shard(options.shard);
+    if (stress.shard.count > 1 && kind != ".csv")
+        throw Error("A shard is a part of a table; give -o a name that ends in .csv.");
     if (!path.empty()) require_writable(path);
     std::vector<StressCell> cells;
     {

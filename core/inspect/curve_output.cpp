@@ -7,7 +7,9 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "core/markup.hpp"
 #include "core/ray/ray_json.hpp"
+#include "core/techniques/configuration.hpp"
 
 namespace momentscope {
 
@@ -85,20 +87,27 @@ std::string curves_to_json(const ViewRay& ray, const std::vector<Curve>& curves)
     return root.dump(1) + "\n";
 }
 
+std::string curve_name(const Curve& curve, const std::vector<Curve>& curves) {
+    const bool alone = std::ranges::count(curves, curve.technique, &Curve::technique) < 2;
+    return alone ? curve.technique->id : configuration_text({curve.technique, curve.values});
+}
+
 std::string curves_to_csv(const std::vector<Curve>& curves) {
     const bool sharp = have_sharp_bounds(curves);
     std::string text = "technique,depth,true,reconstructed,beta0,beta1";
     text += sharp ? ",sharp_lower,sharp_upper\n" : "\n";
-    for (const Curve& curve : curves)
+    for (const Curve& curve : curves) {
+        std::string name = curve_name(curve, curves);
+        if (name.find(',') != std::string::npos) name = csv_quoted(name);
         for (std::size_t i = 0; i < curve.depth.size(); ++i) {
-            fmt::format_to(std::back_inserter(text), "{},{},{},", curve.technique->id, curve.depth[i],
-                           curve.truth[i]);
+            fmt::format_to(std::back_inserter(text), "{},{},{},", name, curve.depth[i], curve.truth[i]);
             if (!curve.reconstructed.empty())
                 fmt::format_to(std::back_inserter(text), "{}", curve.reconstructed[i]);
             add_pair(text, curve.beta0, curve.beta1, i);
             if (sharp) add_pair(text, curve.sharp_lower, curve.sharp_upper, i);
             text += "\n";
         }
+    }
     return text;
 }
 
@@ -109,7 +118,7 @@ std::string curves_to_table(const ViewRay& ray, const std::vector<Curve>& curves
     for (const Curve& curve : curves) {
         const char* low = curve.technique->has_bounds ? "lower" : "beta = 0";
         const char* high = curve.technique->has_bounds ? "upper" : "beta = 1";
-        fmt::format_to(out, "\n{}\n{:>12}{:>12}", curve.technique->id, "depth", "true");
+        fmt::format_to(out, "\n{}\n{:>12}{:>12}", curve_name(curve, curves), "depth", "true");
         if (!curve.reconstructed.empty()) fmt::format_to(out, "{:>15}", "reconstructed");
         if (!curve.beta0.empty()) fmt::format_to(out, "{:>12}{:>12}", low, high);
         if (!curve.sharp_lower.empty()) fmt::format_to(out, "{:>13}{:>13}", "sharp lower", "sharp upper");

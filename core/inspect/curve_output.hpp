@@ -7,6 +7,10 @@
 
 namespace momentscope {
 
+/// The id of a curve's technique, or the text of its configuration where another curve has the same
+/// technique.
+std::string curve_name(const Curve& curve, const std::vector<Curve>& curves);
+
 /// The form of `inspect --format json`: ray and curves; null where a technique has no such value, never NaN.
 std::string curves_to_json(const ViewRay& ray, const std::vector<Curve>& curves);
 

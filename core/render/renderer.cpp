@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 
 #include "core/error.hpp"
 #include "core/gl/texture.hpp"
@@ -34,6 +35,7 @@ Renderer::Renderer() : Renderer(momentscope::ordered_access()) {}
 
 Renderer::Renderer(OrderedAccess access) : access_(access) {
     require_gl_4_5();
+    timing_ = reliable_timing(gl_info());
     GLuint name = 0;
     glCreateBuffers(1, &name);
     frame_block_ = GlBuffer(name);
@@ -132,17 +134,15 @@ void Renderer::draw_opaque() {
 // Waits for the GL, as the capture that follows a picture does anyway.
 template <typename Draw>
 void Renderer::timed(double& milliseconds, const Draw& draw) {
-    glBeginQuery(GL_TIME_ELAPSED, timer_);
-    try {
-        draw();
-    } catch (...) {
-        glEndQuery(GL_TIME_ELAPSED);  // or the next picture could not begin one
-        throw;
-    }
-    glEndQuery(GL_TIME_ELAPSED);
-    GLuint64 nanoseconds = 0;
-    glGetQueryObjectui64v(timer_, GL_QUERY_RESULT, &nanoseconds);
-    milliseconds = 1e-6 * static_cast<double>(nanoseconds);
+    PassTimer timer(timing_, timer_);
+    draw();
+    milliseconds = timer.milliseconds();
+}
+
+void Renderer::redraw() {
+    assert(view_.technique != nullptr && "there is no picture to draw again");
+    run_from(Stage::moments);
+    check_gl("drawing the scene again");
 }
 
 void Renderer::run_from(Stage stage) {

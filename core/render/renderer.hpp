@@ -7,6 +7,7 @@
 #include "core/image/image.hpp"
 #include "core/ray/view_ray.hpp"
 #include "core/render/fragment_list.hpp"
+#include "core/render/pass_timing.hpp"
 #include "core/render/view.hpp"
 
 namespace momentscope {
@@ -16,7 +17,7 @@ struct PassCounts {
     int opaque = 0, moments = 0, color = 0, composite = 0;
 };
 
-/// Milliseconds that the GL took for each stage when it last ran; 0 when it never did.
+/// Milliseconds that each stage took when it last ran; 0 when it never did.
 struct PassTimes {
     double opaque = 0, moments = 0, color = 0, composite = 0;
 };
@@ -53,6 +54,10 @@ public:
     /// fails; the next call starts afresh.
     void render(const View& view);
 
+    /// Runs all stages of the technique again as if nothing were known of the last picture, which must have
+    /// been drawn without an Error: to take their times.
+    void redraw();
+
     /// The picture in sRGB, as a texture of the view's size with the first row at the bottom.
     GLuint display_texture() const { return display_color_; }
 
@@ -79,6 +84,7 @@ public:
     OrderedAccess ordered_access() const { return access_; }
     const PassCounts& pass_counts() const { return counts_; }
     const PassTimes& pass_times() const { return times_; }
+    PassTiming pass_timing() const { return timing_; }
 
 private:
     void resize(glm::ivec2 size);
@@ -105,6 +111,7 @@ private:
     DepthWarp warp_;
     PassCounts counts_;
     PassTimes times_;
+    PassTiming timing_ = PassTiming::finish;
 
     GlBuffer frame_block_;
     GlTexture opaque_color_, depth_, picture_, display_color_;

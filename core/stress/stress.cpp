@@ -146,13 +146,16 @@ StressCell stress_cell(const Technique& technique, const Condition& condition, c
 std::vector<StressCell> run_stress(const StressOptions& options, std::stop_token stop,
                                    const std::function<void(std::size_t done, std::size_t all)>& progress) {
     const std::size_t columns = options.conditions.size();
-    std::vector<StressCell> cells(options.techniques.size() * columns);
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < options.techniques.size() * columns; ++i)
+        if (options.shard.holds(i)) places.push_back(i);
+    std::vector<StressCell> cells(places.size());
     std::atomic<std::size_t> next = 0;
     std::atomic<std::size_t> done = 0;
     const auto work = [&] {
         for (std::size_t i = next++; i < cells.size() && !stop.stop_requested(); i = next++) {
-            cells[i] = stress_cell(*options.techniques[i / columns], *options.conditions[i % columns],
-                                   options, stop);
+            cells[i] = stress_cell(*options.techniques[places[i] / columns],
+                                   *options.conditions[places[i] % columns], options, stop);
             progress(++done, cells.size());
         }
     };

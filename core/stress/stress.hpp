@@ -8,6 +8,7 @@
 
 #include "core/stress/condition.hpp"
 #include "core/stress/judge.hpp"
+#include "core/table/run_table.hpp"
 
 namespace momentscope {
 
@@ -48,6 +49,7 @@ struct StressOptions {
     ParameterValues values;
     int rays = 400;  // per cell; fewer where they have many fragments
     std::uint32_t seed = 1;
+    Shard shard = {};  // of the cells, technique by technique
 };
 
 /// The rays of one cell. Depends on the options alone, whichever thread runs it, unless
@@ -55,8 +57,8 @@ struct StressOptions {
 StressCell stress_cell(const Technique& technique, const Condition& condition, const StressOptions& options,
                        const std::stop_token& stop = {});
 
-/// All cells, technique by technique, on all cores. `progress` is called by any thread with how many are
-/// done; a stop leaves the result empty.
+/// All cells of the shard, technique by technique, on all cores. `progress` is called by any thread with how
+/// many are done; a stop leaves the result empty.
 std::vector<StressCell> run_stress(const StressOptions& options, std::stop_token stop,
                                    const std::function<void(std::size_t done, std::size_t all)>& progress);
 

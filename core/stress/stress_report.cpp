@@ -8,37 +8,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/markup.hpp"
 #include "core/ray/ray_json.hpp"
 
 namespace momentscope {
 
 namespace {
-
-std::string csv_quoted(const std::string& text) {
-    std::string quoted = "\"";
-    for (const char letter : text) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-    return quoted + "\"";
-}
-
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (const char letter : text) {
-        if (letter == '<')
-            result += "&lt;";
-        else if (letter == '&')
-            result += "&amp;";
-        else if (letter == '"')
-            result += "&quot;";
-        else
-            result += letter;
-    }
-    return result;
-}
-
-std::string css_color(const glm::vec3& color) {
-    const glm::ivec3 c = glm::ivec3(color * 255.0f + 0.5f);
-    return fmt::format("#{:02x}{:02x}{:02x}", c.x, c.y, c.z);
-}
 
 // A worst ray of ten thousand fragments would be the whole file.
 std::string ray_text(const ViewRay& ray) {
@@ -58,12 +33,12 @@ std::string heading(const std::vector<StressCell>& cells, std::size_t columns) {
         const std::string& group = cells[i].condition->group;
         std::size_t end = i;
         while (end < columns && cells[end].condition->group == group) ++end;
-        groups += fmt::format("<th class=group colspan={}>{}</th>", end - i, escaped(group));
+        groups += fmt::format("<th class=group colspan={}>{}</th>", end - i, markup_escaped(group));
         i = end;
     }
     for (std::size_t i = 0; i < columns; ++i)
-        names += fmt::format("<th title=\"{}\">{}</th>", escaped(cells[i].condition->help),
-                             escaped(cells[i].condition->name));
+        names += fmt::format("<th title=\"{}\">{}</th>", markup_escaped(cells[i].condition->help),
+                             markup_escaped(cells[i].condition->name));
     return fmt::format("<tr><th></th>{}</tr>\n<tr><th></th>{}</tr>\n", groups, names);
 }
 
@@ -125,6 +100,35 @@ std::string stress_to_csv(const std::vector<StressCell>& cells) {
     return text;
 }
 
+RunTable stress_table(const std::vector<StressCell>& cells, const StressOptions& options) {
+    constexpr int SCHEMA = 1;  // counts changes of the columns and of what they mean
+    const auto joined = [](const auto& rows) {
+        std::string text;
+        for (const auto* row : rows) text += fmt::format("{}{}", text.empty() ? "" : " ", row->id);
+        return text;
+    };
+    std::string changed;
+    for (const Parameter& row : parameters())
+        if (options.values[row.id] != row.standard)
+            changed += fmt::format("{}{}={}", changed.empty() ? "" : " ", row.key,
+                                   parameter_text(row, options.values[row.id]));
+    RunTable table;
+    table.settings = begin_settings("stress", SCHEMA, options.techniques.size() * options.conditions.size(),
+                                    options.shard);
+    table.settings.insert(table.settings.end(), {{"rays", fmt::format("{}", options.rays)},
+                                                 {"seed", fmt::format("{}", options.seed)},
+                                                 {"techniques", joined(options.techniques)},
+                                                 {"conditions", joined(options.conditions)},
+                                                 {"parameters", changed.empty() ? "standard" : changed}});
+    const std::string text = stress_to_csv(cells);
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = text.find('\n', begin);
+        (begin == 0 ? table.columns : table.rows.emplace_back()) = text.substr(begin, end - begin);
+        begin = end + 1;
+    }
+    return table;
+}
+
 std::string stress_to_html(const std::vector<StressCell>& cells, const StressOptions& options) {
     const std::size_t columns = options.conditions.size();
     std::string map = heading(cells, columns);
@@ -132,19 +136,20 @@ std::string stress_to_html(const std::vector<StressCell>& cells, const StressOpt
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const StressCell& cell = cells[i];
         if (i % columns == 0)
-            map += fmt::format("<tr><th class=technique title=\"{}\">{}</th>", escaped(cell.technique->name),
-                               cell.technique->id);
+            map += fmt::format("<tr><th class=technique title=\"{}\">{}</th>",
+                               markup_escaped(cell.technique->name), cell.technique->id);
         const glm::vec3 color = failure_color(cell.failure_rate());
         const bool dark = 0.3f * color.r + 0.6f * color.g + 0.1f * color.b < 0.5f;
         map += fmt::format("<td style=\"background:{};color:{}\" title=\"{}\"><a href=\"#c{}\">{}</a></td>",
-                           css_color(color), dark ? "#fff" : "#111", escaped(cell_sentence(cell)), i,
+                           css_color(color), dark ? "#fff" : "#111", markup_escaped(cell_sentence(cell)), i,
                            rate_text(cell.failure_rate()));
         if (i % columns == columns - 1) map += "</tr>\n";
         if (cell.failures() == 0) continue;
-        details += fmt::format("<li id=c{}><b>{}, {} {}</b>: {} {}<br><code>{}</code></li>\n", i,
-                               cell.technique->id, escaped(cell.condition->group),
-                               escaped(cell.condition->name), escaped(cell.condition->help),
-                               escaped(cell_sentence(cell)), escaped(ray_text(cell.worst_case.ray)));
+        details +=
+            fmt::format("<li id=c{}><b>{}, {} {}</b>: {} {}<br><code>{}</code></li>\n", i, cell.technique->id,
+                        markup_escaped(cell.condition->group), markup_escaped(cell.condition->name),
+                        markup_escaped(cell.condition->help), markup_escaped(cell_sentence(cell)),
+                        markup_escaped(ray_text(cell.worst_case.ray)));
     }
     return fmt::format(
         "<!DOCTYPE html>\n<html lang=en><meta charset=utf-8><title>Momentscope: stress</title>\n<style>{}</style>\n"

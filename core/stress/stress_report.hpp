@@ -10,6 +10,9 @@ namespace momentscope {
 /// One row per cell with all its numbers and its worst ray as JSON.
 std::string stress_to_csv(const std::vector<StressCell>& cells);
 
+/// The same behind what the run was, so that shards of it can be merged.
+RunTable stress_table(const std::vector<StressCell>& cells, const StressOptions& options);
+
 /// One self-contained page: the heat map, and every cell's numbers and worst ray under its title.
 std::string stress_to_html(const std::vector<StressCell>& cells, const StressOptions& options);
 

@@ -204,6 +204,32 @@ TEST_F(CommandLine, RefusesWrongWindowOptions) {
     expect_refused("--headless --screenshot out/a.png --log none/log.txt", "no folder");
 }
 
+TEST_F(CommandLine, RefusesWrongChartsAndShards) {
+    const std::string chart = "chart --size 16x9 -o out/x.csv ";
+    expect_refused(chart + "--scene nowhere", "no scene 'nowhere'");
+    expect_refused(chart + "--scene planes,", "no scene ''");
+    expect_refused(chart + "--scene planes --technique nothing", "no technique 'nothing'");
+    expect_refused(chart + "--scene planes --technique ''", "has no value");
+    expect_refused(chart + "--scene planes --technique at:layers=2", "no parameter 'layers'");
+    expect_refused(chart + "--repeat 0", "number of rounds");
+    expect_refused(chart + "--shard 5/4", "'5/4' is no shard");
+    expect_refused(chart + "--metric psnr", "no metric 'psnr'");
+    expect_refused("chart --scene planes -o out/x.jpg", "none of .csv");
+    expect_refused("chart --scene planes --shard 1/2 -o out/x.html", "ends in .csv");
+    expect_refused("stress --shard 0/2 -o out/x.csv", "is no shard");
+    expect_refused("stress --shard 1/2 -o out/x.html", "ends in .csv");
+    expect_refused("merge none.csv -o out/all.csv", "no CSV file");
+    expect_refused("merge ray.json -o out/all.csv", "of which run");
+    expect_refused("merge -o out/all.csv", "--help");
+}
+
+TEST_F(CommandLine, AnUnfinishedChartOfOtherSettingsIsKept) {
+    write("x.csv.partial", "# momentscope: chart\n# schema: 1\n# rows: 2\n# shard: 1/1\n# size: 16x9\n");
+    expect_refused("chart --scene planes --size 32x18 -o x.csv", "unfinished chart of another run");
+    EXPECT_TRUE(fs::exists(folder_ / "x.csv.partial"));
+    EXPECT_FALSE(fs::exists(folder_ / "x.csv"));
+}
+
 TEST_F(CommandLine, ALineBreakInAnArgumentStaysOnOneLine) {
     expect_refused("inspect --ray ray.json --technique 'a\nb' -o out/x", "a");
     expect_refused("inspect --ray 'a\nb' -o out/x", "a");
@@ -241,6 +267,9 @@ TEST_F(CommandLine, InspectPrintsTheTruthAsJsonCsvAndTable) {
     EXPECT_TRUE(table.starts_with("2 fragments, total absorbance 2.07944\n")) << table;
     EXPECT_NE(table.find("    0.000000    0.693147"), std::string::npos) << table;
     EXPECT_NE(table.find("\npower8-32: "), std::string::npos) << "the verdict; " << table;
+    const std::string twice =
+        expect_success("inspect --ray ray.json --technique at,at:nodes=8 --depths=0 --format csv").output;
+    EXPECT_NE(twice.find("\nat:nodes=8,0,"), std::string::npos) << twice;
     for (const std::string& text : {csv, table})
         for (const char* word : {"nan", "null", "inf"}) EXPECT_EQ(text.find(word), std::string::npos) << text;
 }

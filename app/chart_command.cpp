@@ -1,0 +1,154 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "app/chart_output.hpp"
+#include "app/commands.hpp"
+#include "app/gl_context.hpp"
+#include "app/progress.hpp"
+#include "core/chart/chart.hpp"
+#include "core/chart/chart_run.hpp"
+#include "core/chart/grid.hpp"
+#include "core/error.hpp"
+#include "core/output_file.hpp"
+
+namespace momentscope {
+
+namespace {
+
+constexpr int MOST_REPEATS = 1000;
+
+template <typename T, typename Key>
+void add_once(std::vector<T>& list, const T& one, const Key& key) {
+    if (std::ranges::none_of(list, [&](const T& other) { return key(other) == key(one); }))
+        list.push_back(one);
+}
+
+std::vector<std::string> parse_scenes(const std::string& text) {
+    std::vector<std::string> scenes;
+    if (text == "all")
+        for (const SceneEntry& entry : scene_entries()) scenes.emplace_back(entry.id);
+    else
+        for (const std::string& id : split_list({text}))
+            add_once(scenes, id, [](const std::string& one) { return one; });
+    return scenes;
+}
+
+std::vector<Configuration> charted_configurations(const Options& options, const ParameterValues& values) {
+    std::vector<Configuration> all;
+    for (const std::string& list : options.techniques)
+        for (const std::string& text : split_configurations(list)) {
+            const Configuration one = parse_configuration(text, values);
+            // An id alone stands for its part of the grid.
+            const auto chosen = text.find(':') == std::string::npos ? chart_grid(*one.technique, values)
+                                                                    : std::vector<Configuration>{one};
+            for (const Configuration& configuration : chosen)
+                add_once(all, configuration, configuration_text);
+        }
+    return options.techniques.empty() ? chart_grid(values) : all;
+}
+
+ChartPlan parse_plan(const Options& options) {
+    ChartPlan plan;
+    plan.settings.size = parse_size(options.size.empty() ? "640x360" : options.size);
+    plan.settings.repeat = parse_count(options.repeat, "number of rounds", 1, MOST_REPEATS);
+    plan.settings.values = parse_parameters(options);
+    plan.scenes = parse_scenes(options.scene);
+    plan.configurations = charted_configurations(options, plan.settings.values);
+    plan.shard = parse_shard(options.shard);
+    return plan;
+}
+
+/// The rows of an earlier run that was ended, which has a file of its own beside the output.
+class UnfinishedChart {
+public:
+    explicit UnfinishedChart(const std::string& output) {
+        if (!output.empty()) path_ = output + ".partial";
+    }
+
+    RunTable read(const RunSettings& settings) const {
+        RunTable table = {settings, {}, {}};
+        if (path_.empty() || !std::filesystem::exists(path_)) return table;
+        table = read_run_table(path_);
+        if (const auto difference = difference_of(table.settings, settings))
+            throw Error(fmt::format(
+                "'{}' is an unfinished chart of another run: {}; finish that one, remove the file, "
+                "or give another -o.",
+                path_.string(), *difference));
+        return table;
+    }
+
+    void write(const RunTable& table) const {
+        if (!path_.empty()) write_text_file(run_table_text(table), path_);
+    }
+
+    void remove() const {
+        std::error_code ignored;
+        if (!path_.empty()) std::filesystem::remove(path_, ignored);
+    }
+
+    /// What to say of rows when the run was ended.
+    std::string how_to_go_on(std::size_t rows) const {
+        if (path_.empty())
+            return "The chart was ended before it was done; with -o its rows would have been kept.";
+        if (rows == 0) return "The chart was ended before its first rows were done; nothing was written.";
+        return fmt::format(
+            "The chart was ended; {} rows are kept in '{}', and the same command goes on from there.", rows,
+            path_.string());
+    }
+
+private:
+    std::filesystem::path path_;
+};
+
+RunTable measured(const ChartPlan& plan, const UnfinishedChart& unfinished) {
+    const ParameterValues& values = plan.settings.values;
+    for (const std::string& id : plan.scenes)
+        if (!is_builtin_scene(id) && !std::filesystem::exists(id)) load_scene(id, 0);  // says what there is
+    const auto context = make_gl_context("osmesa", {16, 16});
+    const RunTable kept = unfinished.read(chart_settings(plan, gl_info()));
+    Progress progress("Chart");
+    const ChartHooks hooks = {[&](const std::string& id) {
+                                  Scene scene = load_scene(id, *values[ParameterId::opacity]);
+                                  for (const std::string& warning : scene.warnings)
+                                      std::fputs(fmt::format("momentscope: {}\n", warning).c_str(), stderr);
+                                  return scene;
+                              },
+                              [&](const RunTable& table) { unfinished.write(table); },
+                              [&](std::size_t done, std::size_t all) { progress.show(done, all); }};
+    RunTable table = run_chart(plan, kept, progress.stop(), hooks);
+    if (progress.stop().stop_requested()) throw Error(unfinished.how_to_go_on(table.rows.size()));
+    return table;
+}
+
+}  // namespace
+
+void run_chart_command(const Options& options) {
+    const Metric metric = require_metric(options.metric.empty() ? "rmse" : options.metric).id;
+    const ChartPlan plan = parse_plan(options);
+    const std::filesystem::path path = options.output;
+    if (!path.empty()) require_chart_output(path);
+    if (plan.shard.count > 1 && path.extension() != ".csv")
+        throw Error("A shard is a part of a table; give -o a name that ends in .csv.");
+    const UnfinishedChart unfinished(options.output);
+    const RunTable table = measured(plan, unfinished);
+    if (path.empty()) {
+        std::fputs(chart_to_markdown(chart_of(table, "the chart"), metric).c_str(), stdout);
+        return;
+    }
+    write_chart(table, metric, path);
+    unfinished.remove();
+    std::puts(fmt::format("{} rows in {}", table.rows.size(), path.string()).c_str());
+}
+
+void run_merge_command(const Options& options) {
+    const Metric metric = require_metric(options.metric.empty() ? "rmse" : options.metric).id;
+    require_chart_output(options.output);
+    const std::vector<std::filesystem::path> files(options.files.begin(), options.files.end());
+    const RunTable table = merge_shards(files);
+    write_chart(table, metric, options.output);
+    std::puts(fmt::format("{} rows in {}", table.rows.size(), options.output).c_str());
+}
+
+}  // namespace momentscope

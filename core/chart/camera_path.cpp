@@ -1,0 +1,25 @@
+#include "core/chart/camera_path.hpp"
+
+namespace momentscope {
+
+namespace {
+
+// As far as a camera turns in one frame when it turns once around in twelve seconds at 60 Hz.
+constexpr float STEP = 0.5f * 3.14159265f / 180.0f;
+
+}  // namespace
+
+std::vector<Camera> camera_path(const Camera& camera) {
+    std::vector<Camera> path;
+    for (int i = 0; i < PATH_FRAMES; ++i) {
+        path.push_back(camera);
+        path.back().azimuth += STEP * (static_cast<float>(i) - 0.5f * static_cast<float>(PATH_FRAMES - 1));
+    }
+    return path;
+}
+
+glm::ivec2 path_size(glm::ivec2 size) {
+    return glm::max(size / 4, glm::ivec2(1));
+}
+
+}  // namespace momentscope

@@ -1,0 +1,119 @@
+#include "core/chart/chart_csv.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "core/error.hpp"
+#include "core/markup.hpp"
+
+namespace momentscope {
+
+namespace {
+
+constexpr std::size_t FIELDS = 19;
+constexpr const char* COLUMNS =
+    "scene,configuration,moments_ms,moments_range_ms,color_ms,color_range_ms,composite_ms,composite_range_ms,"
+    "total_ms,total_range_ms,differential_ms,differential_range_ms,bits_per_pixel,geometry_passes,rmse,delta_e,"
+    "flip,stability,unavailable";
+
+/// Reads one field after another; throws Error at the first that is none.
+class Fields {
+public:
+    Fields(std::string_view line, std::string_view name) : fields_(csv_fields(line)), name_(name) {
+        if (fields_.size() != FIELDS) refuse(line);
+    }
+    std::string text() { return fields_[next_++]; }
+    double number() { return parsed<double>(fields_[next_++]); }
+    Spread spread() {
+        const double median = number();
+        return {median, number()};
+    }
+    std::optional<int> count() {
+        const std::string& field = fields_[next_++];
+        return field.empty() ? std::nullopt : std::optional(parsed<int>(field));
+    }
+    bool at_numbers() const { return !fields_[next_].empty(); }
+    void skip_to_last() { next_ = FIELDS - 1; }
+
+private:
+    template <typename T>
+    T parsed(const std::string& field) const {
+        T value{};
+        const auto [end, status] = std::from_chars(field.data(), field.data() + field.size(), value);
+        if (status != std::errc() || end != field.data() + field.size()) refuse(field);
+        return value;
+    }
+    [[noreturn]] void refuse(std::string_view what) const {
+        throw Error(fmt::format("'{}' is damaged at '{}'; remove it and make it again.", name_, what));
+    }
+
+    std::vector<std::string> fields_;
+    std::string_view name_;
+    std::size_t next_ = 0;
+};
+
+std::string spread_text(const Spread& spread) {
+    return fmt::format("{:.6g},{:.6g}", spread.median, spread.range);
+}
+
+std::string count_text(const std::optional<int>& count) {
+    return count ? fmt::format("{}", *count) : "";
+}
+
+}  // namespace
+
+std::string chart_columns() {
+    return COLUMNS;
+}
+
+std::string chart_line(const ChartRow& row) {
+    const std::string begin = fmt::format("{},{}", csv_quoted(row.scene), csv_quoted(row.configuration));
+    if (!row.numbers) return begin + std::string(FIELDS - 2, ',') + csv_quoted(row.unavailable);
+    const ChartNumbers& n = *row.numbers;
+    return fmt::format("{},{},{},{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},", begin, spread_text(n.moments),
+                       spread_text(n.color), spread_text(n.composite), spread_text(n.total),
+                       spread_text(n.differential), count_text(n.bits_per_pixel),
+                       count_text(n.geometry_passes), n.rmse, n.delta_e, n.flip, n.stability);
+}
+
+ChartRow parse_chart_line(std::string_view line, std::string_view name) {
+    Fields fields(line, name);
+    ChartRow row;
+    row.scene = fields.text();
+    row.configuration = fields.text();
+    if (fields.at_numbers()) {
+        ChartNumbers n;
+        n.moments = fields.spread();
+        n.color = fields.spread();
+        n.composite = fields.spread();
+        n.total = fields.spread();
+        n.differential = fields.spread();
+        n.bits_per_pixel = fields.count();
+        n.geometry_passes = fields.count();
+        n.rmse = fields.number();
+        n.delta_e = fields.number();
+        n.flip = fields.number();
+        n.stability = fields.number();
+        row.numbers = n;
+    }
+    fields.skip_to_last();
+    row.unavailable = fields.text();
+    return row;
+}
+
+std::vector<ChartRow> chart_rows(const RunTable& table, std::string_view name) {
+    if (setting(table.settings, run_setting::COMMAND) != "chart")
+        throw Error(fmt::format("'{}' is a table of {}, not of chart; write it as .csv.", name,
+                                setting(table.settings, run_setting::COMMAND)));
+    const std::string schema = setting(table.settings, run_setting::SCHEMA);
+    if (schema != fmt::format("{}", CHART_SCHEMA) || table.columns != COLUMNS)
+        throw Error(
+            fmt::format("'{}' has the columns of schema {}, and this version reads schema {}; make it again.",
+                        name, schema, CHART_SCHEMA));
+    std::vector<ChartRow> rows;
+    for (const std::string& line : table.rows) rows.push_back(parse_chart_line(line, name));
+    return rows;
+}
+
+}  // namespace momentscope

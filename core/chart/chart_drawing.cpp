@@ -1,0 +1,229 @@
+#include "core/chart/chart_drawing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/chart/family.hpp"
+#include "core/chart/labels.hpp"
+#include "core/techniques/configuration.hpp"
+
+namespace momentscope {
+
+namespace {
+
+const glm::vec2 SIZE(1120, 720);
+const Box PLOT = {{76, 104}, {1104, 664}};
+constexpr float STRIP = 30;  // at the bottom, for errors too small for the axis
+constexpr float RADIUS = 5;
+constexpr float FONT = 11, AXIS_FONT = 12, TITLE_FONT = 17;
+constexpr double LEAST_SHARE = 4e-3;  // of the greatest error, that still has a place of its own
+const glm::vec3 TEXT(0.13f, 0.15f, 0.18f), WEAK(0.42f, 0.45f, 0.50f), GRID(0.90f, 0.91f, 0.93f),
+    AXIS(0.55f, 0.58f, 0.62f), FRONT(0.13f, 0.15f, 0.18f);
+
+/// From a value to a coordinate by its logarithm.
+struct LogAxis {
+    double least, most;
+    float from, to;
+    float at(double value) const {
+        const double share = std::log(value / least) / std::log(most / least);
+        return from + static_cast<float>(share) * (to - from);
+    }
+};
+
+struct Point {
+    std::size_t row;
+    glm::vec2 at;
+    const Family* family;
+    bool standard;  // no parameter was changed
+};
+
+/// 1, 2 and 5 times powers of ten within a range; of more than three decades powers alone.
+std::vector<double> ticks_of(double least, double most) {
+    std::vector<double> ticks;
+    const bool wide = most / least > 1000;
+    for (double power = std::pow(10, std::floor(std::log10(least))); power <= most; power *= 10)
+        for (const double factor : {1.0, 2.0, 5.0}) {
+            const double tick = power * factor;
+            if (tick >= least * 0.999 && tick <= most * 1.001 && (factor < 1.5 || !wide))
+                ticks.push_back(tick);
+        }
+    return ticks;
+}
+
+class Plot {
+public:
+    Plot(std::span<const ChartRow> rows, Metric metric) : rows_(rows), metric_(metric) {
+        std::vector<double> times, errors;
+        for (const ChartRow& row : rows) {
+            if (!row.numbers) continue;
+            times.push_back(std::max(row.numbers->total.median, 1e-3));
+            errors.push_back(error_of(*row.numbers, metric));
+        }
+        if (times.empty()) return;
+        const double most = std::max(*std::ranges::max_element(errors), 1e-6);
+        double least = most;
+        for (const double error : errors)
+            if (error >= most * LEAST_SHARE) least = std::min(least, error);
+        const auto [shortest, longest] = std::ranges::minmax(times);
+        time_ = {0.8 * shortest, 1.3 * longest, PLOT.low.x, PLOT.high.x};
+        error_ = {0.75 * least, 1.3 * most, PLOT.high.y - STRIP, PLOT.low.y};
+        for (std::size_t i = 0; i < rows.size(); ++i) add_point(i);
+    }
+
+    Drawing draw(const std::string& times) {
+        drawing_.size = SIZE;
+        draw_titles(times);
+        if (points_.empty()) {
+            drawing_.texts.push_back(
+                {{PLOT.low.x + 20, PLOT.low.y + 40}, "Nothing could be drawn here.", AXIS_FONT, TEXT});
+            return drawing_;
+        }
+        draw_axes();
+        draw_unsorted();
+        draw_front();
+        draw_legend();
+        for (const Point& point : points_)
+            drawing_.marks.push_back({point.at, point.family->shape, point.family->color, RADIUS, point.row});
+        draw_labels();
+        return drawing_;
+    }
+
+private:
+    void add_point(std::size_t i) {
+        if (!rows_[i].numbers) return;
+        const double error = error_of(*rows_[i].numbers, metric_);
+        const float y = error < error_.least ? PLOT.high.y - 0.5f * STRIP : error_.at(error);
+        const std::string& text = rows_[i].configuration;
+        const Technique* technique = find_technique(std::string_view(text).substr(0, text.find(':')));
+        const Family& family = technique != nullptr ? family_of(*technique) : families().back();
+        points_.push_back({i,
+                           {time_.at(std::max(rows_[i].numbers->total.median, 1e-3)), y},
+                           &family,
+                           text.find(':') == std::string::npos});
+    }
+
+    const Point* point_of(std::size_t row) const {
+        const auto found = std::ranges::find(points_, row, &Point::row);
+        return found == points_.end() ? nullptr : &*found;
+    }
+
+    void add_line(std::vector<glm::vec2> points, const glm::vec3& color, float width, bool dashed = false) {
+        drawing_.lines.push_back({std::move(points), color, width, dashed});
+    }
+
+    void draw_titles(const std::string& times) {
+        const MetricRow& metric = metrics()[static_cast<std::size_t>(metric_)];
+        const std::string scene = rows_.empty() ? "" : rows_.front().scene;
+        drawing_.texts.push_back(
+            {{16, 24}, fmt::format("Speed against accuracy: {}", scene), TITLE_FONT, TEXT, true});
+        drawing_.texts.push_back(
+            {{16, 92}, fmt::format("{} against sorted", metric.symbol), AXIS_FONT, TEXT, true});
+        const std::string axis = fmt::format("total time of the transparent passes [ms], {}", times);
+        drawing_.texts.push_back(
+            {{PLOT.high.x - text_width(axis, AXIS_FONT) * 1.1f, SIZE.y - 14}, axis, AXIS_FONT, TEXT, true});
+    }
+
+    void draw_axes() {
+        for (const double tick : ticks_of(time_.least, time_.most)) {
+            const float x = time_.at(tick);
+            add_line({{x, PLOT.low.y}, {x, PLOT.high.y}}, GRID, 1);
+            const std::string text = fmt::format("{:g}", tick);
+            drawing_.texts.push_back(
+                {{x - 0.45f * text_width(text, AXIS_FONT), PLOT.high.y + 14}, text, AXIS_FONT, WEAK});
+        }
+        for (const double tick : ticks_of(error_.least, error_.most)) {
+            const float y = error_.at(tick);
+            add_line({{PLOT.low.x, y}, {PLOT.high.x, y}}, GRID, 1);
+            right_aligned(fmt::format("{:g}", tick), y);
+        }
+        add_line({{PLOT.low.x, PLOT.high.y - STRIP}, {PLOT.high.x, PLOT.high.y - STRIP}}, AXIS, 1);
+        add_line({{PLOT.low.x, PLOT.low.y}, {PLOT.low.x, PLOT.high.y}, PLOT.high}, AXIS, 1);
+        right_aligned(fmt::format("< {:.1g}", error_.least), PLOT.high.y - 0.5f * STRIP);
+    }
+
+    void right_aligned(const std::string& text, float y) {
+        drawing_.texts.push_back({{PLOT.low.x - 6 - text_width(text, AXIS_FONT), y}, text, AXIS_FONT, WEAK});
+    }
+
+    void draw_unsorted() {
+        const auto row = std::ranges::find(rows_, "unsorted", &ChartRow::configuration);
+        if (row == rows_.end() || !row->numbers) return;
+        const float x = time_.at(row->numbers->total.median);
+        add_line({{x, PLOT.low.y}, {x, PLOT.high.y}}, AXIS, 1.2f, true);
+        taken_.push_back({{x - 1, PLOT.low.y}, {x + 1, PLOT.high.y}});
+    }
+
+    // As a staircase, behind the marks: nothing that was measured lies to its lower left.
+    void draw_front() {
+        std::vector<glm::vec2> stairs;
+        for (const std::size_t row : front_of(rows_, metric_)) {
+            const glm::vec2 at = point_of(row)->at;
+            if (!stairs.empty()) stairs.emplace_back(at.x, stairs.back().y);
+            stairs.push_back(at);
+            drawing_.marks.push_back({at, MarkShape::ring, FRONT, RADIUS + 4, Drawing::NO_ROW});
+            taken_.push_back({at - (RADIUS + 4), at + (RADIUS + 4)});
+        }
+        for (std::size_t i = 1; i < stairs.size(); ++i)
+            taken_.push_back(
+                {glm::min(stairs[i - 1], stairs[i]) - 1.0f, glm::max(stairs[i - 1], stairs[i]) + 1.0f});
+        if (!stairs.empty()) add_line(stairs, FRONT, 1.6f);
+    }
+
+    // In lines as long as the drawing is wide.
+    void draw_legend() {
+        glm::vec2 at(16, 48);
+        const auto name = [&](const char* text) {
+            drawing_.texts.push_back({at + glm::vec2(18, 0), text, FONT, TEXT});
+            at.x += 18 + text_width(text, FONT) + 12;
+        };
+        const auto make_room = [&](const char* text) {
+            if (at.x + 18 + text_width(text, FONT) > SIZE.x) at = {16, at.y + 20};
+        };
+        for (const Family& family : families()) {
+            const auto is_of = [&](const Point& p) { return p.family == &family; };
+            if (std::ranges::none_of(points_, is_of)) continue;
+            make_room(family.name);
+            drawing_.marks.push_back(
+                {at + glm::vec2(6, 0), family.shape, family.color, RADIUS, Drawing::NO_ROW});
+            name(family.name);
+        }
+        make_room("Pareto front");
+        drawing_.marks.push_back({at + glm::vec2(6, 0), MarkShape::ring, FRONT, RADIUS + 2, Drawing::NO_ROW});
+        name("Pareto front");
+        make_room("time of unsorted");
+        add_line({at - glm::vec2(2, 0), at + glm::vec2(14, 0)}, AXIS, 1.2f, true);
+        name("time of unsorted");
+    }
+
+    // Those on the front first, then techniques as they are, then their variants.
+    void draw_labels() {
+        const std::vector<std::size_t> front = front_of(rows_, metric_);
+        std::vector<Label> labels;
+        for (const Point& point : points_) taken_.push_back({point.at - RADIUS, point.at + RADIUS});
+        for (int rank = 0; rank < 3; ++rank)
+            for (const Point& point : points_) {
+                const bool on_front = std::ranges::find(front, point.row) != front.end();
+                if (rank == (on_front ? 0 : point.standard ? 1 : 2))
+                    labels.push_back({point.at, short_name(rows_[point.row].configuration),
+                                      0.85f * point.family->color, on_front});
+            }
+        place_labels(drawing_, labels, taken_, {PLOT.low + 2.0f, PLOT.high - 2.0f}, FONT);
+    }
+
+    std::span<const ChartRow> rows_;
+    Metric metric_;
+    LogAxis time_{}, error_{};
+    std::vector<Point> points_;
+    std::vector<Box> taken_;  // where no label may stand
+    Drawing drawing_;
+};
+
+}  // namespace
+
+Drawing chart_drawing(std::span<const ChartRow> rows, Metric metric, const std::string& times) {
+    return Plot(rows, metric).draw(times);
+}
+
+}  // namespace momentscope

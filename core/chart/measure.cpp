@@ -1,0 +1,161 @@
+#include "core/chart/measure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/chart/camera_path.hpp"
+#include "core/compare/difference.hpp"
+
+namespace momentscope {
+
+/// A configuration while it is measured, with a renderer of its own, so that no round links programs.
+struct ChartBench::Candidate {
+    const Configuration* configuration = nullptr;
+    std::unique_ptr<Renderer> renderer;  // null when this GL cannot draw it
+    std::string unavailable;
+    ChartNumbers numbers;
+    std::vector<double> moments, color, composite, total, differential;  // of each round
+
+    ChartRow row(const std::string& scene) const {
+        ChartRow result = {scene, configuration_text(*configuration), unavailable, {}};
+        if (renderer != nullptr) result.numbers = numbers;
+        return result;
+    }
+};
+
+namespace {
+
+double sum_of(const PassTimes& times) {
+    return times.moments + times.color + times.composite;
+}
+
+Configuration reference_configuration(const ParameterValues& values) {
+    return {&require_technique("sorted"), values};
+}
+
+std::optional<int> unless_zero(int count, bool zero_means_it_grows) {
+    return count == 0 && zero_means_it_grows ? std::nullopt : std::optional(count);
+}
+
+}  // namespace
+
+std::size_t chart_steps(std::size_t configurations, const ChartSettings& settings) {
+    return configurations * (2 + static_cast<std::size_t>(settings.repeat));  // errors, rounds, path
+}
+
+ChartBench::ChartBench(Scene scene, const ChartSettings& settings)
+    : scene_(std::move(scene)), settings_(settings) {
+    const Configuration unsorted = {&require_technique("unsorted"), settings_.values};
+    yardstick_ = new_renderer();
+    yardstick_->render(view_of(unsorted));
+}
+
+View ChartBench::view_of(const Configuration& configuration) const {
+    return {scene_.camera, settings_.size, configuration.technique, configuration.values};
+}
+
+std::unique_ptr<Renderer> ChartBench::new_renderer() const {
+    auto renderer = std::make_unique<Renderer>();
+    renderer->set_scene(scene_);
+    return renderer;
+}
+
+void ChartBench::draw_references() {
+    if (!path_references_.empty()) return;
+    const auto renderer = new_renderer();
+    View view = view_of(reference_configuration(settings_.values));
+    renderer->render(view);
+    reference_ = renderer->read_picture();
+    view.size = path_size(settings_.size);
+    for (const Camera& camera : camera_path(scene_.camera)) {
+        view.camera = camera;
+        renderer->render(view);
+        path_references_.push_back(renderer->read_picture());
+    }
+}
+
+void ChartBench::compare(Candidate& candidate) const {
+    candidate.renderer->render(view_of(*candidate.configuration));
+    const Image picture = candidate.renderer->read_picture();
+    ChartNumbers& numbers = candidate.numbers;
+    numbers.rmse = mean_difference(reference_, picture, Metric::rmse);
+    numbers.delta_e = mean_difference(reference_, picture, Metric::delta_e);
+    numbers.flip = mean_difference(reference_, picture, Metric::flip);
+    const Configuration& configuration = *candidate.configuration;
+    const Technique& technique = *configuration.technique;
+    numbers.bits_per_pixel =
+        unless_zero(bits_per_pixel(technique, configuration.values), technique.is_truth());
+    numbers.geometry_passes = unless_zero(geometry_passes(configuration), true);
+}
+
+void ChartBench::time_round(std::span<Candidate> candidates, const std::stop_token& stop,
+                            const std::function<void()>& step) {
+    yardstick_->redraw();
+    const double unsorted = sum_of(yardstick_->pass_times());
+    for (Candidate& candidate : candidates) {
+        if (stop.stop_requested()) return;
+        if (candidate.renderer != nullptr) {
+            candidate.renderer->redraw();
+            const PassTimes& times = candidate.renderer->pass_times();
+            candidate.moments.push_back(times.moments);
+            candidate.color.push_back(times.color);
+            candidate.composite.push_back(times.composite);
+            candidate.total.push_back(sum_of(times));
+            candidate.differential.push_back(sum_of(times) - unsorted);
+        }
+        step();
+    }
+}
+
+void ChartBench::follow_path(Candidate& candidate, const std::stop_token& stop) const {
+    View view = view_of(*candidate.configuration);
+    view.size = path_size(settings_.size);
+    std::optional<double> before;
+    const std::vector<Camera> path = camera_path(scene_.camera);
+    for (std::size_t i = 0; i < path.size() && !stop.stop_requested(); ++i) {
+        view.camera = path[i];
+        candidate.renderer->render(view);
+        const double error =
+            mean_difference(path_references_[i], candidate.renderer->read_picture(), Metric::rmse);
+        if (before)
+            candidate.numbers.stability = std::max(candidate.numbers.stability, std::abs(error - *before));
+        before = error;
+    }
+}
+
+std::vector<ChartRow> ChartBench::measure(std::span<const Configuration> block, const std::stop_token& stop,
+                                          const std::function<void()>& step) {
+    draw_references();
+    std::vector<Candidate> candidates;
+    for (const Configuration& configuration : block) {
+        if (stop.stop_requested()) return {};
+        Candidate& candidate = candidates.emplace_back();
+        candidate.configuration = &configuration;
+        candidate.unavailable = why_unavailable(*configuration.technique, yardstick_->ordered_access());
+        if (candidate.unavailable.empty()) {
+            candidate.renderer = new_renderer();
+            compare(candidate);  // which also compiles its shaders
+        }
+        step();
+    }
+    for (int round = 0; round < settings_.repeat; ++round) time_round(candidates, stop, step);
+    std::vector<ChartRow> rows;
+    for (Candidate& candidate : candidates) {
+        if (stop.stop_requested()) return {};
+        if (candidate.renderer != nullptr) {
+            ChartNumbers& numbers = candidate.numbers;
+            numbers.moments = spread_of(candidate.moments);
+            numbers.color = spread_of(candidate.color);
+            numbers.composite = spread_of(candidate.composite);
+            numbers.total = spread_of(candidate.total);
+            numbers.differential = spread_of(candidate.differential);
+            follow_path(candidate, stop);
+        }
+        step();
+        rows.push_back(candidate.row(scene_.id));
+    }
+    return stop.stop_requested() ? std::vector<ChartRow>() : rows;
+}
+
+}  // namespace momentscope

@@ -1,0 +1,55 @@
+// measure.hpp -- what configurations cost on a scene, and how wrong their pictures are.
+#pragma once
+#include <functional>
+#include <memory>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "core/chart/chart_row.hpp"
+#include "core/render/renderer.hpp"
+#include "core/techniques/configuration.hpp"
+
+namespace momentscope {
+
+struct ChartSettings {
+    glm::ivec2 size{640, 360};
+    int repeat = 3;          // rounds in which every configuration of a block is timed once
+    ParameterValues values;  // those of the picture: the order of submission
+};
+
+/// Measures one scene. Needs a current GL context as long as it lives.
+class ChartBench {
+public:
+    /// Throws Error when the scene cannot be drawn.
+    ChartBench(Scene scene, const ChartSettings& settings);
+
+    /// A row per configuration, in their order. They are timed in rounds, one after the other and after
+    /// `unsorted`, so that noise hits all alike. `step` is called after every one of chart_steps steps. Empty
+    /// when it was stopped. Throws Error when the GL fails.
+    std::vector<ChartRow> measure(std::span<const Configuration> block, const std::stop_token& stop,
+                                  const std::function<void()>& step);
+
+    const Scene& scene() const { return scene_; }
+
+private:
+    struct Candidate;
+    View view_of(const Configuration& configuration) const;
+    std::unique_ptr<Renderer> new_renderer() const;
+    void draw_references();
+    void compare(Candidate& candidate) const;
+    void time_round(std::span<Candidate> candidates, const std::stop_token& stop,
+                    const std::function<void()>& step);
+    void follow_path(Candidate& candidate, const std::stop_token& stop) const;
+
+    Scene scene_;
+    ChartSettings settings_;
+    std::unique_ptr<Renderer> yardstick_;  // `unsorted`
+    Image reference_;
+    std::vector<Image> path_references_;
+};
+
+/// How often measuring so many configurations calls `step`.
+std::size_t chart_steps(std::size_t configurations, const ChartSettings& settings);
+
+}  // namespace momentscope

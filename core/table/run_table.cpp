@@ -1,0 +1,169 @@
+#include "core/table/run_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "core/error.hpp"
+#include "core/input_file.hpp"
+#include "core/version.hpp"
+
+namespace momentscope {
+
+namespace {
+
+constexpr int MOST_SHARDS = 10'000;
+constexpr std::uintmax_t MOST_BYTES = std::uintmax_t{256} << 20;
+constexpr std::size_t SHORT_VALUE = 60;  // letters that a sentence bears
+
+std::optional<int> whole_number(std::string_view text) {
+    int value = 0;
+    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (status != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+std::vector<std::string_view> words_of(std::string_view text) {
+    std::vector<std::string_view> words;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find(' '), text.size());
+        words.push_back(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return words;
+}
+
+std::optional<std::string_view> word_only_in(std::string_view text, std::string_view other) {
+    const auto others = words_of(other);
+    for (const std::string_view word : words_of(text))
+        if (std::ranges::find(others, word) == others.end()) return word;
+    return std::nullopt;
+}
+
+// Of long lists only what one has and the other has not.
+std::string difference_text(const std::string& name, const std::string& value, const std::string& wanted) {
+    if (std::max(value.size(), wanted.size()) <= SHORT_VALUE)
+        return fmt::format("its {} is {} instead of {}", name, value.empty() ? "missing" : value,
+                           wanted.empty() ? "missing" : wanted);
+    if (const auto word = word_only_in(value, wanted)) return fmt::format("only its {} have {}", name, *word);
+    if (const auto word = word_only_in(wanted, value)) return fmt::format("its {} lack {}", name, *word);
+    return fmt::format("its {} are in another order", name);
+}
+
+}  // namespace
+
+Shard parse_shard(std::string_view text) {
+    const std::size_t slash = text.find('/');
+    const auto index = whole_number(text.substr(0, slash));
+    const auto count = slash == std::string_view::npos ? std::nullopt : whole_number(text.substr(slash + 1));
+    if (!index || !count || *count < 1 || *count > MOST_SHARDS || *index < 1 || *index > *count)
+        throw Error(
+            fmt::format("'{}' is no shard; give its number and how many there are, as --shard 2/4.", text));
+    return {*index, *count};
+}
+
+std::string shard_text(const Shard& shard) {
+    return fmt::format("{}/{}", shard.index, shard.count);
+}
+
+std::string setting(const RunSettings& settings, std::string_view name) {
+    for (const auto& [one, value] : settings)
+        if (one == name) return value;
+    return "";
+}
+
+std::optional<std::string> difference_of(const RunSettings& settings, const RunSettings& wanted,
+                                         std::string_view but) {
+    for (const auto* names : {&wanted, &settings})
+        for (const auto& [name, ignored] : *names) {
+            const std::string value = setting(settings, name), other = setting(wanted, name);
+            if (name != but && value != other) return difference_text(name, value, other);
+        }
+    return std::nullopt;
+}
+
+std::string run_table_text(const RunTable& table) {
+    std::string text;
+    for (const auto& [name, value] : table.settings) text += fmt::format("# {}: {}\n", name, value);
+    text += table.columns + "\n";
+    for (const std::string& row : table.rows) text += row + "\n";
+    return text;
+}
+
+RunTable read_run_table(const std::filesystem::path& path) {
+    const std::string text = read_input_file(path, MOST_BYTES, "CSV");
+    RunTable table;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        const std::string line = text.substr(begin, end - begin);
+        begin = end + 1;
+        const std::size_t colon = line.find(": ");
+        if (table.columns.empty() && line.starts_with("# ") && colon != std::string::npos)
+            table.settings.emplace_back(line.substr(2, colon - 2), line.substr(colon + 2));
+        else if (table.columns.empty())
+            table.columns = line;
+        else
+            table.rows.push_back(line);
+    }
+    for (const char* name :
+         {run_setting::COMMAND, run_setting::SCHEMA, run_setting::ROWS, run_setting::SHARD})
+        if (setting(table.settings, name).empty())
+            throw Error(fmt::format(
+                "'{}' does not say of which run it is; give a CSV file that chart or stress wrote.",
+                path.string()));
+    return table;
+}
+
+RunSettings begin_settings(std::string_view command, int schema, std::size_t rows, const Shard& shard) {
+    return {{run_setting::COMMAND, std::string(command)},
+            {run_setting::SCHEMA, fmt::format("{}", schema)},
+            {run_setting::VERSION, PROGRAM_VERSION},
+            {run_setting::ROWS, fmt::format("{}", rows)},
+            {run_setting::SHARD, shard_text(shard)}};
+}
+
+RunTable merge_shards(const std::vector<std::filesystem::path>& paths) {
+    std::vector<RunTable> tables;
+    for (const auto& path : paths) tables.push_back(read_run_table(path));
+    const RunTable& first = tables.front();
+    const int count = parse_shard(setting(first.settings, run_setting::SHARD)).count;
+    const auto row_count = whole_number(setting(first.settings, run_setting::ROWS));
+    if (!row_count || *row_count < 0)
+        throw Error(
+            fmt::format("'{}' does not say how many rows its run has; make it again.", paths[0].string()));
+    std::vector<std::size_t> place_of(static_cast<std::size_t>(count), tables.size());  // shard to file
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+        const Shard shard = parse_shard(setting(tables[i].settings, run_setting::SHARD));
+        auto difference = difference_of(tables[i].settings, first.settings, run_setting::SHARD);
+        if (!difference && shard.count != count)
+            difference = fmt::format("it is one of {} shards instead of {}", shard.count, count);
+        if (!difference && tables[i].columns != first.columns) difference = "its columns are others";
+        if (difference)
+            throw Error(fmt::format("'{}' is of another run than '{}': {}; merge the shards of one run.",
+                                    paths[i].string(), paths[0].string(), *difference));
+        std::size_t& place = place_of[static_cast<std::size_t>(shard.index) - 1];
+        if (place != tables.size())
+            throw Error(fmt::format("'{}' and '{}' are both shard {}; give each shard once.",
+                                    paths[place].string(), paths[i].string(), shard_text(shard)));
+        place = i;
+    }
+    const auto rows = static_cast<std::size_t>(*row_count);
+    const std::size_t shards = place_of.size();
+    for (std::size_t i = 0; i < shards; ++i) {
+        if (place_of[i] == tables.size())
+            throw Error(fmt::format("Shard {}/{} is missing; give the files of all shards.", i + 1, count));
+        const std::size_t wanted = (rows + shards - 1 - i) / shards;
+        if (tables[place_of[i]].rows.size() != wanted)
+            throw Error(fmt::format("'{}' has {} of the {} rows of its shard; run that shard again.",
+                                    paths[place_of[i]].string(), tables[place_of[i]].rows.size(), wanted));
+    }
+    RunTable merged = {first.settings, first.columns, {}};
+    for (std::size_t row = 0; row < rows; ++row)
+        merged.rows.push_back(tables[place_of[row % shards]].rows[row / shards]);
+    for (auto& [name, value] : merged.settings)
+        if (name == run_setting::SHARD) value = shard_text({});
+    return merged;
+}
+
+}  // namespace momentscope

@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# A chart in shards as a Slurm job array: every task measures one shard, and goes on where it stopped when it is queued again.
+#   sbatch --array=1-8 scripts/chart-slurm.sh FOLDER --scene all --size 1280x720
+#   build/release/momentscope merge FOLDER/chart-*.csv -o FOLDER/chart.html
+# FOLDER must exist; what follows it goes to `momentscope chart`. Tasks have a node of their own, so that none disturbs the
+# times of another; MOMENTSCOPE names the program where it is not in this repository's build/release.
+#SBATCH --job-name=momentscope-chart
+#SBATCH --exclusive
+#SBATCH --nodes=1
+#SBATCH --time=02:00:00
+#SBATCH --requeue
+set -euo pipefail
+if [ $# -lt 1 ] || [ ! -d "$1" ] || [ -z "${SLURM_ARRAY_TASK_ID:-}" ]; then
+    echo "Submit it as: sbatch --array=1-8 scripts/chart-slurm.sh FOLDER [options of momentscope chart]" >&2
+    exit 1
+fi
+folder=$1
+shift
+# Slurm runs a copy of this file, so that the repository is where it was submitted.
+momentscope=${MOMENTSCOPE:-${SLURM_SUBMIT_DIR:-.}/build/release/momentscope}
+# Times of software renderers depend on the number of threads.
+export LP_NUM_THREADS=${LP_NUM_THREADS:-${SLURM_CPUS_ON_NODE:-2}}
+exec "$momentscope" chart "$@" --shard "$SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT" \
+    -o "$folder/chart-$SLURM_ARRAY_TASK_ID.csv"

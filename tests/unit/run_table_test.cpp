@@ -1,0 +1,102 @@
+// run_table_test.cpp -- files of runs and their shards: what is put together, and what is refused and why.
+#include "core/table/run_table.hpp"
+#include "core/output_file.hpp"
+#include "tests/unit/expect_error.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+using namespace momentscope;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class RunTables : public testing::Test {
+protected:
+    RunTables() : folder_(fs::temp_directory_path() / ("momentscope_tables_" + std::to_string(::getpid()))) {
+        fs::create_directories(folder_);
+    }
+    ~RunTables() override {
+        std::error_code ignored;
+        fs::remove_all(folder_, ignored);
+    }
+
+    static RunTable table_of(const Shard& shard, std::size_t rows) {
+        RunTable table = {begin_settings("chart", 1, rows, shard), "name,value", {}};
+        table.settings.emplace_back("size", "64x36");
+        table.settings.emplace_back(
+            "configurations",
+            "unsorted wboit power4-32 power6-32 power8-32 trig2-32 trig3-32 trig4-32 sorted peeling");
+        for (std::size_t i = 0; i < rows; ++i)
+            if (shard.holds(i)) table.rows.push_back("row," + std::to_string(i));
+        return table;
+    }
+
+    fs::path write(const std::string& name, const RunTable& table) const {
+        write_text_file(run_table_text(table), folder_ / name);
+        return folder_ / name;
+    }
+
+    void expect_unmergeable(const RunTable& second, const std::string& part) const {
+        const auto first = write("a.csv", table_of({1, 2}, 5));
+        expect_error([&] { merge_shards({first, write("b.csv", second)}); }, part);
+    }
+
+    fs::path folder_;
+};
+
+TEST_F(RunTables, ShardsInAnyOrderMakeTheWhole) {
+    for (const int count : {1, 2, 3, 7}) {
+        std::vector<fs::path> paths;
+        for (int i = count; i >= 1; --i) paths.push_back(write(std::to_string(i), table_of({i, count}, 5)));
+        EXPECT_EQ(run_table_text(merge_shards(paths)), run_table_text(table_of({}, 5))) << count;
+    }
+}
+
+TEST_F(RunTables, OtherRunsAreRefusedWithTheDifference) {
+    const auto changed = [](const char* name, const std::string& value) {
+        RunTable table = table_of({2, 2}, 5);
+        for (auto& [one, old] : table.settings)
+            if (one == name) old = value;
+        return table;
+    };
+    expect_unmergeable(changed("size", "32x18"), "size is 32x18 instead of 64x36");
+    expect_unmergeable(changed("schema", "2"), "schema is 2 instead of 1");
+    expect_unmergeable(changed("version", "0.0.1"), "version is 0.0.1");
+    expect_unmergeable(changed("momentscope", "stress"), "momentscope is stress");
+    expect_unmergeable(changed("shard", "2/3"), "one of 3 shards instead of 2");
+    expect_unmergeable(changed("shard", "5/4"), "no shard");
+    expect_unmergeable(
+        changed("configurations",
+                "unsorted wboit power4-32 power6-32 power8-32 trig2-32 trig3-32 trig4-32 sorted at:nodes=8"),
+        "only its configurations have at:nodes=8");
+    RunTable columns = table_of({2, 2}, 5);
+    columns.columns = "name";
+    expect_unmergeable(columns, "its columns are others");
+}
+
+TEST_F(RunTables, MissingDoubledAndUnfinishedShardsAreRefused) {
+    expect_unmergeable(table_of({1, 2}, 5), "are both shard 1/2");
+    RunTable short_one = table_of({2, 2}, 5);
+    short_one.rows.pop_back();
+    expect_unmergeable(short_one, "1 of the 2 rows");
+    expect_error([&] { merge_shards({write("a.csv", table_of({1, 2}, 5))}); }, "Shard 2/2 is missing");
+    expect_error([&] { merge_shards({write("a.csv", table_of({1, 9}, 5))}); }, "Shard 2/9 is missing");
+}
+
+TEST_F(RunTables, OtherFilesAreRefused) {
+    expect_error([&] { read_run_table(folder_ / "none.csv"); }, "no CSV file");
+    write_text_file("a,b\n1,2\n", folder_ / "plain.csv");
+    expect_error([&] { read_run_table(folder_ / "plain.csv"); }, "does not say of which run");
+    expect_error([&] { read_run_table(folder_); }, "no CSV file");
+}
+
+TEST(Shards, AreParsed) {
+    EXPECT_EQ(parse_shard("2/4").index, 2);
+    EXPECT_EQ(parse_shard("2/4").count, 4);
+    for (const char* wrong : {"5/4", "0/4", "1", "/", "1/", "a/b", "-1/4", "1/0", "1/4/2", "1/99999"})
+        expect_error([&] { parse_shard(wrong); }, "is no shard");
+}
+
+}  // namespace
