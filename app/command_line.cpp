@@ -124,6 +124,16 @@ void add_compare(CLI::App& app, Options& options) {
     add_parameter_options(*compare, options);
 }
 
+void add_needed(CLI::App& app, Options& options) {
+    CLI::App* needed = app.add_subcommand(
+        "needed", "tell how many moments the pixels of a scene need, by bounds and by error");
+    add_scene_options(*needed, options);
+    needed->add_option("--basis", options.basis, "power or chebyshev")->capture_default_str();
+    needed->add_option("--format", options.format, "table or json [table]");
+    needed->add_option("-o,--output", options.output, ".png (maps) or .json");
+    add_parameter_options(*needed, options);
+}
+
 void add_figure(CLI::App& app, Options& options) {
     CLI::App* figure =
         app.add_subcommand("figure", "redo a figure of the papers, and measure what they say of it");
@@ -177,6 +187,7 @@ void add_commands(CLI::App& app, Options& options, std::string& what) {
     add_inspect(app, options);
     add_compare(app, options);
     add_figure(app, options);
+    add_needed(app, options);
     add_stress(app, options);
     add_tune(app, options);
     add_chart(app, options);
@@ -196,6 +207,7 @@ void run(const CLI::App& app, const Options& options, const std::string& what) {
     if (app.got_subcommand("render")) return run_render(options);
     if (app.got_subcommand("inspect")) return run_inspect(options);
     if (app.got_subcommand("compare")) return run_compare(options);
+    if (app.got_subcommand("needed")) return run_needed(options);
     if (app.got_subcommand("figure")) return run_figure(options);
     if (app.got_subcommand("stress")) return run_stress_command(options);
     if (app.got_subcommand("tune")) return run_tune_command(options);

@@ -9,6 +9,7 @@ void run_render(const Options& options);
 void run_inspect(const Options& options);
 void run_compare(const Options& options);
 void run_figure(const Options& options);
+void run_needed(const Options& options);
 void run_stress_command(const Options& options);
 void run_tune_command(const Options& options);
 void run_chart_command(const Options& options);

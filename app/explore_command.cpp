@@ -14,6 +14,8 @@ namespace momentscope {
 
 namespace {
 
+constexpr double DRAG_MILLISECONDS = 50;  // 20 pictures a second
+
 // What else was typed goes over it.
 ui::ExplorerState state_of_session(const Options& options) {
     ui::Session session = ui::read_session_file(options.session);
@@ -64,7 +66,7 @@ void explore_headless(const Options& options, glm::ivec2 size, float scale) {
             throw Error(fmt::format("A screenshot is a .png; '{}' is not.", options.screenshot));
     }
     FrameLog log(options.log);
-    HeadlessWindow window(size, initial_state(options), {scale, false}, log);
+    HeadlessWindow window(size, initial_state(options), {.scale = scale, .show_times = false}, log);
     window.settle();
     pick_option(options, window.explorer());
     window.settle();
@@ -83,7 +85,7 @@ public:
         : options_(options),
           context_(make_gl_context("glfw", size)),
           gui_(context_->window(), scale),
-          explorer_(renderer_, initial_state(options), {scale, true}),
+          explorer_(renderer_, initial_state(options), {scale, true, DRAG_MILLISECONDS}),
           log_(options.log) {
         glfwSetWindowSizeLimits(context_->window(), 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
     }

@@ -3,10 +3,9 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "app/gl_context.hpp"
-#include "core/gl/texture.hpp"
+#include "app/image_texture.hpp"
 #include "core/image/image.hpp"
 #include "ui/measurement.hpp"
 #include "ui/plot_panel.hpp"
@@ -29,23 +28,10 @@ struct Drawn {
     ui::PlotPanel plot;
 };
 
-GlTexture texture_of(const Image& image) {
-    std::vector<unsigned char> bytes;
-    bytes.reserve(4 * image.pixels.size());
-    for (const glm::vec4& pixel : image.pixels) {
-        for (int c = 0; c < 3; ++c)
-            bytes.push_back(static_cast<unsigned char>(std::lround(255 * srgb_from_linear(pixel[c]))));
-        bytes.push_back(255);
-    }
-    GlTexture texture = make_texture(GL_RGBA8, {image.width, image.height});
-    glTextureSubImage2D(texture, 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
-    return texture;
-}
-
 Drawn drawn(const FigurePanel& panel, ShotSource& shots) {
     Drawn result = {&panel, {}, {}, {}, {}};
     if (!panel.plot) {
-        result.texture = texture_of(shots.picture(panel.shot));
+        result.texture = image_texture(shots.picture(panel.shot));
         return result;
     }
     ui::ExplorerState& state = result.state;

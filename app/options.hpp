@@ -32,6 +32,7 @@ struct Options {
     std::vector<std::string> pictures;  // of compare: reference and test
     std::string metric;
     std::string region;
+    std::string basis = "power";  // of needed
     std::string repeat = "3";
     std::string shard = "1/1";
     std::vector<std::string> files;  // of merge

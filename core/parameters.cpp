@@ -60,8 +60,8 @@ const std::array<Parameter, PARAMETER_COUNT> ROWS = {{
      "Momentscope 2026, docs/equations.md", FACTORISATIONS},
     {ParameterId::tolerance, "tolerance", "ε", "tolerance", "", 1.0e-4f, 1.0f, 0.05f, Scale::logarithmic,
      Stage::color,
-     "How much wider the bounds of a fragment's transmittance may be with four moments than with eight before all eight "
-     "are spent on it. At 1 four are always enough.",
+     "How uncertain the transmittance to a fragment may be: how much wider its bounds may be with four moments than with "
+     "eight before more than four are spent on it. At 1 four are always enough.",
      "Momentscope 2026, docs/adaptive.md"},
     {ParameterId::accumulation, "accumulation", "Σ", "accumulation", "", 0.0f, 1.0f, 0.0f, Scale::choice,
      Stage::moments,

@@ -17,6 +17,7 @@ std::string FrameReport::text() const {
     const auto add = [&](bool happened, const char* name) {
         if (happened) text += (text.empty() ? "" : ", ") + std::string(name);
     };
+    add(draft, "draft");
     add(opaque, "opaque");
     add(first_pass, "first pass");
     add(second_pass, "second pass");
@@ -127,6 +128,7 @@ std::string Explorer::warning() const {
 
 void Explorer::show_scene(Scene scene) {
     renderer_.set_scene(scene);
+    draft_.set_scene(scene);
     reference_.reset();
     scene_ = std::move(scene);
     if (!scene_.warnings.empty()) message_ = warning();
@@ -145,6 +147,7 @@ void Explorer::apply_opacity() {
     }
     if (!changed) return;
     renderer_.set_scene(scene_);
+    draft_.set_scene(scene_);
     reference_.reset();
     shown_view_.technique = nullptr;
 }
@@ -188,6 +191,8 @@ void Explorer::update_picture(glm::ivec2 size) {
     const View view = {camera(), size, state_.technique, state_.parameters};
     const Stage stage = first_stale_stage(shown_view_, view);
     const PassCounts before = renderer_.pass_counts();
+    if (wants_draft(view, stage)) return draw_draft(view, stage);
+    draft_view_.technique = nullptr;
     if (stage != Stage::nothing) renderer_.render(view);
     report_passes(before);
     update_comparison(view, stage);  // may pick another pixel
@@ -217,11 +222,48 @@ bool Explorer::fragments_stale(const View& view, Stage stage) const {
            view.parameters[ParameterId::resolution] != shown_view_.parameters[ParameterId::resolution];
 }
 
+// While the mouse drags what takes long to draw, until it rests.
+bool Explorer::wants_draft(const View& view, Stage stage) {
+    constexpr float REST_SECONDS = 0.2f;
+    if (stage == Stage::nothing || shown_view_.technique == nullptr) return false;
+    bool dragging = false;
+    for (int button = 0; button < ImGuiMouseButton_COUNT; ++button)
+        dragging |= ImGui::IsMouseDragging(button);
+    const PassTimes& t = renderer_.pass_times();
+    const double milliseconds = t.composite + (stage <= Stage::color ? t.color : 0) +
+                                (stage <= Stage::moments ? t.moments : 0) +
+                                (stage <= Stage::opaque ? t.opaque : 0);
+    if (!dragging || milliseconds <= options_.most_milliseconds) return false;
+    const bool still = shows_draft() && first_stale_stage(draft_view_, view) == Stage::nothing;
+    still_seconds_ = still ? still_seconds_ + ImGui::GetIO().DeltaTime : 0;
+    return still_seconds_ < REST_SECONDS;
+}
+
+// The plot stays exact: it is of all fragments at the picked place, to the draft's pixel while the camera
+// moves.
+void Explorer::draw_draft(const View& view, Stage stage) {
+    if (first_stale_stage(draft_view_, view) != Stage::nothing) {
+        draft_.draw(view, options_.most_milliseconds);
+        draft_view_ = view;
+        report_.draft = true;
+        if (fragments_stale(view, stage)) {
+            const glm::ivec2 pixel = pixel_of(state_.picked, scene_, view.size);
+            measurement_.capture = draft_.capture(fraction_of(pixel, view.size));
+            report_.capture = draft_captured_ = true;
+        }
+        measurement_.capture.transmittance.clear();
+        transmittance_stale_ = true;
+    }
+    picture_.texture = draft_.display_texture();
+    picture_.overlay = 0;
+    measure_if_changed(report_.capture);
+}
+
 // The fragments of a pixel depend on nothing that comes after the opaque pass but their order, and what
 // moments at low resolution mix; the second pass's T is only captured where it is shown.
 void Explorer::update_capture(const View& view, Stage stage) {
     const glm::ivec2 pixel = pixel_of(state_.picked, scene_, view.size);
-    const bool moved = fragments_stale(view, stage) || pixel != measurement_.pixel;
+    const bool moved = fragments_stale(view, stage) || pixel != measurement_.pixel || draft_captured_;
     transmittance_stale_ |= stage <= Stage::color;
     if (!moved && !(transmittance_stale_ && state_.panel == Panel::fragments)) {
         if (transmittance_stale_) measurement_.capture.transmittance.clear();
@@ -231,6 +273,7 @@ void Explorer::update_capture(const View& view, Stage stage) {
     measurement_.pixel = pixel;
     measurement_.picture_size = view.size;
     transmittance_stale_ = false;
+    draft_captured_ = false;
     report_.capture = true;
 }
 

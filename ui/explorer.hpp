@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include "core/stress/tune.hpp"
 #include "ui/command_palette.hpp"
 #include "ui/comparison.hpp"
+#include "ui/draft_picture.hpp"
 #include "ui/file_dialog.hpp"
 #include "ui/history.hpp"
 #include "ui/measurement.hpp"
@@ -27,10 +29,14 @@ namespace momentscope::ui {
 struct ExplorerOptions {
     float scale = 1;         // of fonts and spacing
     bool show_times = true;  // milliseconds in the status line; off where pictures must repeat bit by bit
+    double most_milliseconds =
+        std::numeric_limits<double>::infinity();  // for a picture, while the mouse drags;
+                                                  // one that takes longer is drafted
 };
 
 /// What a frame had to compute; all false when nothing had changed.
 struct FrameReport {
+    bool draft = false;  // at a reduced resolution
     bool opaque = false, first_pass = false, second_pass = false, composite = false;
     bool failures = false, reference = false, comparison = false, capture = false, plot = false,
          query = false;
@@ -50,7 +56,12 @@ public:
     void frame();
 
     /// Does what is shown lag behind the state, so that another frame is needed without any input?
-    bool wants_frame() const { return !(state_ == shown_state_) || busy() || works() || worst_wanted_; }
+    bool wants_frame() const {
+        return !(state_ == shown_state_) || busy() || works() || worst_wanted_ || shows_draft();
+    }
+
+    /// Is the picture one of reduced resolution, which the full one replaces as soon as the mouse rests?
+    bool shows_draft() const { return draft_view_.technique != nullptr; }
 
     /// Does work go on beside the window? Frames are then needed to show how far it is.
     bool works() const {
@@ -114,6 +125,8 @@ private:
     void update(glm::ivec2 size);
     void update_ray();
     void update_picture(glm::ivec2 size);
+    bool wants_draft(const View& view, Stage stage);
+    void draw_draft(const View& view, Stage stage);
     void update_capture(const View& view, Stage stage);
     bool fragments_stale(const View& view, Stage stage) const;
     void update_pins(const View& view, Stage stage);
@@ -159,6 +172,10 @@ private:
 
     Scene scene_;      // what the renderer holds
     View shown_view_;  // technique is null when nothing is shown
+    DraftPicture draft_;
+    View draft_view_;              // technique is null when the full picture is shown
+    bool draft_captured_ = false;  // the fragments that are shown
+    float still_seconds_ = 0;      // that the draft's view has not changed
     SceneLoader loader_;
     std::unique_ptr<Renderer> reference_;  // of the same scene, made when it is first asked for
     bool flipped_ = false;                 // to the reference

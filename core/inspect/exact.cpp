@@ -146,7 +146,7 @@ std::optional<ExactFunction> with_nested_orders(const reference::PowerMoments<8,
         const auto with_8 = reference::power_bounds(higher, depth);
         const Real greatest = std::exp(-b0 * std::clamp(with_4.lower, Real(0), Real(1)));
         const Real wider = greatest * -std::expm1(-b0 * std::max(with_4.w0 - with_8.w0, Real(0)));
-        const Real x = std::clamp(2 * wider / tolerance - 1, Real(0), Real(1));
+        const Real x = std::clamp(wider / tolerance - 1, Real(0), Real(1));
         const Real share = x * x * (3 - 2 * x);
         return ExactFraction{std::lerp(with_4.lower, with_8.lower, share),
                              std::lerp(with_4.w0, with_8.w0, share)};

@@ -27,7 +27,7 @@ FN QueryWeights query_weights(IN(Query) query, IN(Factor) factor)
     return weights;
 }
 
-/// The share of eight moments in the result. Up to half of the tolerance four alone count, beyond it eight alone, so that
+/// The share of eight moments in the result. Up to the tolerance four alone count, beyond twice of it eight alone, so that
 /// the picture is continuous and nothing pops. Certainty is that of T, which is greatest, and falls fastest, at four moments'
 /// lower bound of the absorbance in front.
 FN float share_of_8(IN(QueryWeights) weights, float lower_bound_of_4, float b0, float tolerance)
@@ -35,7 +35,7 @@ FN float share_of_8(IN(QueryWeights) weights, float lower_bound_of_4, float b0, 
     PRECISE float wider = b0 * max(weights.of_4 - weights.of_8, 0.0f);
     PRECISE float of_transmittance =
         portable_exp(-b0 * clamp(lower_bound_of_4, 0.0f, 1.0f)) * (1.0f - portable_exp(-wider));
-    PRECISE float x = clamp(2.0f * of_transmittance / tolerance - 1.0f, 0.0f, 1.0f);
+    PRECISE float x = clamp(of_transmittance / tolerance - 1.0f, 0.0f, 1.0f);
     PRECISE float share = x * x * (3.0f - 2.0f * x);
     return share;
 }
@@ -65,7 +65,8 @@ FN Reconstruction reconstruct_with_8(IN(Query) query, IN(Factor) factor, IN(Basi
     return representation(kernel.at_query, roots, masses, query, basis);
 }
 
-/// depth in [-1, 1]. Between the orders, nodes are those of eight moments; what is computed from them is mixed.
+/// depth in [-1, 1]. Between the orders, nodes are those of eight moments, scaled to what the mixed mass at the query
+/// leaves.
 FN Reconstruction reconstruct(IN(Factor) factor, IN(Basis) basis, float depth)
 {
     Query query = query_at(depth, factor, basis);
@@ -75,6 +76,9 @@ FN Reconstruction reconstruct(IN(Factor) factor, IN(Basis) basis, float depth)
     Reconstruction result = reconstruct_with_8(query, factor, basis);
     PRECISE float in_front = of_4.in_front + share * (result.in_front - of_4.in_front);
     PRECISE float query_weight = of_4.query_weight + share * (result.query_weight - of_4.query_weight);
+    PRECISE float scale = (1.0f - query_weight) / max(1.0f - result.query_weight, 1.0e-6f);
+    UNROLL
+    for (int l = 0; l < ROOT_COUNT; ++l) result.weight[l] = result.weight[l] * scale;
     result.in_front = in_front;
     result.query_weight = query_weight;
     return result;

@@ -24,7 +24,8 @@ protected:
     }
     ui::Explorer& open(const ui::ExplorerState& state) {
         window_.reset();  // its ImGui context goes before the next one comes
-        window_ = std::make_unique<HeadlessWindow>(size_, state, ui::ExplorerOptions{1, false}, log_);
+        window_ = std::make_unique<HeadlessWindow>(size_, state,
+                                                   ui::ExplorerOptions{1, false, most_milliseconds_}, log_);
         window_->settle();
         return window_->explorer();
     }
@@ -62,6 +63,8 @@ protected:
         return count;
     }
 
+    double most_milliseconds_ =
+        std::numeric_limits<double>::infinity();  // of a picture while the mouse drags
     glm::ivec2 size_;
     FrameLog log_{""};
     std::unique_ptr<HeadlessWindow> window_;

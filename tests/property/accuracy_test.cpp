@@ -130,7 +130,7 @@ Tolerance tolerance_of(const Technique& technique) {
     const std::string_view id = technique.id;
     if (technique.kernel->bits == 16) return OF_16_BITS;
     if (id == "cheb6-32") return {2.5e-5, 2e-4, 5e-2, 3e-7};
-    if (id == "cheb8-32") return {7e-5, 1e-3, 5e-2, 4e-7};
+    if (id == "cheb8-32" || id == "adaptive") return {7e-5, 1e-3, 5e-2, 4e-7};
     return AT_TABLE_1;
 }
 

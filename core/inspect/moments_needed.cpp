@@ -1,0 +1,118 @@
+#include "core/inspect/moments_needed.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/inspect/curve.hpp"
+
+namespace momentscope {
+
+namespace {
+
+std::vector<float> own_depths(const ViewRay& ray) {
+    std::vector<float> depths;
+    for (const Fragment& fragment : ray.fragments)
+        if (fragment.opacity > 0) depths.push_back(fragment.depth);
+    return depths;
+}
+
+// Fragments at one depth count as one: no moments tell them apart.
+double absorbance_at(const ViewRay& ray, float depth) {
+    double sum = 0;
+    for (const Fragment& fragment : ray.fragments)
+        if (fragment.depth == depth) sum += static_cast<double>(fragment_absorbance(fragment.opacity));
+    return sum;
+}
+
+template <typename Measure>
+Needed first_within(const MomentOrders& orders, const ParameterValues& values, const Measure& measure) {
+    const auto tolerance = static_cast<double>(values[ParameterId::tolerance].value_or(0.0f));
+    for (std::size_t i = 0; i < orders.size(); ++i)
+        if (measure(*orders[i]) <= tolerance)
+            return static_cast<Needed>(static_cast<std::size_t>(Needed::four) + i);
+    return Needed::more;
+}
+
+}  // namespace
+
+MomentOrders moment_orders(std::string_view basis) {
+    const char* prefix = basis == "power" ? "power" : basis == "chebyshev" ? "cheb" : nullptr;
+    if (prefix == nullptr)
+        throw Error(fmt::format("'{}' is no basis with bounds; choose power or chebyshev.", basis));
+    MomentOrders orders{};
+    for (std::size_t i = 0; i < orders.size(); ++i)
+        orders[i] = &require_technique(fmt::format("{}{}-32", prefix, 4 + 2 * i));
+    return orders;
+}
+
+double certified_gap(const ViewRay& ray, const Technique& technique, const ParameterValues& values) {
+    const std::vector<float> depths = own_depths(ray);
+    const Curve curve = sample_curve(ray, technique, values, depths);
+    double most = 0;
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+        const auto lower = static_cast<double>(curve.beta0[i]);
+        const double between = static_cast<double>(curve.beta1[i]) - lower;
+        const double uncertain = std::max(between - absorbance_at(ray, depths[i]), 0.0);
+        most = std::max(most, std::exp(-lower) * -std::expm1(-uncertain));
+    }
+    return most;
+}
+
+double greatest_error(const ViewRay& ray, const Technique& technique, const ParameterValues& values) {
+    const std::vector<float> depths = own_depths(ray);
+    const Curve curve = sample_curve(ray, technique, values, depths);
+    const auto beta = static_cast<double>(curve.parameters.beta);
+    double most = 0;
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+        const double wanted = curve.truth[i] + beta * absorbance_at(ray, depths[i]);
+        most = std::max(most,
+                        std::abs(std::exp(-static_cast<double>(curve.reconstructed[i])) - std::exp(-wanted)));
+    }
+    return most;
+}
+
+std::string needed_text(Needed needed) {
+    constexpr std::array TEXTS = {"nothing", "4", "6", "8", "more than 8"};
+    return TEXTS[static_cast<std::size_t>(needed)];
+}
+
+PixelNeed pixel_need(const ViewRay& ray, const MomentOrders& orders, const ParameterValues& values) {
+    if (own_depths(ray).empty()) return {};
+    return {first_within(orders, values,
+                         [&](const Technique& order) { return certified_gap(ray, order, values); }),
+            first_within(orders, values,
+                         [&](const Technique& order) { return greatest_error(ray, order, values); })};
+}
+
+NeedHistogram count_needs(std::span<const PixelNeed> pixels) {
+    NeedHistogram histogram;
+    for (const PixelNeed& pixel : pixels) {
+        ++histogram.by_certificate[static_cast<std::size_t>(pixel.by_certificate)];
+        ++histogram.by_error[static_cast<std::size_t>(pixel.by_error)];
+        histogram.cautious += pixel.by_certificate > pixel.by_error ? 1 : 0;
+        histogram.overlooked += pixel.by_certificate < pixel.by_error ? 1 : 0;
+    }
+    return histogram;
+}
+
+double tiled_memory(std::span<const PixelNeed> pixels, int width, int tile) {
+    constexpr std::array NUMBERS = {0, 5, 7, 9, 9};  // with b_0
+    const int height = static_cast<int>(pixels.size()) / width;
+    long stored = 0;
+    for (int top = 0; top < height; top += tile)
+        for (int left = 0; left < width; left += tile) {
+            Needed most = Needed::nothing;
+            const int right = std::min(left + tile, width), bottom = std::min(top + tile, height);
+            for (int y = top; y < bottom; ++y)
+                for (int x = left; x < right; ++x)
+                    most = std::max(most, pixels[static_cast<std::size_t>(y * width + x)].by_certificate);
+            stored +=
+                static_cast<long>(right - left) * (bottom - top) * NUMBERS[static_cast<std::size_t>(most)];
+        }
+    return static_cast<double>(stored) / (9.0 * static_cast<double>(pixels.size()));
+}
+
+}  // namespace momentscope

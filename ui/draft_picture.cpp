@@ -1,0 +1,39 @@
+#include "ui/draft_picture.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+namespace momentscope::ui {
+
+namespace {
+
+constexpr int MOST_DIVISOR = 4;
+
+}  // namespace
+
+void DraftPicture::set_scene(const Scene& scene) {
+    scene_ = scene;
+    scene_stale_ = true;
+    divisor_ = 2;
+}
+
+void DraftPicture::draw(const View& view, double wanted) {
+    const auto begin = std::chrono::steady_clock::now();
+    if (renderer_ == nullptr) renderer_ = std::make_unique<Renderer>();
+    const bool first = scene_stale_;
+    if (scene_stale_) renderer_->set_scene(scene_);
+    scene_stale_ = false;
+    View draft = view;
+    draft.size = size_ = glm::max(view.size / divisor_, glm::ivec2(1));
+    renderer_->render(draft);
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+    // The first draft uploads the scene and compiles shaders, which says nothing of the next.
+    if (!first && took.count() > wanted) divisor_ = std::min(divisor_ + 1, MOST_DIVISOR);
+}
+
+PixelCapture DraftPicture::capture(glm::vec2 place) {
+    const glm::ivec2 pixel(place * glm::vec2(size_));
+    return renderer_->capture_pixel(glm::clamp(pixel, glm::ivec2(0), size_ - 1));
+}
+
+}  // namespace momentscope::ui
