@@ -9,7 +9,6 @@
 #include "app/progress.hpp"
 #include "core/chart/chart.hpp"
 #include "core/chart/chart_run.hpp"
-#include "core/chart/grid.hpp"
 #include "core/error.hpp"
 #include "core/output_file.hpp"
 
@@ -19,34 +18,14 @@ namespace {
 
 constexpr int MOST_REPEATS = 1000;
 
-template <typename T, typename Key>
-void add_once(std::vector<T>& list, const T& one, const Key& key) {
-    if (std::ranges::none_of(list, [&](const T& other) { return key(other) == key(one); }))
-        list.push_back(one);
-}
-
 std::vector<std::string> parse_scenes(const std::string& text) {
     std::vector<std::string> scenes;
     if (text == "all")
         for (const SceneEntry& entry : scene_entries()) scenes.emplace_back(entry.id);
     else
         for (const std::string& id : split_list({text}))
-            add_once(scenes, id, [](const std::string& one) { return one; });
+            if (std::ranges::find(scenes, id) == scenes.end()) scenes.push_back(id);
     return scenes;
-}
-
-std::vector<Configuration> charted_configurations(const Options& options, const ParameterValues& values) {
-    std::vector<Configuration> all;
-    for (const std::string& list : options.techniques)
-        for (const std::string& text : split_configurations(list)) {
-            const Configuration one = parse_configuration(text, values);
-            // An id alone stands for its part of the grid.
-            const auto chosen = text.find(':') == std::string::npos ? chart_grid(*one.technique, values)
-                                                                    : std::vector<Configuration>{one};
-            for (const Configuration& configuration : chosen)
-                add_once(all, configuration, configuration_text);
-        }
-    return options.techniques.empty() ? chart_grid(values) : all;
 }
 
 ChartPlan parse_plan(const Options& options) {

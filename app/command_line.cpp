@@ -164,6 +164,29 @@ void add_chart(CLI::App& app, Options& options) {
     add_parameter_options(*chart, options);
 }
 
+void add_advise(CLI::App& app, Options& options) {
+    CLI::App* advise = app.add_subcommand("advise", "find the cheapest technique that meets bounds");
+    advise->add_option("--scene", options.scene, "id of a scene, or the path of a mesh file")
+        ->capture_default_str();
+    advise->add_option("--max-error", options.max_error, "greatest error against sorted")->required();
+    advise->add_option("--metric", options.metric, "of the error: rmse, delta-e or flip [rmse]");
+    advise->add_option("--max-bits", options.max_bits, "most bits per pixel beside the colour buffers");
+    advise->add_option("--max-ms", options.max_ms, "longest time of a technique's passes in milliseconds");
+    advise->add_flag("--order-independent", options.order_independent,
+                     "leave out what depends on the order of submission");
+    CLI::Option* size = advise->add_option("--size", options.size, "width and height in pixels [320x180]");
+    advise->add_option("--technique", options.techniques,
+                       "ids of techniques, or single configurations such as at:nodes=8 [all]");
+    CLI::Option* repeat =
+        advise->add_option("--repeat", options.repeat, "rounds in which each configuration is timed once")
+            ->capture_default_str();
+    advise->add_option("--chart", options.chart, "rows of a .csv of momentscope chart instead of new ones")
+        ->excludes(size, repeat);
+    advise->add_option("-o,--output", options.output,
+                       "where to write the recipe as .json, which --session of the window opens");
+    add_parameter_options(*advise, options);
+}
+
 void add_merge(CLI::App& app, Options& options) {
     CLI::App* merge = app.add_subcommand("merge", "put the shards of a chart or stress run together");
     merge->add_option("files", options.files, "the .csv files of all shards of one run")->required();
@@ -191,6 +214,7 @@ void add_commands(CLI::App& app, Options& options, std::string& what) {
     add_stress(app, options);
     add_tune(app, options);
     add_chart(app, options);
+    add_advise(app, options);
     add_merge(app, options);
 
     CLI::App* list = app.add_subcommand("list", "print a registry");
@@ -212,6 +236,7 @@ void run(const CLI::App& app, const Options& options, const std::string& what) {
     if (app.got_subcommand("stress")) return run_stress_command(options);
     if (app.got_subcommand("tune")) return run_tune_command(options);
     if (app.got_subcommand("chart")) return run_chart_command(options);
+    if (app.got_subcommand("advise")) return run_advise_command(options);
     if (app.got_subcommand("merge")) return run_merge_command(options);
     if (app.got_subcommand("list")) return run_list(what, options.format.empty() ? "table" : options.format);
     run_explore(options);

@@ -5,7 +5,9 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <set>
 
+#include "core/chart/grid.hpp"
 #include "core/error.hpp"
 
 namespace momentscope {
@@ -95,6 +97,12 @@ int parse_count(const std::string& text, const char* what, int least, int most) 
     return *count;
 }
 
+double parse_number(const std::string& text, const char* what) {
+    const auto value = number<double>(text);
+    if (!value) throw Error(fmt::format("'{}' is no {}; give a number.", text, what));
+    return *value;
+}
+
 ParameterValues parse_parameters(const Options& options, ParameterValues values) {
     for (const auto& [key, text] : options.parameters) {
         if (text.empty()) continue;
@@ -133,6 +141,21 @@ std::vector<Configuration> parse_configurations(const Options& options, const ch
             configurations.push_back(parse_configuration(text, values));
     if (configurations.empty()) configurations.push_back(parse_configuration(standard, values));
     return configurations;
+}
+
+std::vector<Configuration> charted_configurations(const Options& options, const ParameterValues& values) {
+    if (options.techniques.empty()) return chart_grid(values);
+    std::vector<Configuration> all;
+    std::set<std::string> texts;
+    for (const std::string& list : options.techniques)
+        for (const std::string& text : split_configurations(list)) {
+            const Configuration one = parse_configuration(text, values);
+            const auto chosen = text.find(':') == std::string::npos ? chart_grid(*one.technique, values)
+                                                                    : std::vector<Configuration>{one};
+            for (const Configuration& configuration : chosen)
+                if (texts.insert(configuration_text(configuration)).second) all.push_back(configuration);
+        }
+    return all;
 }
 
 Scene load_scene_option(const Options& options, const ParameterValues& parameters) {

@@ -36,6 +36,11 @@ struct Options {
     std::string repeat = "3";
     std::string shard = "1/1";
     std::vector<std::string> files;  // of merge
+    std::string max_error;           // of advise
+    std::string max_bits;
+    std::string max_ms;
+    std::string chart;
+    bool order_independent = false;
     bool steps = false;
     bool sharp_bounds = false;
     bool headless = false;
@@ -72,12 +77,19 @@ double parse_rate(const std::string& text);
 /// A whole number from `least` to `most`; `what` names it in the error.
 int parse_count(const std::string& text, const char* what, int least, int most);
 
+/// Any number, also one that is not finite; `what` names it in the error.
+double parse_number(const std::string& text, const char* what);
+
 /// The parameters that were typed, over `standard`.
 ParameterValues parse_parameters(const Options& options, ParameterValues standard = {});
 std::vector<const Technique*> parse_techniques(const Options& options, const char* standard);
 
 /// Ids of techniques, or configurations such as at:nodes=8, over the parameters that were typed.
 std::vector<Configuration> parse_configurations(const Options& options, const char* standard);
+
+/// Those of a chart: an id alone stands for its part of the grid. Each once; the whole grid when none were
+/// typed.
+std::vector<Configuration> charted_configurations(const Options& options, const ParameterValues& values);
 
 /// The scene, with the opacity parameter applied to a mesh file.
 Scene load_scene_option(const Options& options, const ParameterValues& parameters);

@@ -13,8 +13,9 @@ namespace momentscope {
 
 namespace {
 
-const glm::vec2 SIZE(1120, 720);
-const Box PLOT = {{76, 104}, {1104, 664}};
+const glm::vec2 LEAST_SIZE(300, 240);
+constexpr float LEFT = 76, RIGHT = 16, BOTTOM = 56;  // about the plot
+constexpr float LEGEND_LINE = 20;
 constexpr float STRIP = 30;  // at the bottom, for errors too small for the axis
 constexpr float RADIUS = 5;
 constexpr float FONT = 11, AXIS_FONT = 12, TITLE_FONT = 17;
@@ -52,9 +53,17 @@ std::vector<double> ticks_of(double least, double most) {
     return ticks;
 }
 
+const Family& family_of_row(const ChartRow& row) {
+    const std::string& text = row.configuration;
+    const Technique* technique = find_technique(std::string_view(text).substr(0, text.find(':')));
+    return technique != nullptr ? family_of(*technique) : families().back();
+}
+
 class Plot {
 public:
-    Plot(std::span<const ChartRow> rows, Metric metric) : rows_(rows), metric_(metric) {
+    Plot(std::span<const ChartRow> rows, Metric metric, const ChartLayout& layout)
+        : rows_(rows), metric_(metric), title_(layout.title), size_(glm::max(layout.size, LEAST_SIZE)) {
+        plot_ = {{LEFT, 0}, {size_.x - RIGHT, size_.y - BOTTOM}};
         std::vector<double> times, errors;
         for (const ChartRow& row : rows) {
             if (!row.numbers) continue;
@@ -67,23 +76,23 @@ public:
         for (const double error : errors)
             if (error >= most * LEAST_SHARE) least = std::min(least, error);
         const auto [shortest, longest] = std::ranges::minmax(times);
-        time_ = {0.8 * shortest, 1.3 * longest, PLOT.low.x, PLOT.high.x};
-        error_ = {0.75 * least, 1.3 * most, PLOT.high.y - STRIP, PLOT.low.y};
+        plot_.low.y = draw_legend() + 36;
+        time_ = {0.8 * shortest, 1.3 * longest, plot_.low.x, plot_.high.x};
+        error_ = {0.75 * least, 1.3 * most, plot_.high.y - STRIP, plot_.low.y};
         for (std::size_t i = 0; i < rows.size(); ++i) add_point(i);
     }
 
     Drawing draw(const std::string& times) {
-        drawing_.size = SIZE;
+        drawing_.size = size_;
         draw_titles(times);
         if (points_.empty()) {
             drawing_.texts.push_back(
-                {{PLOT.low.x + 20, PLOT.low.y + 40}, "Nothing could be drawn here.", AXIS_FONT, TEXT});
+                {{plot_.low.x + 20, plot_.low.y + 40}, "Nothing could be drawn here.", AXIS_FONT, TEXT});
             return drawing_;
         }
         draw_axes();
         draw_unsorted();
         draw_front();
-        draw_legend();
         for (const Point& point : points_)
             drawing_.marks.push_back({point.at, point.family->shape, point.family->color, RADIUS, point.row});
         draw_labels();
@@ -94,13 +103,11 @@ private:
     void add_point(std::size_t i) {
         if (!rows_[i].numbers) return;
         const double error = error_of(*rows_[i].numbers, metric_);
-        const float y = error < error_.least ? PLOT.high.y - 0.5f * STRIP : error_.at(error);
+        const float y = error < error_.least ? plot_.high.y - 0.5f * STRIP : error_.at(error);
         const std::string& text = rows_[i].configuration;
-        const Technique* technique = find_technique(std::string_view(text).substr(0, text.find(':')));
-        const Family& family = technique != nullptr ? family_of(*technique) : families().back();
         points_.push_back({i,
                            {time_.at(std::max(rows_[i].numbers->total.median, 1e-3)), y},
-                           &family,
+                           &family_of_row(rows_[i]),
                            text.find(':') == std::string::npos});
     }
 
@@ -116,43 +123,44 @@ private:
     void draw_titles(const std::string& times) {
         const MetricRow& metric = metrics()[static_cast<std::size_t>(metric_)];
         const std::string scene = rows_.empty() ? "" : rows_.front().scene;
+        if (title_)
+            drawing_.texts.push_back(
+                {{16, 24}, fmt::format("Speed against accuracy: {}", scene), TITLE_FONT, TEXT, true});
         drawing_.texts.push_back(
-            {{16, 24}, fmt::format("Speed against accuracy: {}", scene), TITLE_FONT, TEXT, true});
-        drawing_.texts.push_back(
-            {{16, 92}, fmt::format("{} against sorted", metric.symbol), AXIS_FONT, TEXT, true});
+            {{16, plot_.low.y - 12}, fmt::format("{} against sorted", metric.symbol), AXIS_FONT, TEXT, true});
         const std::string axis = fmt::format("total time of the transparent passes [ms], {}", times);
         drawing_.texts.push_back(
-            {{PLOT.high.x - text_width(axis, AXIS_FONT) * 1.1f, SIZE.y - 14}, axis, AXIS_FONT, TEXT, true});
+            {{plot_.high.x - text_width(axis, AXIS_FONT) * 1.1f, size_.y - 14}, axis, AXIS_FONT, TEXT, true});
     }
 
     void draw_axes() {
         for (const double tick : ticks_of(time_.least, time_.most)) {
             const float x = time_.at(tick);
-            add_line({{x, PLOT.low.y}, {x, PLOT.high.y}}, GRID, 1);
+            add_line({{x, plot_.low.y}, {x, plot_.high.y}}, GRID, 1);
             const std::string text = fmt::format("{:g}", tick);
             drawing_.texts.push_back(
-                {{x - 0.45f * text_width(text, AXIS_FONT), PLOT.high.y + 14}, text, AXIS_FONT, WEAK});
+                {{x - 0.45f * text_width(text, AXIS_FONT), plot_.high.y + 14}, text, AXIS_FONT, WEAK});
         }
         for (const double tick : ticks_of(error_.least, error_.most)) {
             const float y = error_.at(tick);
-            add_line({{PLOT.low.x, y}, {PLOT.high.x, y}}, GRID, 1);
+            add_line({{plot_.low.x, y}, {plot_.high.x, y}}, GRID, 1);
             right_aligned(fmt::format("{:g}", tick), y);
         }
-        add_line({{PLOT.low.x, PLOT.high.y - STRIP}, {PLOT.high.x, PLOT.high.y - STRIP}}, AXIS, 1);
-        add_line({{PLOT.low.x, PLOT.low.y}, {PLOT.low.x, PLOT.high.y}, PLOT.high}, AXIS, 1);
-        right_aligned(fmt::format("< {:.1g}", error_.least), PLOT.high.y - 0.5f * STRIP);
+        add_line({{plot_.low.x, plot_.high.y - STRIP}, {plot_.high.x, plot_.high.y - STRIP}}, AXIS, 1);
+        add_line({{plot_.low.x, plot_.low.y}, {plot_.low.x, plot_.high.y}, plot_.high}, AXIS, 1);
+        right_aligned(fmt::format("< {:.1g}", error_.least), plot_.high.y - 0.5f * STRIP);
     }
 
     void right_aligned(const std::string& text, float y) {
-        drawing_.texts.push_back({{PLOT.low.x - 6 - text_width(text, AXIS_FONT), y}, text, AXIS_FONT, WEAK});
+        drawing_.texts.push_back({{plot_.low.x - 6 - text_width(text, AXIS_FONT), y}, text, AXIS_FONT, WEAK});
     }
 
     void draw_unsorted() {
         const auto row = std::ranges::find(rows_, "unsorted", &ChartRow::configuration);
         if (row == rows_.end() || !row->numbers) return;
         const float x = time_.at(row->numbers->total.median);
-        add_line({{x, PLOT.low.y}, {x, PLOT.high.y}}, AXIS, 1.2f, true);
-        taken_.push_back({{x - 1, PLOT.low.y}, {x + 1, PLOT.high.y}});
+        add_line({{x, plot_.low.y}, {x, plot_.high.y}}, AXIS, 1.2f, true);
+        taken_.push_back({{x - 1, plot_.low.y}, {x + 1, plot_.high.y}});
     }
 
     // As a staircase, behind the marks: nothing that was measured lies to its lower left.
@@ -171,19 +179,21 @@ private:
         if (!stairs.empty()) add_line(stairs, FRONT, 1.6f);
     }
 
-    // In lines as long as the drawing is wide.
-    void draw_legend() {
-        glm::vec2 at(16, 48);
+    // In lines as long as the drawing is wide; returns where the last one stands.
+    float draw_legend() {
+        glm::vec2 at(16, title_ ? 48 : 14);
         const auto name = [&](const char* text) {
             drawing_.texts.push_back({at + glm::vec2(18, 0), text, FONT, TEXT});
             at.x += 18 + text_width(text, FONT) + 12;
         };
         const auto make_room = [&](const char* text) {
-            if (at.x + 18 + text_width(text, FONT) > SIZE.x) at = {16, at.y + 20};
+            if (at.x + 18 + text_width(text, FONT) > size_.x) at = {16, at.y + LEGEND_LINE};
         };
         for (const Family& family : families()) {
-            const auto is_of = [&](const Point& p) { return p.family == &family; };
-            if (std::ranges::none_of(points_, is_of)) continue;
+            const auto is_of = [&](const ChartRow& row) {
+                return row.numbers && &family_of_row(row) == &family;
+            };
+            if (std::ranges::none_of(rows_, is_of)) continue;
             make_room(family.name);
             drawing_.marks.push_back(
                 {at + glm::vec2(6, 0), family.shape, family.color, RADIUS, Drawing::NO_ROW});
@@ -195,6 +205,7 @@ private:
         make_room("time of unsorted");
         add_line({at - glm::vec2(2, 0), at + glm::vec2(14, 0)}, AXIS, 1.2f, true);
         name("time of unsorted");
+        return at.y;
     }
 
     // Those on the front first, then techniques as they are, then their variants.
@@ -209,11 +220,14 @@ private:
                     labels.push_back({point.at, short_name(rows_[point.row].configuration),
                                       0.85f * point.family->color, on_front});
             }
-        place_labels(drawing_, labels, taken_, {PLOT.low + 2.0f, PLOT.high - 2.0f}, FONT);
+        place_labels(drawing_, labels, taken_, {plot_.low + 2.0f, plot_.high - 2.0f}, FONT);
     }
 
     std::span<const ChartRow> rows_;
     Metric metric_;
+    bool title_;
+    glm::vec2 size_;
+    Box plot_;
     LogAxis time_{}, error_{};
     std::vector<Point> points_;
     std::vector<Box> taken_;  // where no label may stand
@@ -222,8 +236,9 @@ private:
 
 }  // namespace
 
-Drawing chart_drawing(std::span<const ChartRow> rows, Metric metric, const std::string& times) {
-    return Plot(rows, metric).draw(times);
+Drawing chart_drawing(std::span<const ChartRow> rows, Metric metric, const std::string& times,
+                      const ChartLayout& layout) {
+    return Plot(rows, metric, layout).draw(times);
 }
 
 }  // namespace momentscope

@@ -1,6 +1,7 @@
 #include "core/chart/measure.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -11,14 +12,14 @@ namespace momentscope {
 
 /// A configuration while it is measured, with a renderer of its own, so that no round links programs.
 struct ChartBench::Candidate {
-    const Configuration* configuration = nullptr;
+    Configuration configuration;
     std::unique_ptr<Renderer> renderer;  // null when this GL cannot draw it
     std::string unavailable;
     ChartNumbers numbers;
     std::vector<double> moments, color, composite, total, differential;  // of each round
 
     ChartRow row(const std::string& scene) const {
-        ChartRow result = {scene, configuration_text(*configuration), unavailable, {}};
+        ChartRow result = {scene, configuration_text(configuration), unavailable, {}};
         if (renderer != nullptr) result.numbers = numbers;
         return result;
     }
@@ -43,6 +44,8 @@ std::optional<int> unless_zero(int count, bool zero_means_it_grows) {
 std::size_t chart_steps(std::size_t configurations, const ChartSettings& settings) {
     return configurations * (2 + static_cast<std::size_t>(settings.repeat));  // errors, rounds, path
 }
+
+ChartBench::~ChartBench() = default;
 
 ChartBench::ChartBench(Scene scene, const ChartSettings& settings)
     : scene_(std::move(scene)), settings_(settings) {
@@ -76,44 +79,49 @@ void ChartBench::draw_references() {
 }
 
 void ChartBench::compare(Candidate& candidate) const {
-    candidate.renderer->render(view_of(*candidate.configuration));
+    candidate.renderer->render(view_of(candidate.configuration));
     const Image picture = candidate.renderer->read_picture();
     ChartNumbers& numbers = candidate.numbers;
     numbers.rmse = mean_difference(reference_, picture, Metric::rmse);
     numbers.delta_e = mean_difference(reference_, picture, Metric::delta_e);
     numbers.flip = mean_difference(reference_, picture, Metric::flip);
-    const Configuration& configuration = *candidate.configuration;
+    const Configuration& configuration = candidate.configuration;
     const Technique& technique = *configuration.technique;
     numbers.bits_per_pixel =
         unless_zero(bits_per_pixel(technique, configuration.values), technique.is_truth());
     numbers.geometry_passes = unless_zero(geometry_passes(configuration), true);
 }
 
-void ChartBench::time_round(std::span<Candidate> candidates, const std::stop_token& stop,
-                            const std::function<void()>& step) {
-    yardstick_->redraw();
-    const double unsorted = sum_of(yardstick_->pass_times());
-    for (Candidate& candidate : candidates) {
-        if (stop.stop_requested()) return;
-        if (candidate.renderer != nullptr) {
-            candidate.renderer->redraw();
-            const PassTimes& times = candidate.renderer->pass_times();
-            candidate.moments.push_back(times.moments);
-            candidate.color.push_back(times.color);
-            candidate.composite.push_back(times.composite);
-            candidate.total.push_back(sum_of(times));
-            candidate.differential.push_back(sum_of(times) - unsorted);
-        }
-        step();
-    }
+void ChartBench::prepare(Candidate& candidate) {
+    draw_references();
+    candidate.unavailable = why_unavailable(*candidate.configuration.technique, yardstick_->ordered_access());
+    if (!candidate.unavailable.empty()) return;
+    candidate.renderer = new_renderer();
+    compare(candidate);  // which also compiles its shaders
 }
 
-void ChartBench::follow_path(Candidate& candidate, const std::stop_token& stop) const {
-    View view = view_of(*candidate.configuration);
+void ChartBench::time(std::size_t place) {
+    if (place == 0) {
+        yardstick_->redraw();
+        unsorted_ = sum_of(yardstick_->pass_times());
+    }
+    Candidate& candidate = candidates_[place];
+    if (candidate.renderer == nullptr) return;
+    candidate.renderer->redraw();
+    const PassTimes& times = candidate.renderer->pass_times();
+    candidate.moments.push_back(times.moments);
+    candidate.color.push_back(times.color);
+    candidate.composite.push_back(times.composite);
+    candidate.total.push_back(sum_of(times));
+    candidate.differential.push_back(sum_of(times) - unsorted_);
+}
+
+void ChartBench::follow_path(Candidate& candidate) const {
+    View view = view_of(candidate.configuration);
     view.size = path_size(settings_.size);
     std::optional<double> before;
     const std::vector<Camera> path = camera_path(scene_.camera);
-    for (std::size_t i = 0; i < path.size() && !stop.stop_requested(); ++i) {
+    for (std::size_t i = 0; i < path.size(); ++i) {
         view.camera = path[i];
         candidate.renderer->render(view);
         const double error =
@@ -124,38 +132,53 @@ void ChartBench::follow_path(Candidate& candidate, const std::stop_token& stop) 
     }
 }
 
+void ChartBench::finish(Candidate& candidate) const {
+    if (candidate.renderer == nullptr) return;
+    ChartNumbers& numbers = candidate.numbers;
+    numbers.moments = spread_of(candidate.moments);
+    numbers.color = spread_of(candidate.color);
+    numbers.composite = spread_of(candidate.composite);
+    numbers.total = spread_of(candidate.total);
+    numbers.differential = spread_of(candidate.differential);
+    follow_path(candidate);
+}
+
+void ChartBench::begin(std::span<const Configuration> block) {
+    candidates_.clear();
+    for (const Configuration& configuration : block) candidates_.emplace_back().configuration = configuration;
+    block_size_ = block.size();
+    done_ = 0;
+}
+
+void ChartBench::advance() {
+    assert(!finished());
+    const std::size_t place = done_ % block_size_;
+    const std::size_t turn = done_ / block_size_;
+    if (turn == 0)
+        prepare(candidates_[place]);
+    else if (turn <= static_cast<std::size_t>(settings_.repeat))
+        time(place);
+    else
+        finish(candidates_[place]);
+    ++done_;
+}
+
+std::vector<ChartRow> ChartBench::rows() const {
+    assert(finished());
+    std::vector<ChartRow> rows;
+    for (const Candidate& candidate : candidates_) rows.push_back(candidate.row(scene_.id));
+    return rows;
+}
+
 std::vector<ChartRow> ChartBench::measure(std::span<const Configuration> block, const std::stop_token& stop,
                                           const std::function<void()>& step) {
-    draw_references();
-    std::vector<Candidate> candidates;
-    for (const Configuration& configuration : block) {
+    begin(block);
+    while (!finished()) {
         if (stop.stop_requested()) return {};
-        Candidate& candidate = candidates.emplace_back();
-        candidate.configuration = &configuration;
-        candidate.unavailable = why_unavailable(*configuration.technique, yardstick_->ordered_access());
-        if (candidate.unavailable.empty()) {
-            candidate.renderer = new_renderer();
-            compare(candidate);  // which also compiles its shaders
-        }
+        advance();
         step();
     }
-    for (int round = 0; round < settings_.repeat; ++round) time_round(candidates, stop, step);
-    std::vector<ChartRow> rows;
-    for (Candidate& candidate : candidates) {
-        if (stop.stop_requested()) return {};
-        if (candidate.renderer != nullptr) {
-            ChartNumbers& numbers = candidate.numbers;
-            numbers.moments = spread_of(candidate.moments);
-            numbers.color = spread_of(candidate.color);
-            numbers.composite = spread_of(candidate.composite);
-            numbers.total = spread_of(candidate.total);
-            numbers.differential = spread_of(candidate.differential);
-            follow_path(candidate, stop);
-        }
-        step();
-        rows.push_back(candidate.row(scene_.id));
-    }
-    return stop.stop_requested() ? std::vector<ChartRow>() : rows;
+    return stop.stop_requested() ? std::vector<ChartRow>() : rows();
 }
 
 }  // namespace momentscope

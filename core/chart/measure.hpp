@@ -18,15 +18,27 @@ struct ChartSettings {
     ParameterValues values;  // those of the picture: the order of submission
 };
 
+/// In how many steps so many configurations are measured.
+std::size_t chart_steps(std::size_t configurations, const ChartSettings& settings);
+
 /// Measures one scene. Needs a current GL context as long as it lives.
 class ChartBench {
 public:
     /// Throws Error when the scene cannot be drawn.
     ChartBench(Scene scene, const ChartSettings& settings);
+    ~ChartBench();
 
-    /// A row per configuration, in their order. They are timed in rounds, one after the other and after
-    /// `unsorted`, so that noise hits all alike. `step` is called after every one of chart_steps steps. Empty
-    /// when it was stopped. Throws Error when the GL fails.
+    /// Begins with a block of configurations, of which one picture at a time is drawn: advance() makes one of
+    /// the chart_steps steps, of which the first of a scene takes the longest, since it draws the references.
+    /// The rows are there once it is finished. Throws Error when the GL fails.
+    void begin(std::span<const Configuration> block);
+    bool finished() const { return done_ == chart_steps(block_size_, settings_); }
+    void advance();
+    std::vector<ChartRow> rows() const;
+
+    /// All steps of a block: a row per configuration, in their order. They are timed in rounds, one after the
+    /// other and after `unsorted`, so that noise hits all alike. `step` is called after every one of
+    /// chart_steps steps. Empty when it was stopped. Throws Error when the GL fails.
     std::vector<ChartRow> measure(std::span<const Configuration> block, const std::stop_token& stop,
                                   const std::function<void()>& step);
 
@@ -34,22 +46,24 @@ public:
 
 private:
     struct Candidate;
+    void prepare(Candidate& candidate);
+    void time(std::size_t candidate);
+    void finish(Candidate& candidate) const;
     View view_of(const Configuration& configuration) const;
     std::unique_ptr<Renderer> new_renderer() const;
     void draw_references();
     void compare(Candidate& candidate) const;
-    void time_round(std::span<Candidate> candidates, const std::stop_token& stop,
-                    const std::function<void()>& step);
-    void follow_path(Candidate& candidate, const std::stop_token& stop) const;
+    void follow_path(Candidate& candidate) const;
 
     Scene scene_;
     ChartSettings settings_;
     std::unique_ptr<Renderer> yardstick_;  // `unsorted`
     Image reference_;
     std::vector<Image> path_references_;
+    std::vector<Candidate> candidates_;  // the block
+    std::size_t block_size_ = 0;
+    std::size_t done_ = 0;  // steps
+    double unsorted_ = 0;   // milliseconds in this round
 };
-
-/// How often measuring so many configurations calls `step`.
-std::size_t chart_steps(std::size_t configurations, const ChartSettings& settings);
 
 }  // namespace momentscope
