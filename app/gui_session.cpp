@@ -61,13 +61,21 @@ void GuiSession::begin_frame(glm::ivec2 size, float seconds) {
 }
 
 void GuiSession::end_frame(glm::ivec2 size) {
+    end_frame();
+    paint(size);
+    if (window_ != nullptr) release_keys();
+}
+
+void GuiSession::end_frame() {
     ImGui::Render();
+}
+
+void GuiSession::paint(glm::ivec2 size) const {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, size.x, size.y);
     glClearColor(0, 0, 0, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-    if (window_ != nullptr) release_keys();
 }
 
 }  // namespace momentscope

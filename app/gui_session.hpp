@@ -21,6 +21,10 @@ public:
     void begin_frame(glm::ivec2 size, float seconds = 1.0f / 60);
     void end_frame(glm::ivec2 size);
 
+    /// The same in two steps: a frame that nobody looks at need not be painted.
+    static void end_frame();
+    void paint(glm::ivec2 size) const;
+
 private:
     static void on_key(GLFWwindow* window, int key, int scancode, int action, int modifiers);
     void release_keys();

@@ -21,7 +21,7 @@ HeadlessWindow::HeadlessWindow(glm::ivec2 size, const ui::ExplorerState& state, 
 void HeadlessWindow::draw() {
     gui_.begin_frame(size_, std::exchange(passed_, 0.0f) + 1.0f / 60);
     explorer_.frame();
-    gui_.end_frame(size_);
+    GuiSession::end_frame();
     log_.frame(explorer_);
     need_.drawn();
     if (const auto path = explorer_.take_window_export()) {
@@ -32,6 +32,11 @@ void HeadlessWindow::draw() {
             explorer_.say(error.what());
         }
     }
+}
+
+std::vector<unsigned char> HeadlessWindow::pixels() const {
+    gui_.paint(size_);
+    return read_framebuffer(size_);
 }
 
 void HeadlessWindow::settle() {

@@ -15,7 +15,8 @@ public:
     HeadlessWindow(glm::ivec2 size, const ui::ExplorerState& state, ui::ExplorerOptions options,
                    FrameLog& log);
 
-    /// Draws one frame, a sixtieth of a second after the last one and whatever passed.
+    /// Makes one frame, a sixtieth of a second after the last one and whatever passed. It is painted when
+    /// somebody asks for its pixels.
     void draw();
 
     /// Lets time pass before the next frame.
@@ -28,7 +29,7 @@ public:
     void idle();
 
     /// The window's content as sRGB RGBA bytes, from the top.
-    std::vector<unsigned char> pixels() const { return read_framebuffer(size_); }
+    std::vector<unsigned char> pixels() const;
     void write_png(const std::string& path) const;
 
     /// Another size from the next frame on, as when a window is resized. Not greater than the first.

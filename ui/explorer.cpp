@@ -226,14 +226,11 @@ bool Explorer::fragments_stale(const View& view, Stage stage) const {
 bool Explorer::wants_draft(const View& view, Stage stage) {
     constexpr float REST_SECONDS = 0.2f;
     if (stage == Stage::nothing || shown_view_.technique == nullptr) return false;
-    bool dragging = false;
-    for (int button = 0; button < ImGuiMouseButton_COUNT; ++button)
-        dragging |= ImGui::IsMouseDragging(button);
     const PassTimes& t = renderer_.pass_times();
     const double milliseconds = t.composite + (stage <= Stage::color ? t.color : 0) +
                                 (stage <= Stage::moments ? t.moments : 0) +
                                 (stage <= Stage::opaque ? t.opaque : 0);
-    if (!dragging || milliseconds <= options_.most_milliseconds) return false;
+    if (!ImGui::IsAnyMouseDown() || milliseconds <= options_.most_milliseconds) return false;
     const bool still = shows_draft() && first_stale_stage(draft_view_, view) == Stage::nothing;
     still_seconds_ = still ? still_seconds_ + ImGui::GetIO().DeltaTime : 0;
     return still_seconds_ < REST_SECONDS;

@@ -67,7 +67,7 @@ TEST_F(SessionTest, TheDialogOpensWhatItSaved) {
 }
 
 TEST_F(SessionTest, BrokenSessionsAreExplainedAndChangeNothing) {
-    open("spheres", "trig2-32");
+    open("planes", "trig2-32");
     const ui::ExplorerState before = state();
     const auto good = nlohmann::json::parse(ui::session_to_json(before).dump());
     const auto with = [&](const char* pointer, const nlohmann::json& value) {
