@@ -1,0 +1,95 @@
+// factorisation_test.cpp -- factoring once per pixel gives every fragment what it would have computed itself,
+// and follows whatever changes moments or bias. And the map of needed moments, on the scene whose answer is
+// known.
+#include <fmt/format.h>
+
+#include <bit>
+#include <map>
+
+#include "core/inspect/moments_needed.hpp"
+#include "tests/gl/gl_fixture.hpp"
+
+namespace momentscope::test {
+namespace {
+
+constexpr glm::ivec2 SIZE{96, 54};
+
+ParameterValues values_for(bool once, float alpha_scale, const Technique& technique) {
+    ParameterValues values;
+    values.set(ParameterId::factorisation, once ? 0.0f : 1.0f);
+    values.set(ParameterId::alpha, alpha_scale * automatic_bias(values, technique));
+    return values;
+}
+
+std::vector<float> transmittances(Renderer& renderer) {
+    std::vector<float> all;
+    for (const PixelCapture& capture : renderer.capture_region({0, 0}, SIZE))
+        all.insert(all.end(), capture.transmittance.begin(), capture.transmittance.end());
+    return all;
+}
+
+class FactorisationTest : public GlTest<testing::TestWithParam<const Technique*>> {};
+
+TEST_P(FactorisationTest, OncePerPixelGivesTheSameTransmittance) {
+    const Technique& technique = *GetParam();
+    for (const char* id : {"teapots", "ship"}) {
+        const Scene scene = load_scene(id, 0.4f);
+        Renderer renderer;
+        renderer.set_scene(scene);
+        // Bias, then the camera change, so that stored factors are stale twice.
+        for (const auto& [alpha_scale, turn] :
+             {std::pair(1.0f, 0.0f), std::pair(3.0f, 0.0f), std::pair(3.0f, 0.2f)}) {
+            Camera camera = scene.camera;
+            camera.azimuth += turn;
+            std::vector<float> found[2];
+            for (const bool once : {true, false}) {
+                renderer.render({camera, SIZE, &technique, values_for(once, alpha_scale, technique)});
+                found[once] = transmittances(renderer);
+            }
+            ASSERT_EQ(found[0].size(), found[1].size());
+            ASSERT_GT(found[0].size(), 2000u) << "a scene with few fragments tests little";
+            std::size_t different = 0, far = 0;
+            for (std::size_t i = 0; i < found[0].size(); ++i) {
+                different += std::bit_cast<int>(found[0][i]) == std::bit_cast<int>(found[1][i]) ? 0 : 1;
+                far += std::abs(found[0][i] - found[1][i]) <= 1e-5f ? 0 : 1;
+            }
+            fmt::print("{} on {}: {} of {} fragments differ, {} by more than 1e-5\n", technique.id, id,
+                       different, found[0].size(), far);
+            EXPECT_LE(far, found[0].size() / 1000);
+        }
+    }
+}
+
+std::vector<const Technique*> rows() {
+    std::vector<const Technique*> rows = moment_based_techniques();
+    std::erase_if(rows, [](const Technique* row) { return !row->uses(ParameterId::factorisation); });
+    return rows;
+}
+
+INSTANTIATE_TEST_SUITE_P(Techniques, FactorisationTest, testing::ValuesIn(rows()), [](const auto& row) {
+    std::string name = row.param->id;
+    std::ranges::replace(name, '-', '_');
+    return name;
+});
+
+class NeededMapTest : public GlTest<testing::Test> {};
+
+TEST_F(NeededMapTest, OfPlanesIsWhatTheNumberOfSheetsSays) {
+    const Scene scene = load_scene("planes", 0.4f);
+    Renderer renderer;
+    renderer.set_scene(scene);
+    renderer.render(view_of(scene, "sorted", SIZE));
+    constexpr std::array WANTED = {Needed::nothing, Needed::four, Needed::four, Needed::four, Needed::six};
+    std::map<std::size_t, long> pixels;
+    for (const char* basis : {"power", "chebyshev"})
+        for (const PixelCapture& capture : renderer.capture_region({0, 0}, SIZE)) {
+            const std::size_t sheets = capture.ray.fragments.size();
+            ++pixels[sheets];
+            EXPECT_EQ(pixel_need(capture.ray, moment_orders(basis), {}).by_certificate, WANTED.at(sheets))
+                << sheets;
+        }
+    EXPECT_EQ(pixels.size(), 5u) << "none to four sheets";
+}
+
+}  // namespace
+}  // namespace momentscope::test
