@@ -10,6 +10,7 @@
 #include "core/gl/gl_info.hpp"
 #include "core/render/renderer.hpp"
 #include "core/stress/tune.hpp"
+#include "ui/chart_panel.hpp"
 #include "ui/command_palette.hpp"
 #include "ui/comparison.hpp"
 #include "ui/file_dialog.hpp"
@@ -50,7 +51,9 @@ public:
     void frame();
 
     /// Does what is shown lag behind the state, so that another frame is needed without any input?
-    bool wants_frame() const { return !(state_ == shown_state_) || busy() || works() || worst_wanted_; }
+    bool wants_frame() const {
+        return !(state_ == shown_state_) || busy() || works() || worst_wanted_ || chart_panel_.busy();
+    }
 
     /// Does work go on beside the window? Frames are then needed to show how far it is.
     bool works() const {
@@ -78,6 +81,8 @@ public:
     void type_parameter(ParameterId id);
     void move_pick(glm::ivec2 by);
     void toggle_pin();
+    void measure_chart();
+    void cancel_chart() { chart_panel_.cancel(); }
     void next_worst_pixel() { worst_wanted_ = true; }
     void mark_next(int step);
     void close_topmost();
@@ -86,6 +91,7 @@ public:
     // What is shown.
     const Measurement& measurement() const { return measurement_; }
     const Comparison& comparison() const { return comparison_; }
+    const ChartPanel& chart_panel() const { return chart_panel_; }
     const FrameReport& report() const { return report_; }
     const std::string& message() const { return message_; }
 
@@ -104,7 +110,7 @@ public:
     void say(const std::string& message) { message_ = message; }
 
 private:
-    enum class FilePurpose { open_session, save_session, open_mesh, open_ray, save_export };
+    enum class FilePurpose { open_session, save_session, open_mesh, open_ray, save_export, save_chart };
 
     void poll_loader();
     void load_scene_if_changed();
@@ -136,6 +142,7 @@ private:
     void draw_work_area(const Ui& ui);
     void draw_right_side(const Ui& ui, ImVec2 size);
     void draw_tabs(const Ui& ui);
+    void draw_chart_panel(const Ui& ui);
     void draw_status(const Ui& ui);
     void draw_loading(const Ui& ui);
     void draw_tuning(const Ui& ui);
@@ -178,6 +185,7 @@ private:
     CommandPalette palette_;
     RayEditor ray_editor_;
     StressPanel stress_panel_;
+    ChartPanel chart_panel_;
     BackgroundWork<std::optional<TuneResult>> tuning_;
     const Technique* tuned_technique_ = nullptr;
     struct SharpBoundsInput {  // beside the ray
