@@ -231,6 +231,18 @@ void add_compare(List& list) {
                     "Measures the whole picture alone.",
                     [](Explorer& e) { e.state().compare.region.reset(); },
                     [](const Explorer& e) { return e.state().compare.region.has_value(); }});
+    list.push_back({"compare.measure_chart",
+                    "Measure the chart",
+                    {},
+                    "Takes time and error of every technique on this scene, in the Chart tab.",
+                    [](Explorer& e) { e.measure_chart(); },
+                    [](const Explorer& e) { return has_picture(e) && !e.chart_panel().measuring(); }});
+    list.push_back({"compare.cancel_chart",
+                    "Stop measuring the chart",
+                    {},
+                    "Ends the measurement; rows that are done stay.",
+                    [](Explorer& e) { e.cancel_chart(); },
+                    [](const Explorer& e) { return e.chart_panel().measuring(); }});
     for (const MetricRow& row : metrics())
         list.push_back(choice(
             fmt::format("compare.metric_{}", row.key), fmt::format("Metric: {}", row.name), {}, row.help,

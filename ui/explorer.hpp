@@ -11,6 +11,7 @@
 #include "core/gl/gl_info.hpp"
 #include "core/render/renderer.hpp"
 #include "core/stress/tune.hpp"
+#include "ui/chart_panel.hpp"
 #include "ui/command_palette.hpp"
 #include "ui/comparison.hpp"
 #include "ui/draft_picture.hpp"
@@ -57,7 +58,8 @@ public:
 
     /// Does what is shown lag behind the state, so that another frame is needed without any input?
     bool wants_frame() const {
-        return !(state_ == shown_state_) || busy() || works() || worst_wanted_ || shows_draft();
+        return !(state_ == shown_state_) || busy() || works() || worst_wanted_ || shows_draft() ||
+               chart_panel_.busy();
     }
 
     /// Is the picture one of reduced resolution, which the full one replaces as soon as the mouse rests?
@@ -89,6 +91,8 @@ public:
     void type_parameter(ParameterId id);
     void move_pick(glm::ivec2 by);
     void toggle_pin();
+    void measure_chart();
+    void cancel_chart() { chart_panel_.cancel(); }
     void next_worst_pixel() { worst_wanted_ = true; }
     void mark_next(int step);
     void close_topmost();
@@ -97,6 +101,7 @@ public:
     // What is shown.
     const Measurement& measurement() const { return measurement_; }
     const Comparison& comparison() const { return comparison_; }
+    const ChartPanel& chart_panel() const { return chart_panel_; }
     const FrameReport& report() const { return report_; }
     const std::string& message() const { return message_; }
 
@@ -115,7 +120,7 @@ public:
     void say(const std::string& message) { message_ = message; }
 
 private:
-    enum class FilePurpose { open_session, save_session, open_mesh, open_ray, save_export };
+    enum class FilePurpose { open_session, save_session, open_mesh, open_ray, save_export, save_chart };
 
     void poll_loader();
     void load_scene_if_changed();
@@ -149,6 +154,7 @@ private:
     void draw_work_area(const Ui& ui);
     void draw_right_side(const Ui& ui, ImVec2 size);
     void draw_tabs(const Ui& ui);
+    void draw_chart_panel(const Ui& ui);
     void draw_status(const Ui& ui);
     void draw_loading(const Ui& ui);
     void draw_tuning(const Ui& ui);
@@ -195,6 +201,7 @@ private:
     CommandPalette palette_;
     RayEditor ray_editor_;
     StressPanel stress_panel_;
+    ChartPanel chart_panel_;
     BackgroundWork<std::optional<TuneResult>> tuning_;
     const Technique* tuned_technique_ = nullptr;
     struct SharpBoundsInput {  // beside the ray

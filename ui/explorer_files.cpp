@@ -22,6 +22,11 @@ const std::vector<FileKind> EXPORTS = {{"curves_csv", "curves (CSV)", ".csv"},
                                        {"picture_exr", "picture (EXR, linear floats)", ".exr"},
                                        {"window_png", "whole window (PNG)", ".png"}};
 
+const std::vector<FileKind> CHART_FILES = {{"chart_csv", "rows (CSV), also for advise --chart", ".csv"},
+                                           {"chart_html", "chart (HTML page)", ".html"},
+                                           {"chart_svg", "chart (SVG)", ".svg"},
+                                           {"chart_md", "table (Markdown)", ".md"}};
+
 }  // namespace
 
 void Explorer::open_session_dialog() {
@@ -48,6 +53,17 @@ void Explorer::open_ray_dialog() {
 void Explorer::export_dialog() {
     file_purpose_ = FilePurpose::save_export;
     files_.open(FileDialog::Mode::save, "Export", EXPORTS, "curves.csv");
+}
+
+void Explorer::draw_chart_panel(const Ui& ui) {
+    if (!chart_panel_.draw(ui, scene_, state_, message_)) return;
+    file_purpose_ = FilePurpose::save_chart;
+    files_.open(FileDialog::Mode::save, "Save chart", CHART_FILES, "chart.csv");
+}
+
+void Explorer::measure_chart() {
+    state_.panel = Panel::chart;
+    chart_panel_.start(scene_, state_, message_);
 }
 
 void Explorer::draw_files(const Ui& ui) {
@@ -86,6 +102,10 @@ void Explorer::use_file(const FileDialog::Choice& choice) {
             break;
         case FilePurpose::save_export:
             export_to(choice);
+            break;
+        case FilePurpose::save_chart:
+            chart_panel_.write(choice.path);
+            message_ = fmt::format("Written to {}.", choice.path.string());
             break;
     }
 }

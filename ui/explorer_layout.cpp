@@ -52,6 +52,7 @@ void Explorer::frame() {
     stress_panel_.poll();
     poll_tuning();
     comparison_.poll();
+    if (!busy()) chart_panel_.work(state_, message_);
     const Ui ui = {palette(state_.theme), anchors_};
     const ImGuiViewport& viewport = *ImGui::GetMainViewport();
     ImGui::SetNextWindowPos(viewport.Pos);
@@ -152,7 +153,8 @@ void Explorer::draw_tabs(const Ui& ui) {
                                     "The reconstruction at the query depth, step by step.",
                                     "Move, add and colour fragments by hand.",
                                     "Where techniques break: all of them under hard conditions.",
-                                    "How far the picture is from a reference."};
+                                    "How far the picture is from a reference.",
+                                    "Time against error of all techniques, and advice."};
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     for (std::size_t i = 0; i < PANEL_NAMES.size(); ++i) {
         if (i > 0) flow(button_width(PANEL_NAMES[i]), right, 0.2f * em());
@@ -185,6 +187,9 @@ void Explorer::draw_tabs(const Ui& ui) {
             break;
         case Panel::compare:
             worst_wanted_ |= draw_compare_panel(ui, renderer_.ordered_access(), comparison_, state_);
+            break;
+        case Panel::chart:
+            draw_chart_panel(ui);
             break;
     }
     ImGui::EndChild();

@@ -22,7 +22,7 @@ using nlohmann::ordered_json;
 
 constexpr std::uintmax_t MAX_SESSION_BYTES = MAX_RAY_FILE_BYTES + (1U << 20);  // a ray is the only large part
 constexpr const char* PANELS[] = {"controls", "fragments", "technique", "steps",
-                                  "editor",   "stress",    "compare"};
+                                  "editor",   "stress",    "compare",   "chart"};
 constexpr const char* COMPARE_MODES[] = {"off", "wipe", "difference", "false_color"};
 constexpr const char* LENS_ZOOMS[] = {"far", "near", "values", "digits"};
 constexpr const char* QUANTITIES[] = {"absorbance", "transmittance"};

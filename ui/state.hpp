@@ -42,10 +42,10 @@ struct PlotState {
 };
 
 /// The tabs below the plot.
-enum class Panel { controls, fragments, technique, steps, editor, stress, compare };
+enum class Panel { controls, fragments, technique, steps, editor, stress, compare, chart };
 
-constexpr std::array<const char*, 7> PANEL_NAMES = {"Controls",   "Fragments", "Technique", "Steps",
-                                                    "Ray editor", "Stress",    "Compare"};
+constexpr std::array<const char*, 8> PANEL_NAMES = {"Controls",   "Fragments", "Technique", "Steps",
+                                                    "Ray editor", "Stress",    "Compare",   "Chart"};
 
 /// A view ray from a file. States share it, since a history holds many of them and a ray may be large; equal
 /// if it has the same content.

@@ -13,10 +13,11 @@ namespace momentscope {
 
 namespace {
 
-const glm::vec2 LEAST_SIZE(300, 240);
+const glm::vec2 LEAST_SIZE(300, 180);
 constexpr float LEFT = 76, RIGHT = 16, BOTTOM = 56;  // about the plot
-constexpr float LEGEND_LINE = 20;
-constexpr float STRIP = 30;  // at the bottom, for errors too small for the axis
+constexpr float CLOSE_BOTTOM = 42;                   // without a title
+constexpr float LEGEND_LINE = 20, LEGEND_TOP = 14;   // without a title
+constexpr float STRIP = 30;                          // at the bottom, for errors too small for the axis
 constexpr float RADIUS = 5;
 constexpr float FONT = 11, AXIS_FONT = 12, TITLE_FONT = 17;
 constexpr double LEAST_SHARE = 4e-3;  // of the greatest error, that still has a place of its own
@@ -63,7 +64,7 @@ class Plot {
 public:
     Plot(std::span<const ChartRow> rows, Metric metric, const ChartLayout& layout)
         : rows_(rows), metric_(metric), title_(layout.title), size_(glm::max(layout.size, LEAST_SIZE)) {
-        plot_ = {{LEFT, 0}, {size_.x - RIGHT, size_.y - BOTTOM}};
+        plot_ = {{LEFT, 0}, {size_.x - RIGHT, size_.y - (title_ ? BOTTOM : CLOSE_BOTTOM)}};
         std::vector<double> times, errors;
         for (const ChartRow& row : rows) {
             if (!row.numbers) continue;
@@ -76,7 +77,7 @@ public:
         for (const double error : errors)
             if (error >= most * LEAST_SHARE) least = std::min(least, error);
         const auto [shortest, longest] = std::ranges::minmax(times);
-        plot_.low.y = draw_legend() + 36;
+        plot_.low.y = (layout.legend ? draw_legend() : LEGEND_TOP - LEGEND_LINE) + 36;
         time_ = {0.8 * shortest, 1.3 * longest, plot_.low.x, plot_.high.x};
         error_ = {0.75 * least, 1.3 * most, plot_.high.y - STRIP, plot_.low.y};
         for (std::size_t i = 0; i < rows.size(); ++i) add_point(i);
@@ -128,7 +129,8 @@ private:
                 {{16, 24}, fmt::format("Speed against accuracy: {}", scene), TITLE_FONT, TEXT, true});
         drawing_.texts.push_back(
             {{16, plot_.low.y - 12}, fmt::format("{} against sorted", metric.symbol), AXIS_FONT, TEXT, true});
-        const std::string axis = fmt::format("total time of the transparent passes [ms], {}", times);
+        const std::string axis =
+            fmt::format("total time of the transparent passes [ms]{}{}", times.empty() ? "" : ", ", times);
         drawing_.texts.push_back(
             {{plot_.high.x - text_width(axis, AXIS_FONT) * 1.1f, size_.y - 14}, axis, AXIS_FONT, TEXT, true});
     }
@@ -181,7 +183,7 @@ private:
 
     // In lines as long as the drawing is wide; returns where the last one stands.
     float draw_legend() {
-        glm::vec2 at(16, title_ ? 48 : 14);
+        glm::vec2 at(16, title_ ? 48 : LEGEND_TOP);
         const auto name = [&](const char* text) {
             drawing_.texts.push_back({at + glm::vec2(18, 0), text, FONT, TEXT});
             at.x += 18 + text_width(text, FONT) + 12;

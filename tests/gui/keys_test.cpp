@@ -58,6 +58,7 @@ const std::map<std::string, Check>& checks() {
         {"view.lens_zoom",
          [](const Pressed& p) { EXPECT_EQ(p.now.state().lens_zoom, ui::LensZoom::digits); }},
         {"view.panel7", panel(ui::Panel::compare)},
+        {"view.panel8", panel(ui::Panel::chart)},
         {"compare.take_reference",
          [](const Pressed& p) {
              EXPECT_EQ(p.now.state().compare.reference, p.before.technique);

@@ -1,0 +1,65 @@
+// chart_measurement.hpp -- a chart of one scene that is measured between frames, and errors at held-out
+// views.
+#pragma once
+#include <array>
+#include <chrono>
+#include <memory>
+#include <vector>
+
+#include "core/chart/advice.hpp"
+#include "core/chart/held_out.hpp"
+#include "core/chart/measure.hpp"
+
+namespace momentscope::ui {
+
+/// Needs the window's GL context whenever it works. Whoever lets an Error out of it cancels.
+class ChartMeasurement {
+public:
+    /// Begins anew; what was measured before is forgotten. Throws Error when the scene cannot be drawn.
+    void start(const Scene& scene, std::vector<Configuration> configurations, const ChartSettings& settings);
+
+    /// Gives up what is not done; rows that are done stay.
+    void cancel() { bench_.reset(); }
+
+    /// Draws pictures for about so many seconds, at least one. Throws Error when the GL fails.
+    void advance(double seconds);
+
+    bool busy() const { return bench_ != nullptr; }
+    std::size_t steps_done() const { return done_; }
+    std::size_t steps() const { return all_; }
+    double seconds_left() const;
+
+    /// In the order of their configurations, block by block.
+    const std::vector<ChartRow>& rows() const { return rows_; }
+    const Configuration& configuration(std::size_t row) const { return configurations_[row]; }
+    const ChartSettings& settings() const { return settings_; }
+    const std::string& scene() const { return scene_.id; }
+
+    const HeldOutErrors& held_out(Metric metric) const { return held_out_[static_cast<std::size_t>(metric)]; }
+
+    /// Draws one view of a row whose error at held-out views is unknown. Throws Error when the GL fails.
+    void check(std::size_t row, Metric metric);
+
+private:
+    void begin_block();
+
+    Scene scene_;
+    ChartSettings settings_;
+    std::vector<Configuration> configurations_;
+    std::vector<ChartRow> rows_;
+    std::unique_ptr<ChartBench> bench_;
+    std::size_t done_ = 0, all_ = 0;
+    std::chrono::steady_clock::time_point begin_;
+
+    struct Check {
+        std::size_t row = 0;
+        Metric metric = Metric::rmse;
+        std::size_t view = 0;
+        double worst = 0;
+    };
+    std::unique_ptr<HeldOutViews> views_;  // made when they are first asked for
+    Check check_;
+    std::array<HeldOutErrors, METRIC_COUNT> held_out_;
+};
+
+}  // namespace momentscope::ui

@@ -1,0 +1,361 @@
+#include "ui/chart_panel.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/chart/advice_text.hpp"
+#include "core/chart/chart_csv.hpp"
+#include "core/chart/chart_drawing.hpp"
+#include "core/chart/chart_html.hpp"
+#include "core/chart/chart_run.hpp"
+#include "core/chart/family.hpp"
+#include "core/chart/grid.hpp"
+#include "core/error.hpp"
+#include "core/output_file.hpp"
+#include "ui/drawing_painter.hpp"
+
+namespace momentscope::ui {
+
+namespace {
+
+constexpr std::array SIZES = {glm::ivec2(160, 90), glm::ivec2(320, 180), glm::ivec2(640, 360)};
+constexpr double SLICE = 0.03;  // seconds of a frame that measuring may take, beside the picture it began
+constexpr float LABEL_WIDTH = 6.5f;  // font heights
+constexpr int MOST_BITS = 4096;
+
+// What every picture of a chart depends on, beside technique and parameters.
+ParameterValues picture_values(const ParameterValues& values) {
+    ParameterValues result;
+    for (const ParameterId id : {ParameterId::order, ParameterId::order_seed, ParameterId::opacity})
+        result.set(id, values[id]);
+    return result;
+}
+
+std::vector<Configuration> grid_of(bool standards_only, const ParameterValues& values) {
+    if (!standards_only) return chart_grid(values);
+    std::vector<Configuration> all;
+    for (const Technique& technique : techniques()) all.push_back({&technique, values});
+    return all;
+}
+
+std::string size_text(glm::ivec2 size) {
+    return fmt::format("{} x {}", size.x, size.y);
+}
+
+void label(const char* text) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(text);
+    ImGui::SameLine(LABEL_WIDTH * em());
+}
+
+float greatest_error(Metric metric) {
+    return metric == Metric::delta_e ? 50.0f : metric == Metric::flip ? 0.99f : 1.0f;
+}
+
+}  // namespace
+
+bool ChartPanel::is_stale(const ExplorerState& state) const {
+    return measurement_.scene() != state.scene ||
+           measurement_.settings().values != picture_values(state.parameters);
+}
+
+void ChartPanel::start(const Scene& scene, const ExplorerState& state, std::string& message) {
+    if (state.ray) return;
+    const ParameterValues values = picture_values(state.parameters);
+    ChartSettings settings;
+    settings.size = SIZES[size_];
+    settings.values = values;
+    advice_.reset();
+    drawn_ = {};
+    try {
+        measurement_.start(scene, grid_of(standards_only_, values), settings);
+    } catch (const Error& error) {
+        cancel();
+        message = error.what();
+    }
+}
+
+void ChartPanel::update_advice() {
+    bounds_.max_bits = bounds_bits_ ? std::optional(bits_) : std::nullopt;
+    if (measurement_.rows().empty()) return advice_.reset();
+    advice_ = advise(measurement_.rows(), bounds_, measurement_.held_out(bounds_.metric));
+}
+
+void ChartPanel::work(const ExplorerState& state, std::string& message) {
+    checking_ = false;
+    try {
+        if (measurement_.busy() && is_stale(state)) {
+            cancel();
+            message = "The scene or its order changed, so that the chart was ended; measure again.";
+        }
+        if (measurement_.busy()) measurement_.advance(SLICE);
+        if (state.panel != Panel::chart) return;
+        update_advice();
+        if (measurement_.busy() || !advice_ || is_stale(state)) return;
+        if (const auto row = unchecked(*advice_, measurement_.held_out(bounds_.metric))) {
+            measurement_.check(*row, bounds_.metric);
+            checking_ = true;
+        }
+    } catch (const Error& error) {
+        cancel();
+        message = error.what();
+    }
+}
+
+void ChartPanel::use(std::size_t row, ExplorerState& state) const {
+    const Configuration& configuration = measurement_.configuration(row);
+    state.technique = configuration.technique;
+    for (const ParameterId id : configuration.technique->parameters)
+        state.parameters.set(id, configuration.values[id]);
+}
+
+std::string ChartPanel::numbers_of(std::size_t row) const {
+    const ChartRow& of = measurement_.rows()[row];
+    const ChartNumbers& n = *of.numbers;
+    return fmt::format(
+        "{}\n{}, {}\ntotal {:.2f} ms (pass 1 {:.2f}, pass 2 {:.2f}, composite {:.2f})\nRMSE {:.3g}   ΔE {:.3g}   "
+        "FLIP {:.3g}   stability {:.1e}\n{}",
+        of.configuration, measurement_.configuration(row).technique->name,
+        family_of(*measurement_.configuration(row).technique).name, n.total.median, n.moments.median,
+        n.color.median, n.composite.median, n.rmse, n.delta_e, n.flip, n.stability,
+        n.bits_per_pixel ? fmt::format("{} bits per pixel", *n.bits_per_pixel)
+                         : std::string("bits that grow with the layers"));
+}
+
+void ChartPanel::draw_sizes(const Ui& ui) {
+    if (ImGui::BeginCombo("##size", size_text(SIZES[size_]).c_str())) {
+        for (std::size_t i = 0; i < SIZES.size(); ++i) {
+            if (ImGui::Selectable(size_text(SIZES[i]).c_str(), size_ == i)) size_ = i;
+            ui.mark(fmt::format("chart.size.{}", SIZES[i].x));
+        }
+        ImGui::EndCombo();
+    }
+    ui.mark("chart.size");
+    tooltip("How large the pictures are that are measured.");
+}
+
+// True when a file was asked for.
+bool ChartPanel::draw_controls(const Ui& ui, const Scene& scene, const ExplorerState& state,
+                               std::string& message) {
+    if (measurement_.busy()) {
+        const float share =
+            static_cast<float>(measurement_.steps_done()) / static_cast<float>(measurement_.steps());
+        ImGui::ProgressBar(share, {18 * em(), 0},
+                           fmt::format("{} of {}, {:.0f} s left", measurement_.steps_done(),
+                                       measurement_.steps(), std::ceil(measurement_.seconds_left()))
+                               .c_str());
+        ui.mark("chart.progress");
+        ImGui::SameLine();
+        if (ImGui::Button("cancel")) cancel();
+        ui.mark("chart.cancel");
+        tooltip("Ends the measurement; rows that are done stay.");
+        return false;
+    }
+    if (ImGui::Button("measure")) start(scene, state, message);
+    ui.mark("chart.measure");
+    tooltip(
+        "Draws the scene's own view by every technique, and takes its time and its error. The window goes on "
+        "meanwhile, but what it draws takes time from what is measured.");
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(7 * em());
+    draw_sizes(ui);
+    flow(button_width("standard parameters only") + 1.5f * em(), right, 0.5f * em());
+    ImGui::Checkbox("standard parameters only", &standards_only_);
+    ui.mark("chart.standards_only");
+    tooltip("Every technique once, without the grid of its parameters: about half the time.");
+    if (measurement_.rows().empty()) return false;
+    flow(button_width("save…"), right, 0.5f * em());
+    const bool asked = ImGui::Button("save…");
+    ui.mark("chart.save");
+    tooltip("Writes the rows as CSV, or the chart as HTML, SVG or Markdown.");
+    return asked;
+}
+
+void ChartPanel::draw_bounds(const Ui& ui) {
+    label("error");
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+    ImGui::SetNextItemWidth(5.5f * em());
+    if (ImGui::BeginCombo("##metric", metrics()[static_cast<std::size_t>(bounds_.metric)].symbol)) {
+        for (const MetricRow& row : metrics()) {
+            if (ImGui::Selectable(row.symbol, bounds_.metric == row.id)) {
+                bounds_.max_error *=
+                    static_cast<double>(greatest_error(row.id) / greatest_error(bounds_.metric));
+                bounds_.metric = row.id;
+            }
+            ui.mark(fmt::format("chart.metric.{}", row.key));
+        }
+        ImGui::EndCombo();
+    }
+    ui.mark("chart.metric");
+    tooltip("The error of the chart and of the advice.");
+    flow(9 * em(), right, 0.5f * em());
+    ImGui::SetNextItemWidth(9 * em());
+    const float most = greatest_error(bounds_.metric);
+    auto error = static_cast<float>(bounds_.max_error);
+    if (ImGui::SliderFloat("##max_error", &error, 1e-4f * most, most, "at most %.3g",
+                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
+        bounds_.max_error = static_cast<double>(error);
+    ui.mark("chart.max_error");
+    tooltip("The greatest error that is good enough, also at views that the rows were not measured at.",
+            "Ctrl+click to type");
+    flow(button_width("bits") + 8 * em(), right, 0.5f * em());
+    ImGui::Checkbox("bits", &bounds_bits_);
+    ui.mark("chart.bounds_bits");
+    tooltip("Bounds what a pixel stores beside the colour buffers.");
+    if (bounds_bits_) {
+        ImGui::SameLine();
+        ImGui::SetNextItemWidth(7 * em());
+        ImGui::SliderInt("##bits", &bits_, 1, MOST_BITS, "at most %d",
+                         ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+        ui.mark("chart.max_bits");
+        tooltip("Bits per pixel.", "Ctrl+click to type");
+    }
+    flow(button_width("any order") + 1.5f * em(), right, 0.5f * em());
+    ImGui::Checkbox("any order", &bounds_.order_independent);
+    ui.mark("chart.order_independent");
+    tooltip("Leaves out what depends on the order of submission.");
+}
+
+void ChartPanel::draw_row(const Ui& ui, const char* name, std::optional<std::size_t> row,
+                          const char* otherwise, bool stale, ExplorerState& state) {
+    label(name);
+    if (!row) return ImGui::TextDisabled("%s", otherwise);
+    ImGui::BeginDisabled(stale);
+    if (ImGui::Button(fmt::format("use##{}", name).c_str())) use(*row, state);
+    ImGui::EndDisabled();
+    ui.mark(fmt::format("chart.use.{}", name));
+    tooltip("Draws the picture with this technique and these parameters.");
+    ImGui::SameLine();
+    const ChartRow& of = measurement_.rows()[*row];
+    ImGui::TextWrapped("%s",
+                       fmt::format("{}: {}", short_name(of.configuration),
+                                   cost_text(of, bounds_.metric, measurement_.held_out(bounds_.metric)[*row]))
+                           .c_str());
+    tooltip(numbers_of(*row));
+}
+
+void ChartPanel::draw_advice(const Ui& ui, bool stale, ExplorerState& state) {
+    if (!advice_) return;
+    if (advice_->winner) {
+        draw_row(ui, "cheapest", advice_->winner, "", stale, state);
+        draw_row(ui, "runner-up", advice_->runner_up, "Nothing else meets the bounds.", stale, state);
+        draw_row(ui, "half error", advice_->next_better, "Nothing but a ground truth has it.", stale, state);
+    } else {
+        ImGui::TextWrapped("%s", no_advice_text(measurement_.rows(), bounds_,
+                                                measurement_.held_out(bounds_.metric), *advice_)
+                                     .c_str());
+        ui.mark("chart.nothing");
+        draw_row(ui, "nearest", advice_->nearest, "None of the rows is a candidate.", stale, state);
+    }
+    ImGui::TextDisabled("%s", measurement_.busy() ? "Of the rows so far, at their own view alone."
+                              : checking_         ? "Checking at other views…"
+                              : stale             ? "At their own view alone."
+                                                  : "Checked at six other views.");
+    ui.mark("chart.checked");
+}
+
+void ChartPanel::draw_chart(const Ui& ui, bool stale, ExplorerState& state) {
+    const float scale = em() / 14;
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    // The advice stands below; where there is little room, one scrolls to it, and families have names under
+    // the mouse alone.
+    const glm::vec2 size(std::max(room.x, 20 * em()), std::max(room.y - 10.5f * em(), 13.5f * em()));
+    const Drawn wanted = {measurement_.rows().size(), bounds_.metric, size};
+    if (!(drawn_ == wanted)) {
+        drawing_ = chart_drawing(measurement_.rows(), bounds_.metric, "",
+                                 {size / scale, false, size.y >= 20 * em()});
+        drawn_ = wanted;
+    }
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    ImGui::InvisibleButton("chart", {size.x, size.y});
+    const bool hovered = ImGui::IsItemHovered();
+    const bool clicked = ImGui::IsItemClicked();
+    ui.mark("chart.plot");
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 end = {origin.x + size.x, origin.y + size.y};
+    list.AddRectFilled(origin, end, IM_COL32_WHITE, 0.3f * em());
+    paint_drawing(list, drawing_, origin, scale);
+    if (stale) list.AddRectFilled(origin, end, IM_COL32(225, 225, 225, 170), 0.3f * em());
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const Drawing::Mark* nearest = nullptr;
+    float least = em();
+    for (const Drawing::Mark& mark : drawing_.marks) {
+        if (mark.row == Drawing::NO_ROW) continue;
+        const ImVec2 at = {origin.x + scale * mark.at.x, origin.y + scale * mark.at.y};
+        const float radius = scale * mark.radius;
+        ui.anchors[fmt::format("chart.{}", measurement_.rows()[mark.row].configuration)] = {
+            {at.x - radius, at.y - radius}, {at.x + radius, at.y + radius}};
+        if (advice_ && advice_->winner == mark.row)
+            list.AddCircle(at, radius + 0.45f * em(), IM_COL32(213, 0, 50, 255), 0, 0.15f * em());
+        const float distance = std::hypot(mouse.x - at.x, mouse.y - at.y);
+        if (!hovered || distance >= least) continue;
+        least = distance;
+        nearest = &mark;
+    }
+    if (nearest == nullptr) return;
+    tooltip(numbers_of(nearest->row), stale ? "" : "Click to draw the picture with it.");
+    if (clicked && !stale) use(nearest->row, state);
+}
+
+bool ChartPanel::draw(const Ui& ui, const Scene& scene, ExplorerState& state, std::string& message) {
+    if (state.ray) {
+        ImGui::TextWrapped(
+            "A view ray of its own has no picture to measure. The ray editor leads back to the scene.");
+        return false;
+    }
+    const bool asked = draw_controls(ui, scene, state, message);
+    if (measurement_.rows().empty()) {
+        ImGui::TextWrapped(
+            "%s", measurement_.busy()
+                      ? "The first rows come when their rounds are done."
+                      : "Time against error of every technique on this scene. Press measure; a click on a "
+                        "mark then draws the picture with that technique and its parameters, and bounds on "
+                        "error and bits name the cheapest one that meets them.");
+        return false;
+    }
+    const bool stale = is_stale(state);
+    if (stale) {
+        ImGui::TextWrapped(
+            "%s",
+            fmt::format("These rows are of {} at {}, in the order of submission of then; press measure for "
+                        "those of what is shown now.",
+                        measurement_.scene(), size_text(measurement_.settings().size))
+                .c_str());
+        ui.mark("chart.stale");
+    } else {
+        ImGui::TextDisabled("%s", fmt::format("{} configurations on {} at {}, the scene's own view",
+                                              measurement_.rows().size(), measurement_.scene(),
+                                              size_text(measurement_.settings().size))
+                                      .c_str());
+    }
+    draw_chart(ui, stale, state);
+    draw_bounds(ui);
+    update_advice();  // of the bounds as they are now
+    draw_advice(ui, stale, state);
+    return asked;
+}
+
+void ChartPanel::write(const std::filesystem::path& path) const {
+    ChartPlan plan;
+    plan.scenes = {measurement_.scene()};
+    plan.settings = measurement_.settings();
+    RunTable table = {{}, chart_columns(), {}};
+    for (std::size_t i = 0; i < measurement_.rows().size(); ++i) {
+        plan.configurations.push_back(measurement_.configuration(i));
+        table.rows.push_back(chart_line(measurement_.rows()[i]));
+    }
+    table.settings = chart_settings(plan, gl_info());
+    const std::string kind = path.extension().string();
+    if (kind == ".csv") return write_text_file(run_table_text(table), path);
+    const Chart chart = chart_of(table, path.string());
+    write_text_file(kind == ".html"  ? chart_to_html(chart, bounds_.metric)
+                    : kind == ".svg" ? chart_to_svg(chart, bounds_.metric)
+                                     : chart_to_markdown(chart, bounds_.metric),
+                    path);
+}
+
+}  // namespace momentscope::ui

@@ -1,0 +1,69 @@
+// chart_panel.hpp -- the tab that charts techniques on the scene, and advises one of them.
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/chart/drawing.hpp"
+#include "ui/chart_measurement.hpp"
+#include "ui/state.hpp"
+#include "ui/ui.hpp"
+
+namespace momentscope::ui {
+
+class ChartPanel {
+public:
+    /// Begins to measure the scene as the panel's controls say.
+    void start(const Scene& scene, const ExplorerState& state, std::string& message);
+    void cancel() { measurement_.cancel(); }
+
+    /// Draws some of the pictures that are still to be measured. Once per frame, whatever tab is open.
+    void work(const ExplorerState& state, std::string& message);
+
+    /// Are there pictures still to be drawn?
+    bool busy() const { return measurement_.busy() || checking_; }
+    bool measuring() const { return measurement_.busy(); }
+
+    /// True when a file of the chart was asked for. Clicks change technique and parameters.
+    bool draw(const Ui& ui, const Scene& scene, ExplorerState& state, std::string& message);
+
+    /// As .csv, .html, .svg or .md. Throws Error.
+    void write(const std::filesystem::path& path) const;
+
+    const ChartMeasurement& measurement() const { return measurement_; }
+    const std::optional<Advice>& advice() const { return advice_; }
+
+private:
+    bool is_stale(const ExplorerState& state) const;
+    void update_advice();
+    bool draw_controls(const Ui& ui, const Scene& scene, const ExplorerState& state, std::string& message);
+    void draw_sizes(const Ui& ui);
+    void draw_bounds(const Ui& ui);
+    void draw_advice(const Ui& ui, bool stale, ExplorerState& state);
+    void draw_row(const Ui& ui, const char* name, std::optional<std::size_t> row, const char* otherwise,
+                  bool stale, ExplorerState& state);
+    void draw_chart(const Ui& ui, bool stale, ExplorerState& state);
+    void use(std::size_t row, ExplorerState& state) const;
+    std::string numbers_of(std::size_t row) const;
+
+    ChartMeasurement measurement_;
+    std::size_t size_ = 1;  // of those that the panel offers
+    bool standards_only_ = false;
+    AdviceBounds bounds_;
+    bool bounds_bits_ = false;
+    int bits_ = 256;
+    std::optional<Advice> advice_;  // of the rows so far; nullopt while there are none
+    bool checking_ = false;         // at held-out views
+
+    struct Drawn {
+        std::size_t rows = 0;
+        Metric metric = Metric::rmse;
+        glm::vec2 size{0};
+        friend bool operator==(const Drawn&, const Drawn&) = default;
+    };
+    Drawn drawn_;
+    Drawing drawing_;
+};
+
+}  // namespace momentscope::ui
