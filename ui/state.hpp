@@ -120,7 +120,7 @@ struct ExplorerState {
     bool answer = false;    // is the card's answer shown?
     ThemeKind theme = ThemeKind::dark;
     float scene_share = 0.54f;  // of the window's width, in [0.2, 0.8]
-    float plot_share = 0.58f;   // of the right side's height, in [0.2, 0.8]
+    float plot_share = 0.54f;   // of the right side's height, in [0.2, 0.8]
     friend bool operator==(const ExplorerState&, const ExplorerState&) = default;
 };
 

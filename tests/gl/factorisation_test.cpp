@@ -3,6 +3,7 @@
 // known.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <map>
 
