@@ -18,8 +18,7 @@ std::complex<double> matrix_entry(const Technique& technique, const MomentVector
     const auto moment = [&](int k) {
         return k == 0 ? 1.0 : static_cast<double>(normalised.b[static_cast<std::size_t>(k - 1)]);
     };
-    if (technique.on_chebyshev())
-        return 0.5 * (moment(i + j) + moment(std::abs(i - j)));
+    if (technique.on_chebyshev()) return 0.5 * (moment(i + j) + moment(std::abs(i - j)));
     if (!technique.on_circle()) return moment(i + j);
     if (i == j) return 1.0;
     const auto k = static_cast<std::size_t>(2 * (std::abs(i - j) - 1));

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstring>
 #include <limits>
+#include <string_view>
 
 #include "app/headless_window.hpp"
 #include "core/error.hpp"
@@ -52,9 +53,10 @@ double updates_per_second(HeadlessWindow& window, const Drag& drag, int moves) {
     return moves / took.count();
 }
 
-void run(int moves) {
+void run(int moves, std::string_view only) {
     fmt::print("{:<12}{:<12}{:>16}{:>16}\n", "technique", "drag", "full picture", "draft");
-    for (const char* technique : {"power4-32", "power8-32", "trig3-32"})
+    for (const std::string_view technique : {"power4-32", "power8-32", "trig3-32"}) {
+        if (!only.empty() && only != technique) continue;
         for (const Drag& drag : {Drag{"beta", "parameter.beta", 0}, Drag{"camera", "scene", 1}}) {
             double rates[2];
             for (const bool draft : {false, true}) {
@@ -74,16 +76,17 @@ void run(int moves) {
             fmt::print("{:<12}{:<12}{:>14.1f}/s{:>14.1f}/s\n", technique, drag.name, rates[0], rates[1]);
             std::fflush(stdout);
         }
+    }
 }
 
 }  // namespace
 }  // namespace momentscope
 
 int main(int argc, char** argv) {
-    int moves = 20;
+    int moves = 20;  // the first argument; the second is a technique, if not all
     if (argc > 1) std::from_chars(argv[1], argv[1] + std::strlen(argv[1]), moves);
     try {
-        momentscope::run(std::max(moves, 1));
+        momentscope::run(std::max(moves, 1), argc > 2 ? argv[2] : "");
     } catch (const momentscope::Error& error) {
         std::fputs(fmt::format("drag_bench: {}\n", error.what()).c_str(), stderr);
         return 1;
