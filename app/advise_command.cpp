@@ -20,7 +20,6 @@ namespace momentscope {
 namespace {
 
 constexpr int MOST_BITS = 1'000'000;
-constexpr int MOST_ROUNDS = 1000;
 
 AdviceBounds parse_bounds(const Options& options) {
     AdviceBounds bounds;
@@ -99,9 +98,7 @@ Evidence read_evidence(const Options& options) {
 
 Evidence measured_evidence(const Options& options) {
     ChartPlan plan;
-    plan.settings.size = parse_size(options.size.empty() ? "320x180" : options.size);
-    plan.settings.repeat = parse_count(options.repeat, "number of rounds", 1, MOST_ROUNDS);
-    plan.settings.values = parse_parameters(options);
+    plan.settings = parse_chart_settings(options, "320x180");
     plan.scenes = {options.scene};
     plan.configurations = charted_configurations(options, plan.settings.values);
     Scene scene = load_scene_option(options, plan.settings.values);

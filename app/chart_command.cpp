@@ -16,8 +16,6 @@ namespace momentscope {
 
 namespace {
 
-constexpr int MOST_REPEATS = 1000;
-
 std::vector<std::string> parse_scenes(const std::string& text) {
     std::vector<std::string> scenes;
     if (text == "all")
@@ -30,9 +28,7 @@ std::vector<std::string> parse_scenes(const std::string& text) {
 
 ChartPlan parse_plan(const Options& options) {
     ChartPlan plan;
-    plan.settings.size = parse_size(options.size.empty() ? "640x360" : options.size);
-    plan.settings.repeat = parse_count(options.repeat, "number of rounds", 1, MOST_REPEATS);
-    plan.settings.values = parse_parameters(options);
+    plan.settings = parse_chart_settings(options, "640x360");
     plan.scenes = parse_scenes(options.scene);
     plan.configurations = charted_configurations(options, plan.settings.values);
     plan.shard = parse_shard(options.shard);

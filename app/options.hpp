@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/chart/measure.hpp"
 #include "core/render/view.hpp"
 #include "core/scene/scenes.hpp"
 #include "core/techniques/configuration.hpp"
@@ -86,6 +87,9 @@ std::vector<const Technique*> parse_techniques(const Options& options, const cha
 
 /// Ids of techniques, or configurations such as at:nodes=8, over the parameters that were typed.
 std::vector<Configuration> parse_configurations(const Options& options, const char* standard);
+
+/// Size, rounds and the pictures' parameters; `standard_size` as "WxH".
+ChartSettings parse_chart_settings(const Options& options, const char* standard_size);
 
 /// Those of a chart: an id alone stands for its part of the grid. Each once; the whole grid when none were
 /// typed.

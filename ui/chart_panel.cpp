@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 
-#include "core/chart/advice_text.hpp"
 #include "core/chart/chart_csv.hpp"
 #include "core/chart/chart_drawing.hpp"
 #include "core/chart/chart_html.hpp"
@@ -23,14 +22,11 @@ namespace {
 
 constexpr std::array SIZES = {glm::ivec2(160, 90), glm::ivec2(320, 180), glm::ivec2(640, 360)};
 constexpr double SLICE = 0.03;  // seconds of a frame that measuring may take, beside the picture it began
-constexpr float LABEL_WIDTH = 6.5f;  // font heights
-constexpr int MOST_BITS = 4096;
 
 // What every picture of a chart depends on, beside technique and parameters.
 ParameterValues picture_values(const ParameterValues& values) {
     ParameterValues result;
-    for (const ParameterId id : {ParameterId::order, ParameterId::order_seed, ParameterId::opacity})
-        result.set(id, values[id]);
+    for (const ParameterId id : CHART_PARAMETERS) result.set(id, values[id]);
     return result;
 }
 
@@ -45,14 +41,9 @@ std::string size_text(glm::ivec2 size) {
     return fmt::format("{} x {}", size.x, size.y);
 }
 
-void label(const char* text) {
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(text);
-    ImGui::SameLine(LABEL_WIDTH * em());
-}
-
-float greatest_error(Metric metric) {
-    return metric == Metric::delta_e ? 50.0f : metric == Metric::flip ? 0.99f : 1.0f;
+// Drawings are made for letters of 14 pixels.
+float drawing_scale() {
+    return em() / 14;
 }
 
 }  // namespace
@@ -175,101 +166,21 @@ bool ChartPanel::draw_controls(const Ui& ui, const Scene& scene, const ExplorerS
     return asked;
 }
 
-void ChartPanel::draw_bounds(const Ui& ui) {
-    label("error");
-    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
-    ImGui::SetNextItemWidth(5.5f * em());
-    if (ImGui::BeginCombo("##metric", metrics()[static_cast<std::size_t>(bounds_.metric)].symbol)) {
-        for (const MetricRow& row : metrics()) {
-            if (ImGui::Selectable(row.symbol, bounds_.metric == row.id)) {
-                bounds_.max_error *=
-                    static_cast<double>(greatest_error(row.id) / greatest_error(bounds_.metric));
-                bounds_.metric = row.id;
-            }
-            ui.mark(fmt::format("chart.metric.{}", row.key));
-        }
-        ImGui::EndCombo();
-    }
-    ui.mark("chart.metric");
-    tooltip("The error of the chart and of the advice.");
-    flow(9 * em(), right, 0.5f * em());
-    ImGui::SetNextItemWidth(9 * em());
-    const float most = greatest_error(bounds_.metric);
-    auto error = static_cast<float>(bounds_.max_error);
-    if (ImGui::SliderFloat("##max_error", &error, 1e-4f * most, most, "at most %.3g",
-                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
-        bounds_.max_error = static_cast<double>(error);
-    ui.mark("chart.max_error");
-    tooltip("The greatest error that is good enough, also at views that the rows were not measured at.",
-            "Ctrl+click to type");
-    flow(button_width("bits") + 8 * em(), right, 0.5f * em());
-    ImGui::Checkbox("bits", &bounds_bits_);
-    ui.mark("chart.bounds_bits");
-    tooltip("Bounds what a pixel stores beside the colour buffers.");
-    if (bounds_bits_) {
-        ImGui::SameLine();
-        ImGui::SetNextItemWidth(7 * em());
-        ImGui::SliderInt("##bits", &bits_, 1, MOST_BITS, "at most %d",
-                         ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-        ui.mark("chart.max_bits");
-        tooltip("Bits per pixel.", "Ctrl+click to type");
-    }
-    flow(button_width("any order") + 1.5f * em(), right, 0.5f * em());
-    ImGui::Checkbox("any order", &bounds_.order_independent);
-    ui.mark("chart.order_independent");
-    tooltip("Leaves out what depends on the order of submission.");
-}
-
-void ChartPanel::draw_row(const Ui& ui, const char* name, std::optional<std::size_t> row,
-                          const char* otherwise, bool stale, ExplorerState& state) {
-    label(name);
-    if (!row) return ImGui::TextDisabled("%s", otherwise);
-    ImGui::BeginDisabled(stale);
-    if (ImGui::Button(fmt::format("use##{}", name).c_str())) use(*row, state);
-    ImGui::EndDisabled();
-    ui.mark(fmt::format("chart.use.{}", name));
-    tooltip("Draws the picture with this technique and these parameters.");
-    ImGui::SameLine();
-    const ChartRow& of = measurement_.rows()[*row];
-    ImGui::TextWrapped("%s",
-                       fmt::format("{}: {}", short_name(of.configuration),
-                                   cost_text(of, bounds_.metric, measurement_.held_out(bounds_.metric)[*row]))
-                           .c_str());
-    tooltip(numbers_of(*row));
-}
-
-void ChartPanel::draw_advice(const Ui& ui, bool stale, ExplorerState& state) {
-    if (!advice_) return;
-    if (advice_->winner) {
-        draw_row(ui, "cheapest", advice_->winner, "", stale, state);
-        draw_row(ui, "runner-up", advice_->runner_up, "Nothing else meets the bounds.", stale, state);
-        draw_row(ui, "half error", advice_->next_better, "Nothing but a ground truth has it.", stale, state);
-    } else {
-        ImGui::TextWrapped("%s", no_advice_text(measurement_.rows(), bounds_,
-                                                measurement_.held_out(bounds_.metric), *advice_)
-                                     .c_str());
-        ui.mark("chart.nothing");
-        draw_row(ui, "nearest", advice_->nearest, "None of the rows is a candidate.", stale, state);
-    }
-    ImGui::TextDisabled("%s", measurement_.busy() ? "Of the rows so far, at their own view alone."
-                              : checking_         ? "Checking at other views…"
-                              : stale             ? "At their own view alone."
-                                                  : "Checked at six other views.");
-    ui.mark("chart.checked");
+void ChartPanel::update_drawing(glm::vec2 size) {
+    const Drawn wanted = {measurement_.rows().size(), bounds_.metric, size};
+    if (drawn_ == wanted) return;
+    drawing_ = chart_drawing(measurement_.rows(), bounds_.metric, "",
+                             {size / drawing_scale(), false, size.y >= 20 * em()});
+    drawn_ = wanted;
 }
 
 void ChartPanel::draw_chart(const Ui& ui, bool stale, ExplorerState& state) {
-    const float scale = em() / 14;
+    const float scale = drawing_scale();
     const ImVec2 room = ImGui::GetContentRegionAvail();
     // The advice stands below; where there is little room, one scrolls to it, and families have names under
     // the mouse alone.
     const glm::vec2 size(std::max(room.x, 20 * em()), std::max(room.y - 10.5f * em(), 13.5f * em()));
-    const Drawn wanted = {measurement_.rows().size(), bounds_.metric, size};
-    if (!(drawn_ == wanted)) {
-        drawing_ = chart_drawing(measurement_.rows(), bounds_.metric, "",
-                                 {size / scale, false, size.y >= 20 * em()});
-        drawn_ = wanted;
-    }
+    update_drawing(size);
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton("chart", {size.x, size.y});
     const bool hovered = ImGui::IsItemHovered();

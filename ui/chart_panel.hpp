@@ -40,10 +40,13 @@ private:
     bool draw_controls(const Ui& ui, const Scene& scene, const ExplorerState& state, std::string& message);
     void draw_sizes(const Ui& ui);
     void draw_bounds(const Ui& ui);
+    void draw_error_bound(const Ui& ui, float right);  // right: end of the room, on the screen
+    void draw_bits_bound(const Ui& ui, float right);
     void draw_advice(const Ui& ui, bool stale, ExplorerState& state);
     void draw_row(const Ui& ui, const char* name, std::optional<std::size_t> row, const char* otherwise,
                   bool stale, ExplorerState& state);
     void draw_chart(const Ui& ui, bool stale, ExplorerState& state);
+    void update_drawing(glm::vec2 size);
     void use(std::size_t row, ExplorerState& state) const;
     std::string numbers_of(std::size_t row) const;
 

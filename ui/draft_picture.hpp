@@ -20,9 +20,7 @@ public:
     /// Exact fragments of the draft's pixel at that place, a fraction of the picture.
     PixelCapture capture(glm::vec2 place);
 
-    const PassCounts& pass_counts() const { return renderer_->pass_counts(); }
     GLuint display_texture() const { return renderer_->display_texture(); }
-    int divisor() const { return divisor_; }
 
 private:
     std::unique_ptr<Renderer> renderer_;  // made when it is first asked for

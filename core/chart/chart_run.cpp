@@ -28,10 +28,9 @@ std::string texts_of(const std::vector<Configuration>& configurations) {
     return fmt::format("{}", fmt::join(texts, " "));
 }
 
-// Those that change pictures of all techniques; the others stand in the configurations.
 std::string parameters_text(const ParameterValues& values) {
     std::string text;
-    for (const ParameterId id : {ParameterId::order, ParameterId::order_seed, ParameterId::opacity})
+    for (const ParameterId id : CHART_PARAMETERS)
         text += fmt::format("{}{}={}", text.empty() ? "" : " ", parameter(id).key,
                             parameter_text(parameter(id), values[id]));
     return text;

@@ -1,5 +1,6 @@
 // measure.hpp -- what configurations cost on a scene, and how wrong their pictures are.
 #pragma once
+#include <array>
 #include <functional>
 #include <memory>
 #include <span>
@@ -11,6 +12,10 @@
 #include "core/techniques/configuration.hpp"
 
 namespace momentscope {
+
+/// Those that change the pictures of all techniques; the others stand in the configurations.
+inline constexpr std::array CHART_PARAMETERS = {ParameterId::order, ParameterId::order_seed,
+                                                ParameterId::opacity};
 
 struct ChartSettings {
     glm::ivec2 size{640, 360};

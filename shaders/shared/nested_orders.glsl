@@ -55,16 +55,6 @@ FN Reconstruction reconstruct_with_4(IN(Query) query, IN(Factor) factor, IN(Basi
     return representation(kernel.at_query, roots, masses, query, basis);
 }
 
-FN Reconstruction reconstruct_with_8(IN(Query) query, IN(Factor) factor, IN(Basis) basis)
-{
-    Kernel kernel = kernel_polynomial(query, factor);
-    Roots roots = real_roots(kernel.in_t);
-    Masses masses;
-    UNROLL
-    for (int l = 0; l < ROOT_COUNT; ++l) masses.weight[l] = node_weight(roots.t[l], query, factor);
-    return representation(kernel.at_query, roots, masses, query, basis);
-}
-
 /// depth in [-1, 1]. Between the orders, nodes are those of eight moments, scaled to what the mixed mass at the query
 /// leaves.
 FN Reconstruction reconstruct(IN(Factor) factor, IN(Basis) basis, float depth)
@@ -73,7 +63,7 @@ FN Reconstruction reconstruct(IN(Factor) factor, IN(Basis) basis, float depth)
     Reconstruction of_4 = reconstruct_with_4(query, factor, basis);
     float share = share_of_8(query_weights(query, factor), of_4.in_front, factor.b0, basis.tolerance);
     if (share <= 0.0f) return of_4;
-    Reconstruction result = reconstruct_with_8(query, factor, basis);
+    Reconstruction result = reconstruct_with_all(query, factor, basis);
     PRECISE float in_front = of_4.in_front + share * (result.in_front - of_4.in_front);
     PRECISE float query_weight = of_4.query_weight + share * (result.query_weight - of_4.query_weight);
     PRECISE float scale = (1.0f - query_weight) / max(1.0f - result.query_weight, 1.0e-6f);

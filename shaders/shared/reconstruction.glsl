@@ -115,19 +115,23 @@ FN Reconstruction representation(float at_query, IN(Roots) roots, IN(Masses) nod
     return result;
 }
 
-#ifdef NESTED_ORDERS
-#include "nested_orders.glsl"
-#else
-/// depth in [-1, 1].
-FN Reconstruction reconstruct(IN(Factor) factor, IN(Basis) basis, float depth)
+FN Reconstruction reconstruct_with_all(IN(Query) query, IN(Factor) factor, IN(Basis) basis)
 {
-    Query query = query_at(depth, factor, basis);
     Kernel kernel = kernel_polynomial(query, factor);
     Roots roots = real_roots(kernel.in_t);
     Masses masses;
     UNROLL
     for (int l = 0; l < ROOT_COUNT; ++l) masses.weight[l] = node_weight(roots.t[l], query, factor);
     return representation(kernel.at_query, roots, masses, query, basis);
+}
+
+#ifdef NESTED_ORDERS
+#include "nested_orders.glsl"
+#else
+/// depth in [-1, 1].
+FN Reconstruction reconstruct(IN(Factor) factor, IN(Basis) basis, float depth)
+{
+    return reconstruct_with_all(query_at(depth, factor, basis), factor, basis);
 }
 #endif
 

@@ -1,0 +1,40 @@
+// explorer_draft.cpp -- the picture while a control moves.
+#include "ui/explorer.hpp"
+
+namespace momentscope::ui {
+
+// While the mouse drags what takes long to draw, until it rests.
+bool Explorer::wants_draft(const View& view, Stage stage) {
+    constexpr float REST_SECONDS = 0.2f;
+    if (stage == Stage::nothing || shown_view_.technique == nullptr) return false;
+    const PassTimes& t = renderer_.pass_times();
+    const double milliseconds = t.composite + (stage <= Stage::color ? t.color : 0) +
+                                (stage <= Stage::moments ? t.moments : 0) +
+                                (stage <= Stage::opaque ? t.opaque : 0);
+    if (!ImGui::IsAnyMouseDown() || milliseconds <= options_.most_milliseconds) return false;
+    const bool still = shows_draft() && first_stale_stage(draft_view_, view) == Stage::nothing;
+    still_seconds_ = still ? still_seconds_ + ImGui::GetIO().DeltaTime : 0;
+    return still_seconds_ < REST_SECONDS;
+}
+
+// The plot stays exact: it is of all fragments at the picked place, to the draft's pixel while the camera
+// moves.
+void Explorer::draw_draft(const View& view, Stage stage) {
+    if (first_stale_stage(draft_view_, view) != Stage::nothing) {
+        draft_.draw(view, options_.most_milliseconds);
+        draft_view_ = view;
+        report_.draft = true;
+        if (fragments_stale(view, stage)) {
+            const glm::ivec2 pixel = pixel_of(state_.picked, scene_, view.size);
+            measurement_.capture = draft_.capture(fraction_of(pixel, view.size));
+            report_.capture = draft_captured_ = true;
+        }
+        measurement_.capture.transmittance.clear();
+        transmittance_stale_ = true;
+    }
+    picture_.texture = draft_.display_texture();
+    picture_.overlay = 0;
+    measure_if_changed(report_.capture);
+}
+
+}  // namespace momentscope::ui
