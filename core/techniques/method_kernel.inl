@@ -1,5 +1,5 @@
-// method_kernel.inl -- the body of a MethodKernel. A file generated from method_kernel.cpp.in defines KERNEL_ID and METHOD_FILE
-// (a file of shaders/shared) and includes this.
+// method_kernel.inl -- the body of a MethodKernel. A file generated from method_kernel.cpp.in defines
+// KERNEL_ID and METHOD_FILE (a file of shaders/shared) and includes this.
 #include "core/glsl.hpp"
 #include "core/techniques/method_kernel.hpp"
 #include "core/techniques/method_techniques.hpp"
@@ -69,8 +69,7 @@ PixelState with_fragment(const PixelState& state, const MethodFragment& fragment
 #ifdef STATE_ORDERED
     return from_shared(g::with_fragment(to_shared(state), to_shared(fragment), to_shared(settings)));
 #else
-    const PixelState added =
-        from_shared(g::fragment_state(to_shared(fragment), to_shared(settings)));
+    const PixelState added = from_shared(g::fragment_state(to_shared(fragment), to_shared(settings)));
 #if defined(STATE_NEAREST)
     return added.f[3] <= state.f[3] ? added : state;
 #elif defined(STATE_SAMPLES)
@@ -89,10 +88,10 @@ PixelState with_fragment(const PixelState& state, const MethodFragment& fragment
 #ifdef SECOND_STATE
 PixelState with_fragment_again(const PixelState& state, const PixelState& read,
                                const MethodFragment& fragment, const MethodSettings& settings) {
-    return blended(state,
-                   from_shared(g::second_fragment_state(to_shared(read), to_shared(fragment),
-                                                        to_shared(settings))),
-                   1.0f);
+    return blended(
+        state,
+        from_shared(g::second_fragment_state(to_shared(read), to_shared(fragment), to_shared(settings))),
+        1.0f);
 }
 
 PixelState readable(const PixelState& state, const MethodSettings& settings) {

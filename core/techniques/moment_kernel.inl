@@ -91,8 +91,7 @@ constexpr bool HAS_TEXTBOOK = true;
 
 float textbook(const g::Moments& moments, const ReconstructionSettings& settings, float overestimation,
                float depth) {
-    return g::textbook_fraction(moments, depth, settings.bias, overestimation,
-                                basis_of(settings));
+    return g::textbook_fraction(moments, depth, settings.bias, overestimation, basis_of(settings));
 }
 #else
 constexpr bool HAS_TEXTBOOK = false;
