@@ -3,6 +3,7 @@
 #include "core/chart/chart_csv.hpp"
 #include "core/chart/chart_drawing.hpp"
 #include "core/chart/chart_html.hpp"
+#include "core/chart/family.hpp"
 #include "core/chart/grid.hpp"
 #include "core/chart/pareto.hpp"
 #include "tests/unit/expect_error.hpp"
@@ -162,6 +163,14 @@ TEST(ChartDrawing, LabelsOverlapNeitherMarksNorEachOtherNorTheEdge) {
     std::size_t marks = 0;
     for (const Drawing::Mark& mark : drawing.marks) marks += mark.row != Drawing::NO_ROW ? 1 : 0;
     EXPECT_EQ(marks, rows.size());
+}
+
+TEST(Families, HoldEveryTechniqueWithMomentsByItsBasis) {
+    for (const Technique* technique : moment_based_techniques()) {
+        const std::string_view name = family_of(*technique).name;
+        EXPECT_TRUE(name.ends_with(" moments")) << technique->id << " is among " << name;
+        EXPECT_EQ(name.starts_with("Chebyshev"), technique->on_chebyshev()) << technique->id;
+    }
 }
 
 TEST(ChartDrawing, BearsScenesWithoutNumbers) {
