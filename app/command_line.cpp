@@ -69,6 +69,11 @@ void add_inspect(CLI::App& app, Options& options) {
     inspect->add_flag(
         "--sharp-bounds", options.sharp_bounds,
         "add the least and greatest absorbance that the moments leave possible (a linear program)");
+    inspect->add_flag("--light", options.light,
+                      "the function that the light's map has of what the pixel shows, instead of the eye's");
+    inspect->add_option(
+        "--receiver", options.receiver,
+        "of --light: surface, the opaque one, or the number of a fragment from 1, the nearest [surface]");
     inspect->add_option("--format", options.format, "json, csv or table [json]");
     inspect->add_option("-o,--output", options.output, "file to write instead of standard output");
     add_parameter_options(*inspect, options);

@@ -11,7 +11,7 @@
 #include "core/inspect/verdict.hpp"
 #include "core/output_file.hpp"
 #include "core/ray/ray_json.hpp"
-#include "core/render/renderer.hpp"
+#include "core/render/light_view.hpp"
 #include "core/scene/camera.hpp"
 
 namespace momentscope {
@@ -20,7 +20,24 @@ namespace {
 
 constexpr int MAX_SAMPLES = 1'000'000;
 
-PixelCapture capture_scene_pixel(const Options& options, const Configuration& configuration) {
+/// What is inspected: a pixel, or what lights it.
+struct Subject {
+    PixelCapture capture;
+    std::optional<LightView> light;
+};
+
+// nullopt for the opaque surface.
+std::optional<std::size_t> parse_receiver(const std::string& text, const ViewRay& ray) {
+    if (text.empty() || text == "surface") return std::nullopt;
+    const int number = parse_count(text, "receiver", 1, MAX_SAMPLES);
+    const std::vector<std::size_t> order = front_to_back(ray);
+    if (static_cast<std::size_t>(number) > order.size())
+        throw Error(fmt::format("The pixel has {}; give a --receiver from 1 to their number, or surface.",
+                                fragment_count_text(order.size())));
+    return order[static_cast<std::size_t>(number - 1)];
+}
+
+Subject capture_scene_pixel(const Options& options, const Configuration& configuration) {
     const glm::ivec2 size = parse_size(options.size.empty() ? "960x540" : options.size);
     std::optional<glm::ivec2> pixel;
     if (!options.pixel.empty()) pixel = parse_pixel(options.pixel, size);
@@ -28,14 +45,34 @@ PixelCapture capture_scene_pixel(const Options& options, const Configuration& co
     const auto context = make_gl_context("osmesa", {16, 16});
     Renderer renderer;
     renderer.set_scene(scene);
-    renderer.render({scene.camera, size, configuration.technique, configuration.values});
-    return renderer.capture_pixel(pixel.value_or(picked_pixel(scene, size)));
+    ParameterValues values = configuration.values;
+    if (options.light) values.set(ParameterId::shadows, 1.0f);
+    renderer.render({scene.camera, size, configuration.technique, values});
+    const glm::ivec2 at = pixel.value_or(picked_pixel(scene, size));
+    Subject subject = {renderer.capture_pixel(at), {}};
+    if (!options.light) return subject;
+    subject.light =
+        view_from_light(renderer, at, subject.capture, parse_receiver(options.receiver, subject.capture.ray));
+    if (!subject.light)
+        throw Error(fmt::format("Pixel {},{} shows nothing that could receive light; give another --pixel.",
+                                at.x, at.y));
+    return subject;
 }
 
-PixelCapture ray_of_file(const std::string& path) {
-    PixelCapture capture;
-    capture.ray = read_ray_file(path);
-    return capture;
+Subject ray_of_file(const std::string& path) {
+    Subject subject;
+    subject.capture.ray = read_ray_file(path);
+    return subject;
+}
+
+std::string text_of_light(const LightView& light) {
+    const LightVerdict& v = light.verdict;
+    return fmt::format(
+        "Receiver at depth {:.5f} seen from the light, {} in {} texels.\n"
+        "Transparent casters let through {:.4f} (truth {:.4f}), opaque ones {:.4f} (truth {:.4f}); shaded with {:.4f}.\n{}\n",
+        static_cast<double>(light.bundle.place.depth), fragment_count_text(light.ray.fragments.size()),
+        light.bundle.texels.size(), v.transmittance, v.true_transmittance, 1 - v.shadowed,
+        1 - v.true_shadowed, light.visibility, v.sentence);
 }
 
 // One line for each technique, below a table of curves.
@@ -75,7 +112,7 @@ void run_inspect(const Options& options) {
     const std::string format = options.format.empty() ? "json" : options.format;
     if (format != "json" && format != "csv" && format != "table")
         throw Error(fmt::format("There is no format '{}'; use json, csv or table.", format));
-    const auto configurations = parse_configurations(options, "power6-32");
+    auto configurations = parse_configurations(options, "power6-32");
     if (options.steps && !options.format.empty()) throw Error("The steps are text; leave --format out.");
     if (options.steps && options.sharp_bounds)
         throw Error("Sharp bounds belong to curves; leave --steps or --sharp-bounds out.");
@@ -84,21 +121,27 @@ void run_inspect(const Options& options) {
                                           ? even_depths(static_cast<std::size_t>(parse_count(
                                                 options.samples, "number of samples", 2, MAX_SAMPLES)))
                                           : parse_depths(options.depths);
+    if (options.light && !options.ray.empty())
+        throw Error("A ray from a file has no scene and no light; leave --light or --ray out.");
+    if (!options.light && !options.receiver.empty()) throw Error("A --receiver belongs to --light.");
     if (!options.output.empty()) require_writable(options.output);
-    const PixelCapture capture =
+    const Subject subject =
         options.ray.empty() ? capture_scene_pixel(options, configurations.front()) : ray_of_file(options.ray);
-    const ViewRay& ray = capture.ray;
+    const ViewRay& ray = subject.light ? subject.light->ray : subject.capture.ray;
+    if (subject.light) configurations = {subject.light->configuration};
     std::vector<Curve> curves;
     curves.reserve(configurations.size());
     for (const Configuration& one : configurations)
         curves.push_back(sample_curve(ray, *one.technique, one.values, depths));
     if (options.sharp_bounds)
         for (Curve& curve : curves) add_sharp_bounds(curve, ray);
-    const std::string text = options.steps      ? text_of_steps(curves, depths)
-                             : format == "json" ? curves_to_json(ray, curves)
-                             : format == "csv"
-                                 ? curves_to_csv(curves)
-                                 : curves_to_table(ray, curves) + text_of_verdicts(capture, curves);
+    const std::string text =
+        options.steps      ? text_of_steps(curves, depths)
+        : format == "json" ? curves_to_json(ray, curves)
+        : format == "csv"
+            ? curves_to_csv(curves)
+            : curves_to_table(ray, curves) +
+                  (subject.light ? text_of_light(*subject.light) : text_of_verdicts(subject.capture, curves));
     if (options.output.empty())
         std::fputs(text.c_str(), stdout);
     else

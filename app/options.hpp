@@ -44,6 +44,8 @@ struct Options {
     bool order_independent = false;
     bool steps = false;
     bool sharp_bounds = false;
+    bool light = false;    // of inspect: seen from the light
+    std::string receiver;  // "surface" or the number of a fragment
     bool headless = false;
     std::string screenshot;
     std::string session;

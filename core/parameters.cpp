@@ -28,6 +28,25 @@ constexpr std::array ORDERS = {"submitted", "reversed", "shuffled"};
 constexpr std::array DEPTH_RANGES = {"corrected", "published"};
 constexpr std::array TONE_MAPS = {"none", "reinhard", "filmic"};
 
+// Moments in floats, which may be filtered; two sizes of Fourier series; and the ground truth.
+std::vector<const char*> shadow_techniques() {
+    std::vector<const char*> ids;
+#define MOMENT_TECHNIQUE(id, basis, count, bits, key, ...) \
+    if (bits == 32) ids.push_back(key);
+#include "core/techniques/moment_techniques.def"
+#undef MOMENT_TECHNIQUE
+    ids.insert(ids.end(), {"fourier-7", "fourier-15", "deep"});
+    return ids;
+}
+const std::vector<const char*> SHADOW_TECHNIQUES = shadow_techniques();
+
+constexpr std::array OPAQUE_SHADOWS = {
+#define OPAQUE_SHADOW(id, file, count, bits, key, ...) key,
+#include "core/shadow/opaque_shadows.def"
+#undef OPAQUE_SHADOW
+};
+constexpr float HAMBURGER_16 = 3;  // among them
+
 const std::array<Parameter, PARAMETER_COUNT> ROWS = {{
     {ParameterId::beta, "beta", "β", "overestimation weight", "", 0.0f, 1.0f, 0.25f, Scale::linear,
      Stage::color,
@@ -129,6 +148,45 @@ const std::array<Parameter, PARAMETER_COUNT> ROWS = {{
      "How linear colours become those of the screen and of PNG files: as they are, cut at 1; by Reinhard's c / (1 + c), "
      "which never cuts; or by a curve like that of film. EXR files and everything measured stay linear.",
      "Reinhard et al. 2002, Equation 3; Narkowicz 2016", TONE_MAPS},
+    {ParameterId::shadows, "shadows", "V", "shadows", "", 0.0f, 1.0f, 0.0f, Scale::toggle, Stage::shading,
+     "1 lets surfaces receive the shadows of others from a light of the scene, 0 lights everything from beside the camera. "
+     "Opaque and transparent casters have a map each; what both let through is multiplied.",
+     "Münstermann et al. 2018, Section 6"},
+    {ParameterId::shadow_technique, "shadow-technique", "A_s", "transparent casters", "", 0.0f,
+     static_cast<float>(SHADOW_TECHNIQUES.size() - 1), 1.0f, Scale::choice, Stage::shading,
+     "How a texel of the light's map stores the absorbance of transparent casters: moments in floats, Fourier opacity "
+     "mapping, or all fragments sorted, the slow ground truth. Moments in 16 bits are not offered: they are stored divided by "
+     "b_0, and division is not linear, so they cannot be filtered.",
+     "Münstermann et al. 2018, Section 6; Jansen and Bavoil 2010; Lokovic and Veach 2000", SHADOW_TECHNIQUES},
+    {ParameterId::shadow_beta, "shadow-beta", "β_s", "overestimation weight of shadows", "", 0.0f, 1.0f, 0.0f,
+     Scale::linear, Stage::shading,
+     "β of the light's moments. At 0 transparent surfaces do not shadow themselves, but light leaks; the paper's Fig. 9 has "
+     "0.5.",
+     "Münstermann et al. 2018, Section 7.2"},
+    {ParameterId::opaque_shadow, "opaque-shadow", "F", "opaque casters", "", 0.0f,
+     static_cast<float>(OPAQUE_SHADOWS.size() - 1), HAMBURGER_16, Scale::choice, Stage::shading,
+     "How the light's map of opaque casters is stored and looked up.", "Peters and Klein 2015",
+     OPAQUE_SHADOWS},
+    {ParameterId::shadow_size, "shadow-size", "px", "shadow map size", "texels", 16.0f, 65536.0f, 1024.0f,
+     Scale::whole, Stage::shading, "Texels of a side of the light's maps. More are sharper and slower.",
+     "Münstermann et al. 2018, Section 7"},
+    {ParameterId::shadow_radius, "shadow-radius", "r", "shadow filter radius", "texels", 0.0f, 8.0f, 4.0f,
+     Scale::whole, Stage::shading,
+     "The maps are filtered by a Gaussian of 2r + 1 texels a side: 4 is the paper's 9 x 9. A texel's function is then a "
+     "mixture of its neighbours'.",
+     "Münstermann et al. 2018, Section 6"},
+    {ParameterId::light_azimuth, "light-azimuth", "φ_L", "azimuth of the light", "rad", -PI, PI, std::nullopt,
+     Scale::linear, Stage::shading,
+     "Where the light stands around the scene; `auto` is the scene's own place.", "Momentscope 2026"},
+    {ParameterId::light_elevation, "light-elevation", "θ_L", "elevation of the light", "rad", 0.0f, 0.5f * PI,
+     std::nullopt, Scale::linear, Stage::shading,
+     "How high the light stands: 0 at the horizon, π/2 overhead; `auto` is the scene's own place.",
+     "Momentscope 2026"},
+    {ParameterId::light_distance, "light-distance", "d_L", "distance of the light", "", 0.0f, 10000.0f,
+     std::nullopt, Scale::logarithmic, Stage::shading,
+     "From the centre of all casters in scene units. It must stay outside of the sphere around them, from which the depth "
+     "range follows; `auto` is four radii.",
+     "Momentscope 2026"},
 }};
 
 bool is_whole(const Parameter& row) {

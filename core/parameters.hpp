@@ -12,7 +12,9 @@
 namespace momentscope {
 
 /// The way of the data. A change invalidates its stage and all later ones.
-enum class Stage { scene, opaque, moments, color, composite, display, nothing };
+/// shading: colours of opaque surfaces again, and then from the second pass on; the first pass knows no
+/// colours.
+enum class Stage { scene, opaque, moments, shading, color, composite, display, nothing };
 
 enum class ParameterId : std::size_t {
     beta,
@@ -38,9 +40,18 @@ enum class ParameterId : std::size_t {
     order,
     order_seed,
     opacity,
-    tone_map
+    tone_map,
+    shadows,
+    shadow_technique,
+    shadow_beta,
+    opaque_shadow,
+    shadow_size,
+    shadow_radius,
+    light_azimuth,
+    light_elevation,
+    light_distance
 };
-constexpr std::size_t PARAMETER_COUNT = 24;
+constexpr std::size_t PARAMETER_COUNT = 33;
 
 /// How a slider maps its way to a value; decides nothing but the looks.
 enum class Scale { linear, logarithmic, toggle, choice, whole };
@@ -64,7 +75,13 @@ struct Parameter {
 
 /// Those that every picture of a scene reads, whatever the technique.
 inline constexpr std::array PICTURE_PARAMETERS = {ParameterId::order, ParameterId::order_seed,
-                                                  ParameterId::tone_map};
+                                                  ParameterId::tone_map, ParameterId::shadows};
+
+/// Those that pictures with shadows read, too.
+inline constexpr std::array SHADOW_PARAMETERS = {ParameterId::shadow_technique, ParameterId::shadow_beta,
+                                                 ParameterId::opaque_shadow,    ParameterId::shadow_size,
+                                                 ParameterId::shadow_radius,    ParameterId::light_azimuth,
+                                                 ParameterId::light_elevation,  ParameterId::light_distance};
 
 /// All parameters, in the order of ParameterId.
 std::span<const Parameter> parameters();

@@ -270,7 +270,7 @@ void add_plot(List& list) {
                     [view_depth](Explorer& e) {
                         set_depth_axis(e.state().plot, view_depth(e) ? DepthAxis::warped : DepthAxis::view);
                     },
-                    [](const Explorer& e) { return e.measurement().capture.ray.warp.logarithmic; },
+                    [](const Explorer& e) { return e.measurement().capture.ray.warp.has_view_depths(); },
                     view_depth});
     for (const SeriesRow& row : series_rows())
         list.push_back(choice(

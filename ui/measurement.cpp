@@ -46,7 +46,7 @@ std::vector<float> plot_depths(const ViewRay& ray, std::size_t samples, Range ra
 Range visible_depths(const ViewRay& ray, const PlotState& plot) {
     if (!plot.depth) return {-1, 1};
     const auto warped = [&](float at) {
-        if (plot.axis == DepthAxis::warped || !ray.warp.logarithmic) return at;
+        if (plot.axis == DepthAxis::warped || !ray.warp.has_view_depths()) return at;
         return at > 0 ? to_depth(at, ray.warp) : -1.0f;
     };
     Range range = {std::clamp(warped(plot.depth->low), -1.0f, 1.0f),

@@ -59,11 +59,12 @@ void for_each_tick(const Range& range, float count, const Draw& draw) {
 }  // namespace
 
 float PlotAxes::axis_of(float warped_depth) const {
-    return axis == DepthAxis::view && warp.logarithmic ? to_view_depth(warped_depth, warp) : warped_depth;
+    return axis == DepthAxis::view && warp.has_view_depths() ? to_view_depth(warped_depth, warp)
+                                                             : warped_depth;
 }
 
 float PlotAxes::warped_of(float axis_value) const {
-    if (axis != DepthAxis::view || !warp.logarithmic) return axis_value;
+    if (axis != DepthAxis::view || !warp.has_view_depths()) return axis_value;
     return axis_value > 0 ? to_depth(axis_value, warp) : -1.0f;
 }
 
@@ -109,10 +110,13 @@ void draw_axes(ImDrawList& list, const PlotAxes& axes, const Palette& colors, bo
     });
     list.AddRect(area.low, area.high, colors.grid);
     if (!labels) return;
-    const char* depth_name = !axes.warp.logarithmic ? "depth z (linear, [−1, 1])"
-                             : axes.axis == DepthAxis::warped
-                                 ? "depth z (logarithm of view depth, mapped to [−1, 1])"
-                                 : "view depth (linear, scene units)";
+    const char* depth_name =
+        !axes.warp.has_view_depths() ? "depth z (linear, [−1, 1])"
+        : axes.warp.kind == DepthWarp::Kind::linear
+            ? axes.axis == DepthAxis::warped ? "depth z seen from the light (linear, mapped to [−1, 1])"
+                                             : "depth seen from the light (linear, scene units)"
+        : axes.axis == DepthAxis::warped ? "depth z (logarithm of view depth, mapped to [−1, 1])"
+                                         : "view depth (linear, scene units)";
     const char* value_name = axes.quantity == Quantity::absorbance
                                  ? "absorbance A(z) = −ln T(z), linear"
                                  : "transmittance T(z) = exp(−A(z)), linear";

@@ -46,7 +46,7 @@ void draw_axis_choices(const Ui& ui, bool warped, PlotState& plot, float right) 
 
 void draw_tools(const Ui& ui, const Measurement& m, ExplorerState& state, float right) {
     PlotState& plot = state.plot;
-    draw_axis_choices(ui, m.capture.ray.warp.logarithmic, plot, right);
+    draw_axis_choices(ui, m.capture.ray.warp.has_view_depths(), plot, right);
     flow(button_width("fit"), right, em());
     if (ImGui::Button("fit")) fit(plot);
     ui.mark("plot.fit");
@@ -95,7 +95,7 @@ void draw_crosshair(const Ui& ui, const PlotAxes& axes, const Measurement& m, co
     const float at[] = {warped};
     ImGui::BeginTooltip();
     ImGui::Text("z = %.4f", static_cast<double>(warped));
-    if (ray.warp.logarithmic) {
+    if (ray.warp.has_view_depths()) {
         ImGui::SameLine(11 * em());
         ImGui::Text("view depth %.4f", static_cast<double>(to_view_depth(warped, ray.warp)));
     }

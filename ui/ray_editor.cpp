@@ -41,8 +41,8 @@ ImVec4 display_color(const glm::vec3& linear) {
 
 void place(Fragment& fragment, float depth, const DepthWarp& warp) {
     // Through the view depth, as the shaders get there, so that a saved ray comes back the same.
-    fragment.view_depth = warp.logarithmic ? to_view_depth(depth, warp) : depth;
-    fragment.depth = warp.logarithmic ? to_depth(fragment.view_depth, warp) : depth;
+    fragment.view_depth = warp.has_view_depths() ? to_view_depth(depth, warp) : depth;
+    fragment.depth = warp.has_view_depths() ? to_depth(fragment.view_depth, warp) : depth;
 }
 
 void draw_sources(const Ui& ui, const Measurement& m, ExplorerState& state) {

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "core/gl/shader_namespace.hpp"
 #include "core/gl/shader_sources.hpp"
 
 namespace momentscope {
@@ -19,34 +20,67 @@ std::string_view source_of(std::string_view path) {
     return found->second;
 }
 
-// The path that an #include line names: "technique" is the variant's (nothing if it has none), any other is
+/// What "technique" means in a part of a shader.
+struct Scope {
+    const ShaderVariant& variant;
+    const std::string& technique;
+    const std::string& constants;
+};
+
+// The path that an #include line names: "technique" is the scope's (nothing if it has none), any other is
 // relative to the including file's folder or to shaders/.
-std::string included_path(std::string_view line, std::string_view includer, const ShaderVariant& variant) {
+std::string included_path(std::string_view line, std::string_view includer, const Scope& scope) {
     const std::size_t open = line.find('"');
     const std::size_t close = line.rfind('"');
     const std::string name(line.substr(open + 1, close - open - 1));
-    if (name == "technique") return variant.technique;
+    if (name == "technique") return scope.technique;
     const std::string beside = std::string(includer.substr(0, includer.rfind('/') + 1)) + name;
     return shader_sources().contains(beside) ? beside : name;
 }
 
-void append_file(std::string& text, std::string_view path, const ShaderVariant& variant,
-                 std::vector<std::string>& files) {
-    const std::size_t number = files.size();
-    files.emplace_back(path);
-    text += fmt::format("#line 1 {}\n", number);
-    std::istringstream lines{std::string(source_of(path))};
-    std::string line;
-    for (int at = 1; std::getline(lines, line); ++at) {
+std::string defines_text(const std::map<std::string, std::string>& defines) {
+    std::string text;
+    for (const auto& [name, value] : defines) text += fmt::format("#define {} {}\n", name, value);
+    return text;
+}
+
+void append_file(std::string& text, std::string_view path, const Scope& scope,
+                 std::vector<std::string>& files);
+
+// The lines of a file up to its end, or to that of the namespace in which they stand.
+void append_lines(std::string& text, std::istringstream& lines, int& at, std::string_view path,
+                  std::size_t number, const Scope& scope, std::vector<std::string>& files) {
+    for (std::string line; std::getline(lines, line); ++at) {
+        if (line == "#endnamespace") return;
         if (line.starts_with("#include ")) {
-            const std::string included = included_path(line, path, variant);
-            if (!included.empty() && included == variant.technique) text += variant.constants;
-            if (!included.empty()) append_file(text, included, variant, files);
+            const std::string included = included_path(line, path, scope);
+            if (!included.empty() && included == scope.technique) text += scope.constants;
+            if (!included.empty()) append_file(text, included, scope, files);
+            text += fmt::format("#line {} {}\n", at + 1, number);
+        } else if (line.starts_with("#namespace ")) {
+            const std::string name = line.substr(std::string_view("#namespace ").size());
+            const auto found = scope.variant.namespaces.find(name);
+            static const ShaderNamespace NOTHING;
+            const ShaderNamespace& inner = found == scope.variant.namespaces.end() ? NOTHING : found->second;
+            std::string block = defines_text(inner.defines);
+            append_lines(block, lines, ++at, path, number, {scope.variant, inner.technique, inner.constants},
+                         files);
+            if (found != scope.variant.namespaces.end()) text += in_namespace(block, name);
             text += fmt::format("#line {} {}\n", at + 1, number);
         } else {
             text += line + "\n";
         }
     }
+}
+
+void append_file(std::string& text, std::string_view path, const Scope& scope,
+                 std::vector<std::string>& files) {
+    const std::size_t number = files.size();
+    files.emplace_back(path);
+    text += fmt::format("#line 1 {}\n", number);
+    std::istringstream lines{std::string(source_of(path))};
+    int at = 1;
+    append_lines(text, lines, at, path, number, scope, files);
 }
 
 GlShader compile(GLenum kind, std::string_view path, const ShaderVariant& variant) {
@@ -90,10 +124,10 @@ GlProgram link(std::span<const GlShader> shaders, std::string_view name) {
 std::string expand_shader(std::string_view path, const ShaderVariant& variant,
                           std::vector<std::string>* files) {
     std::vector<std::string> numbered;
-    std::string text = "#version 450 core\n";
-    for (const auto& [name, value] : variant.defines) text += fmt::format("#define {} {}\n", name, value);
-    append_file(text, "prelude.glsl", variant, numbered);
-    append_file(text, path, variant, numbered);
+    std::string text = "#version 450 core\n" + defines_text(variant.defines);
+    const Scope scope = {variant, variant.technique, variant.constants};
+    append_file(text, "prelude.glsl", scope, numbered);
+    append_file(text, path, scope, numbered);
     if (files != nullptr) *files = numbered;
     return text;
 }

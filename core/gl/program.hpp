@@ -13,11 +13,22 @@
 
 namespace momentscope {
 
+/// A technique in a namespace of its own: what `#include "technique"` stands for between `#namespace name`
+/// and
+/// `#endnamespace`, and #defines that are seen there alone.
+struct ShaderNamespace {
+    std::map<std::string, std::string> defines;
+    std::string technique = {};
+    std::string constants = {};
+    friend auto operator<=>(const ShaderNamespace&, const ShaderNamespace&) = default;
+};
+
 /// Which variant of a shader: #defines, and what `#include "technique"` stands for.
 struct ShaderVariant {
     std::map<std::string, std::string> defines;
-    std::string technique = {};  // a path in shaders/, or empty
-    std::string constants = {};  // declarations put before it
+    std::string technique = {};                              // a path in shaders/, or empty
+    std::string constants = {};                              // declarations put before it
+    std::map<std::string, ShaderNamespace> namespaces = {};  // by name; one that is not there is left out
 
     friend auto operator<=>(const ShaderVariant&, const ShaderVariant&) = default;
 };

@@ -41,15 +41,18 @@ GlFramebuffer make_framebuffer(std::initializer_list<GLuint> colors, GLuint dept
     return make_framebuffer(colors.begin(), static_cast<int>(colors.size()), depth);
 }
 
-GlFramebuffer make_framebuffer(const GLuint* colors, int count, GLuint depth) {
+namespace {
+
+// Calls attach(framebuffer, attachment, i) for each colour.
+template <typename Attach>
+GlFramebuffer make_framebuffer_of(int count, GLuint depth, const Attach& attach) {
     GLuint name = 0;
     glCreateFramebuffers(1, &name);
     GlFramebuffer framebuffer(name);
     std::array<GLenum, 8> attachments{};
     for (int i = 0; i < count; ++i) {
-        const GLenum attachment = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
-        attachments[static_cast<std::size_t>(i)] = attachment;
-        glNamedFramebufferTexture(framebuffer, attachment, colors[i], 0);
+        attachments[static_cast<std::size_t>(i)] = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
+        attach(name, attachments[static_cast<std::size_t>(i)], i);
     }
     if (depth != 0) glNamedFramebufferTexture(framebuffer, GL_DEPTH_ATTACHMENT, depth, 0);
     glNamedFramebufferDrawBuffers(framebuffer, count, attachments.data());
@@ -60,6 +63,20 @@ GlFramebuffer make_framebuffer(const GLuint* colors, int count, GLuint depth) {
                         "OpenGL 4.5 with float render targets.",
                         status));
     return framebuffer;
+}
+
+}  // namespace
+
+GlFramebuffer make_framebuffer(const GLuint* colors, int count, GLuint depth) {
+    return make_framebuffer_of(count, depth, [&](GLuint framebuffer, GLenum attachment, int i) {
+        glNamedFramebufferTexture(framebuffer, attachment, colors[i], 0);
+    });
+}
+
+GlFramebuffer make_layer_framebuffer(GLuint layered, int first, int count) {
+    return make_framebuffer_of(count, 0, [&](GLuint framebuffer, GLenum attachment, int i) {
+        glNamedFramebufferTextureLayer(framebuffer, attachment, layered, 0, first + i);
+    });
 }
 
 void check_gl(const std::string& doing) {

@@ -19,6 +19,9 @@ GlTexture make_layered_texture(GLenum format, glm::ivec2 size, int layers);
 GlFramebuffer make_framebuffer(std::initializer_list<GLuint> colors, GLuint depth);
 GlFramebuffer make_framebuffer(const GLuint* colors, int count, GLuint depth);
 
+/// A framebuffer that draws to layers of an array texture, from `first` on.
+GlFramebuffer make_layer_framebuffer(GLuint layered, int first, int count);
+
 /// Throws Error when GL reported an error since the last call; `doing` completes "... failed while <doing>".
 void check_gl(const std::string& doing);
 

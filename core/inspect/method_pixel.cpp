@@ -25,7 +25,7 @@ MethodFragment method_fragment(const ViewRay& ray, const Fragment& fragment) {
     const float near = known ? ray.near_plane : NEAR_PLANE;
     const float far = known ? ray.far_plane : FAR_PLANE;
     result.depth = 0.5f * (fragment.depth + 1.0f);
-    result.view_depth = ray.warp.logarithmic ? fragment.view_depth : 2.0f + fragment.depth;
+    result.view_depth = ray.warp.has_view_depths() ? fragment.view_depth : 2.0f + fragment.depth;
     result.window_depth = glsl::method_pixel::window_depth_of(result.view_depth, near, far);
     result.plane_depth = glsl::method_pixel::plane_depth_of(result.view_depth, near, far);
     result.opacity = fragment.opacity;
@@ -85,7 +85,7 @@ std::vector<float> method_transmittance(const ViewRay& ray, const Technique& tec
     t.reserve(depths.size());
     for (const float depth : depths) {
         mean.depth = depth;
-        mean.view_depth = ray.warp.logarithmic ? to_view_depth(depth, ray.warp) : depth;
+        mean.view_depth = ray.warp.has_view_depths() ? to_view_depth(depth, ray.warp) : depth;
         t.push_back(ray.fragments.empty()
                         ? 1.0f
                         : technique.method->transmittance_at(state, method_fragment(ray, mean), settings));

@@ -38,12 +38,14 @@ DepthWarp warp_from(const json& root) {
     const auto found = root.find("warp");
     if (found == root.end() || found->is_null()) return warp;
     if (!found->is_object() || !found->contains("kind") || !(*found)["kind"].is_string())
-        throw Error("The view ray's warp needs a \"kind\": \"none\" or \"log\".");
+        throw Error("The view ray's warp needs a \"kind\": \"none\", \"log\" or \"linear\".");
     const auto kind = (*found)["kind"].get<std::string>();
     if (kind == "none") return warp;
-    if (kind != "log")
-        throw Error(fmt::format("The view ray's warp kind is '{}'; use \"none\" or \"log\".", kind));
-    warp = {true, number(*found, "z_min", "warp"), number(*found, "z_max", "warp")};
+    if (kind != "log" && kind != "linear")
+        throw Error(
+            fmt::format("The view ray's warp kind is '{}'; use \"none\", \"log\" or \"linear\".", kind));
+    warp = {kind == "log" ? DepthWarp::Kind::logarithmic : DepthWarp::Kind::linear,
+            number(*found, "z_min", "warp"), number(*found, "z_max", "warp")};
     // Closer together their logarithms would be the same float.
     if (!(warp.z_min >= 1e-30f && warp.z_max >= 1.0001f * warp.z_min))
         throw Error("The view ray's warp needs 0 < z_min < z_max, and 1.0001 z_min at least for z_max.");
@@ -90,8 +92,8 @@ Fragment fragment_from(const json& entry, std::size_t index, const DepthWarp& wa
     if (!(fragment.opacity >= 0 && fragment.opacity <= 1))
         throw Error(
             fmt::format("The view ray's {} has opacity {}; give one from 0 to 1.", where, fragment.opacity));
-    const float low = warp.logarithmic ? warp.z_min : -1.0f;
-    const float high = warp.logarithmic ? warp.z_max : 1.0f;
+    const float low = warp.has_view_depths() ? warp.z_min : -1.0f;
+    const float high = warp.has_view_depths() ? warp.z_max : 1.0f;
     if (!(fragment.view_depth >= low && fragment.view_depth <= high))
         throw Error(fmt::format("The view ray's {} has depth {}; give one from {} to {}.", where,
                                 fragment.view_depth, low, high));
@@ -134,7 +136,7 @@ std::vector<FragmentShare> shares_from(const json& root, const DepthWarp& warp) 
 json fragments_to_json(const std::vector<Fragment>& fragments, const DepthWarp& warp) {
     json list = json::array();
     for (const Fragment& f : fragments)
-        list.push_back({{"depth", warp.logarithmic ? f.view_depth : f.depth},
+        list.push_back({{"depth", warp.has_view_depths() ? f.view_depth : f.depth},
                         {"opacity", f.opacity},
                         {"color", {f.color.r, f.color.g, f.color.b}},
                         {"seed", f.seed},
@@ -145,8 +147,9 @@ json fragments_to_json(const std::vector<Fragment>& fragments, const DepthWarp& 
 }  // namespace
 
 json ray_to_json(const ViewRay& ray) {
-    json warp = {{"kind", ray.warp.logarithmic ? "log" : "none"}};
-    if (ray.warp.logarithmic) warp.update({{"z_min", ray.warp.z_min}, {"z_max", ray.warp.z_max}});
+    constexpr const char* KINDS[] = {"none", "log", "linear"};
+    json warp = {{"kind", KINDS[static_cast<int>(ray.warp.kind)]}};
+    if (ray.warp.has_view_depths()) warp.update({{"z_min", ray.warp.z_min}, {"z_max", ray.warp.z_max}});
     json root = {{"fragments", fragments_to_json(ray.fragments, ray.warp)}, {"warp", warp}};
     if (ray.far_plane > 0) root.update({{"near", ray.near_plane}, {"far", ray.far_plane}});
     for (const FragmentShare& share : ray.shares)

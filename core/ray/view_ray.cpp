@@ -32,20 +32,27 @@ float transmittance(float absorbance) {
     return glsl::fragment::transmittance_of(absorbance);
 }
 
+namespace {
+
+glsl::fragment::DepthWarpFactors factors_of(const DepthWarp& warp) {
+    return warp.kind == DepthWarp::Kind::linear ? glsl::fragment::linear_depth_factors(warp.z_min, warp.z_max)
+                                                : glsl::fragment::depth_warp_factors(warp.z_min, warp.z_max);
+}
+
+}  // namespace
+
 float to_depth(float view_depth, const DepthWarp& warp) {
-    if (!warp.logarithmic) return std::clamp(view_depth, -1.0f, 1.0f);
-    return glsl::fragment::warped_depth(view_depth,
-                                        glsl::fragment::depth_warp_factors(warp.z_min, warp.z_max));
+    if (!warp.has_view_depths()) return std::clamp(view_depth, -1.0f, 1.0f);
+    return glsl::fragment::warped_depth(view_depth, factors_of(warp));
 }
 
 float to_view_depth(float depth, const DepthWarp& warp) {
-    if (!warp.logarithmic) return depth;
-    return glsl::fragment::unwarped_depth(depth, glsl::fragment::depth_warp_factors(warp.z_min, warp.z_max));
+    return warp.has_view_depths() ? glsl::fragment::unwarped_depth(depth, factors_of(warp)) : depth;
 }
 
-glm::vec2 depth_warp_factors(const DepthWarp& warp) {
-    const auto factors = glsl::fragment::depth_warp_factors(warp.z_min, warp.z_max);
-    return {factors.log_z_min, factors.scale};
+glm::vec3 depth_warp_factors(const DepthWarp& warp) {
+    const auto factors = factors_of(warp);
+    return {factors.origin, factors.scale, factors.linear ? 1.0f : 0.0f};
 }
 
 std::string fragment_count_text(std::size_t count) {

@@ -21,11 +21,13 @@ struct Fragment {
     friend bool operator==(const Fragment&, const Fragment&) = default;
 };
 
-/// How view depth became depth (Section 3.3). Without a warp they are the same.
+/// How view depth became depth: logarithmically for the eye (Section 3.3), linearly for the light (Section 6).
+/// Without a warp they are the same.
 struct DepthWarp {
-    bool logarithmic = false;
-    float z_min = -1;  // view depths that map to -1 and 1; 0 < z_min < z_max when logarithmic
+    enum class Kind { none, logarithmic, linear } kind = Kind::none;
+    float z_min = -1;  // view depths that map to -1 and 1; 0 < z_min < z_max unless none
     float z_max = 1;
+    bool has_view_depths() const { return kind != Kind::none; }
     friend bool operator==(const DepthWarp&, const DepthWarp&) = default;
 };
 
@@ -64,8 +66,8 @@ float transmittance(float absorbance);
 float to_depth(float view_depth, const DepthWarp& warp);
 float to_view_depth(float depth, const DepthWarp& warp);
 
-/// log_z_min and scale of shaders/shared/fragment.glsl for a logarithmic warp.
-glm::vec2 depth_warp_factors(const DepthWarp& warp);
+/// origin, scale and whether it is linear (0 or 1), of shaders/shared/fragment.glsl; kind is not none.
+glm::vec3 depth_warp_factors(const DepthWarp& warp);
 
 /// Sum of all absorbances: b0.
 double total_absorbance(const ViewRay& ray);

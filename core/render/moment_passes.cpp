@@ -116,7 +116,8 @@ void MomentPasses::draw_factors(const PassInput& input) {
 void MomentPasses::draw_color(const PassInput& input) {
     if (input.parameters.factored_once) draw_factors(input);
     clear_colors(color_target_, 1);
-    glUseProgram(programs_.get(SCENE, COLOR, reconstruction_variant(technique_, input.parameters)));
+    glUseProgram(
+        programs_.get(SCENE, COLOR, input.lit(reconstruction_variant(technique_, input.parameters))));
     bind_stored();
     draw_transparent(input.scene, color_target_, Blending::add);
 }

@@ -19,7 +19,6 @@ PeelingPasses::PeelingPasses(glm::ivec2 size, GLuint /*depth: copied for every l
     : layer_(make_texture(GL_RGBA32F, size)),
       sum_(make_texture(GL_RGBA32F, size)),
       sum_target_(make_framebuffer({sum_}, 0)),
-      peel_program_(link_program("passes/scene.vert", "passes/peel.frag")),
       add_program_(link_program("passes/fullscreen.vert", "passes/copy.frag")),
       composite_program_(link_program("passes/fullscreen.vert", "passes/peel_composite.frag")) {
     for (int i = 0; i < 2; ++i) {
@@ -41,7 +40,7 @@ bool PeelingPasses::draw_layer(const PassInput& input, int layer) {
     glClearNamedFramebufferfv(layer_targets_[now], GL_COLOR, 0, zero);
     glBindFramebuffer(GL_FRAMEBUFFER, layer_targets_[now]);
     glEnable(GL_DEPTH_TEST);
-    glUseProgram(peel_program_);
+    glUseProgram(programs_.get("passes/scene.vert", "passes/peel.frag", input.lit({})));
     glBindTextureUnit(0, depths_[1 - now]);
     glBeginQuery(GL_ANY_SAMPLES_PASSED, any_fragment_);
     input.scene.draw(Surfaces::transparent);

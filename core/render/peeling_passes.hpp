@@ -22,7 +22,8 @@ private:
     GlTexture depths_[2];  // of this layer and of the one before, in turn
     GlTexture layer_, sum_;
     GlFramebuffer layer_targets_[2], sum_target_;
-    GlProgram peel_program_, add_program_, composite_program_;
+    ProgramCache programs_;
+    GlProgram add_program_, composite_program_;
     GlQuery any_fragment_;
 };
 

@@ -40,7 +40,6 @@ Renderer::Renderer(OrderedAccess access) : access_(access) {
     glCreateBuffers(1, &name);
     frame_block_ = GlBuffer(name);
     glNamedBufferStorage(frame_block_, sizeof(FrameBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
-    opaque_program_ = link_program("passes/scene.vert", "passes/opaque.frag");
     display_program_ = link_program("passes/fullscreen.vert", "passes/display.frag");
     glCreateQueries(GL_TIME_ELAPSED, 1, &name);
     timer_ = GlQuery(name);
@@ -51,6 +50,9 @@ Renderer::~Renderer() = default;
 void Renderer::set_scene(const Scene& scene) {
     buffers_ = std::make_unique<SceneBuffers>(scene);  // may fail; the last scene stays then
     bounds_ = transparent_bounds(scene);
+    casters_ = caster_bounds(scene);
+    light_ = scene.light;
+    shadow_maps_.reset();
     background_ = scene.background;
     view_.technique = nullptr;  // everything is stale
 }
@@ -74,6 +76,7 @@ void Renderer::render(const View& view) {
     buffers_->set_order(submission_order(view.parameters));
     update_frame_block(view);
     try {
+        update_shadows(view);
         run_from(stage);
         check_gl("drawing the scene");
     } catch (...) {
@@ -90,6 +93,7 @@ void Renderer::resize(glm::ivec2 size) {
     transparency_.reset();
     pixel_list_.reset();
     failure_counts_ = {};
+    probe_ = {};
     opaque_color_ = make_texture(GL_RGBA16F, size);
     depth_ = make_texture(GL_DEPTH_COMPONENT32F, size);
     picture_ = make_texture(GL_RGBA32F, size);
@@ -105,18 +109,32 @@ void Renderer::update_frame_block(const View& view) {
     warp_ = depth_warp(view.camera, bounds_);
     parameters_ = resolve(view.parameters, *view.technique);
     const ResolvedParameters& p = parameters_;
-    const glm::vec2 warp = depth_warp_factors(warp_);
+    const glm::vec3 warp = depth_warp_factors(warp_);
     const float aspect = static_cast<float>(view.size.x) / static_cast<float>(view.size.y);
     const FrameBlock block = {
         view_matrix(view.camera), projection_matrix(view.camera, aspect),
-        glm::vec4(warp, NEAR_PLANE, FAR_PLANE),
+        glm::vec4(warp.x, warp.y, NEAR_PLANE, FAR_PLANE),
         glm::vec4(p.beta, basis_parameter(p, *view.technique), p.alpha, p.renormalize ? 1 : 0),
-        glm::ivec4(view.size, 0, 0)};
+        glm::ivec4(view.size, warp.z, 0)};
     glNamedBufferSubData(frame_block_, 0, sizeof(block), &block);
 }
 
+bool Renderer::lit() const {
+    return has_shadows(view_.parameters) && shadow_maps_ != nullptr;
+}
+
 PassInput Renderer::pass_input() const {
-    return {*buffers_, view_.size, opaque_color_, depth_, parameters_};
+    return {*buffers_, view_.size,  opaque_color_,
+            depth_,    parameters_, lit() ? &shadow_maps_->lighting() : nullptr};
+}
+
+void Renderer::update_shadows(const View& view) {
+    if (!has_shadows(view.parameters)) return;
+    if (shadow_maps_ == nullptr) shadow_maps_ = std::make_unique<ShadowMaps>(timing_);
+    glDisable(GL_BLEND);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_SCISSOR_TEST);
+    shadow_maps_->update(*buffers_, casters_, shadow_settings(view.parameters, light_));
 }
 
 void Renderer::draw_opaque() {
@@ -126,7 +144,7 @@ void Renderer::draw_opaque() {
     glClearNamedFramebufferfv(opaque_target_, GL_DEPTH, 0, &far);
     glBindFramebuffer(GL_FRAMEBUFFER, opaque_target_);
     glEnable(GL_DEPTH_TEST);
-    glUseProgram(opaque_program_);
+    glUseProgram(opaque_programs_.get("passes/scene.vert", "passes/opaque.frag", pass_input().lit({})));
     buffers_->draw(Surfaces::opaque);
     glDisable(GL_DEPTH_TEST);
 }
@@ -151,8 +169,9 @@ void Renderer::run_from(Stage stage) {
     glDisable(GL_CULL_FACE);
     glDisable(GL_SCISSOR_TEST);
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_block_);
+    if (lit()) shadow_maps_->bind(view_matrix(view_.camera));
     const PassInput input = pass_input();
-    if (stage <= Stage::opaque) {
+    if (stage <= Stage::opaque || stage == Stage::shading) {
         timed(times_.opaque, [&] { draw_opaque(); });
         ++counts_.opaque;
     }

@@ -8,6 +8,7 @@
 #include "core/ray/view_ray.hpp"
 #include "core/render/fragment_list.hpp"
 #include "core/render/pass_timing.hpp"
+#include "core/render/shadow_maps.hpp"
 #include "core/render/view.hpp"
 
 namespace momentscope {
@@ -67,6 +68,28 @@ public:
     /// All transparent fragments that cover a pixel of the last picture and are not behind opaque surfaces.
     PixelCapture capture_pixel(glm::ivec2 pixel);
 
+    /// Everything that lights a point which a pixel of the last picture shows, at a view depth. The picture
+    /// must have shadows.
+    LightBundle capture_light(glm::ivec2 pixel, float view_depth);
+
+    /// Where in the world the middle of a pixel of the last picture is at a view depth.
+    glm::vec3 world_place(glm::ivec2 pixel, float view_depth) const;
+
+    /// Where the opaque surface of a pixel is and how it is lit; nullopt where there is none.
+    struct LitSurface {
+        float view_depth = 0;
+        float shadowed = 0;       // share of the filter region behind opaque casters
+        float transmittance = 1;  // of transparent casters
+    };
+    std::optional<LitSurface> lit_surface(glm::ivec2 pixel);
+
+    /// The share of light that reaches each transparent fragment of a pixel, as the GL computes it, parallel
+    /// to capture_pixel's fragments.
+    std::vector<float> fragment_lights(glm::ivec2 pixel);
+
+    /// Of the last picture; null where it has no shadows.
+    const ShadowMaps* shadow_maps() const { return lit() ? shadow_maps_.get() : nullptr; }
+
     /// The same for a rectangle, row by row; corner is its upper left.
     std::vector<PixelCapture> capture_region(glm::ivec2 corner, glm::ivec2 extent);
 
@@ -92,6 +115,9 @@ private:
     void draw_opaque();
     void run_from(Stage stage);
     PassInput pass_input() const;
+    bool lit() const;
+    void update_shadows(const View& view);
+    void draw_probe();
     GLuint capture_program(bool& has_transmittance);
     std::vector<PixelCapture> sort_captures(std::vector<FragmentNode> nodes, glm::ivec2 lower_left,
                                             glm::ivec2 extent, bool has_transmittance) const;
@@ -103,7 +129,8 @@ private:
     void timed(double& milliseconds, const Draw& draw);
 
     glm::vec3 background_{0};
-    Sphere bounds_;
+    Sphere bounds_, casters_;
+    Light light_;
     std::unique_ptr<SceneBuffers> buffers_;
     View view_;
     ResolvedParameters parameters_;
@@ -116,13 +143,18 @@ private:
     GlBuffer frame_block_;
     GlTexture opaque_color_, depth_, picture_, display_color_;
     GlFramebuffer opaque_target_, picture_target_, display_target_;
-    GlProgram opaque_program_, display_program_;
+    ProgramCache opaque_programs_;
+    GlProgram display_program_;
     std::unique_ptr<Transparency> transparency_;
     const Technique* transparency_of_ = nullptr;
     std::unique_ptr<FragmentList> pixel_list_;
     ProgramCache capture_programs_;
 
     GlQuery timer_;
+    std::unique_ptr<ShadowMaps> shadow_maps_;  // made when they are first needed
+    GlTexture probe_;                          // of light_probe.frag; made when it is first asked for
+    GlFramebuffer probe_target_;
+
     GlTexture failure_counts_, failure_color_;  // made when they are first asked for
     GlFramebuffer failure_target_, failure_color_target_;
     GlProgram failure_color_program_;

@@ -42,7 +42,7 @@ GLuint Renderer::capture_program(bool& has_transmittance) {
     has_transmittance = reconstructing.has_value();
     ShaderVariant variant = reconstructing.value_or(ShaderVariant());
     if (has_transmittance) variant.defines["WITH_TRANSMITTANCE"] = "1";
-    return capture_programs_.get("passes/scene.vert", "passes/capture.frag", variant);
+    return capture_programs_.get("passes/scene.vert", "passes/capture.frag", pass_input().lit(variant));
 }
 
 PixelCapture Renderer::capture_pixel(glm::ivec2 pixel) {
@@ -55,6 +55,7 @@ std::vector<PixelCapture> Renderer::capture_region(glm::ivec2 corner, glm::ivec2
     const GLuint program = capture_program(has_transmittance);
     glViewport(0, 0, view_.size.x, view_.size.y);
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_block_);
+    if (lit()) shadow_maps_->bind(view_matrix(view_.camera));
     const glm::ivec2 lower_left(corner.x, view_.size.y - corner.y - extent.y);
     const std::size_t count = pixel_list_->capture(pass_input(), program, lower_left, extent);
     if (count > pixel_list_->capacity() && extent.x * extent.y > 1) {  // in two halves

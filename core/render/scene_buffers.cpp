@@ -125,7 +125,8 @@ SceneBuffers::MeshBuffers SceneBuffers::upload(const Mesh& mesh) {
 
 void SceneBuffers::draw(Surfaces surfaces) const {
     for (const std::size_t i : sequence_) {
-        if (objects_[i].opaque() != (surfaces == Surfaces::opaque)) continue;
+        if (objects_[i].opaque() == (surfaces == Surfaces::transparent)) continue;
+        if (surfaces == Surfaces::opaque_casters && !objects_[i].casts_shadow) continue;
         const MeshBuffers& mesh = meshes_[objects_[i].mesh];
         glBindBufferRange(GL_UNIFORM_BUFFER, 1, object_blocks_,
                           static_cast<GLintptr>(i * sizeof(ObjectBlock)), sizeof(ObjectBlock));

@@ -17,7 +17,7 @@ struct SubmissionOrder {
 };
 SubmissionOrder submission_order(const ParameterValues& values);
 
-enum class Surfaces { opaque, transparent };
+enum class Surfaces { opaque, transparent, opaque_casters };
 
 /// Vertex, index and uniform buffers and alpha maps of one scene; immutable.
 class SceneBuffers {
@@ -31,7 +31,8 @@ public:
     /// Which object, by its index in Scene::objects, is the draw call of that index.
     std::uint32_t object_of_draw(std::uint32_t draw) const { return sequence_[draw]; }
 
-    /// Draws the opaque or the transparent objects in submission order with the program in use.
+    /// Draws the opaque or the transparent objects, or of the former those that cast shadows, in submission
+    /// order with the program in use.
     void draw(Surfaces surfaces) const;
 
 private:

@@ -18,16 +18,16 @@ std::size_t megabytes(std::size_t fragments) {
 
 SortedPasses::SortedPasses(glm::ivec2 size, GLuint depth)
     : list_(size, LIST_CAPACITY, depth),
-      capture_program_(link_program("passes/scene.vert", "passes/capture.frag")),
       sort_program_(link_program("passes/fullscreen.vert", "passes/sorted.frag")) {}
 
 void SortedPasses::draw_composite(const PassInput& input) {
     GLint target = 0;
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
+    const GLuint capture_program = programs_.get("passes/scene.vert", "passes/capture.frag", input.lit({}));
     int rows = input.size.y;
     for (int y = 0; y < input.size.y;) {
         rows = std::min(rows, input.size.y - y);
-        const std::size_t count = list_.capture(input, capture_program_, {0, y}, {input.size.x, rows});
+        const std::size_t count = list_.capture(input, capture_program, {0, y}, {input.size.x, rows});
         if (count > list_.capacity()) {
             if (rows == 1)
                 throw Error(fmt::format(

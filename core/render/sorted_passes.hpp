@@ -16,7 +16,8 @@ public:
 
 private:
     FragmentList list_;
-    GlProgram capture_program_, sort_program_;
+    ProgramCache programs_;
+    GlProgram sort_program_;
 };
 
 }  // namespace momentscope

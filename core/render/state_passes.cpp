@@ -109,7 +109,7 @@ void StatePasses::draw_moments(const PassInput& input) {
     make_states(input.parameters.method);
     clear_states();
     glUseProgram(programs_.get("passes/scene.vert", "passes/state.frag",
-                               state_building_variant(technique_, settings_, access_)));
+                               input.lit(state_building_variant(technique_, settings_, access_))));
     draw_states(input);
 }
 
@@ -134,8 +134,8 @@ void StatePasses::draw_color(const PassInput& input) {
     settings_ = input.parameters.method;  // an option may have changed that stores nothing
     if (technique_.method->holds_colors) return;
     clear_colors(color_target_, own_absorbance_ != 0 ? 2 : 1);
-    glUseProgram(
-        programs_.get("passes/scene.vert", "passes/state_color.frag", state_variant(technique_, settings_)));
+    glUseProgram(programs_.get("passes/scene.vert", "passes/state_color.frag",
+                               input.lit(state_variant(technique_, settings_))));
     bind_states();
     draw_transparent(input.scene, color_target_, Blending::add);
 }

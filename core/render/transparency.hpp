@@ -9,18 +9,27 @@
 #include "core/gl/handle.hpp"
 #include "core/gl/program.hpp"
 #include "core/render/scene_buffers.hpp"
+#include "core/render/shader_lighting.hpp"
 #include "core/techniques/moment_kernel.hpp"
 #include "core/techniques/technique.hpp"
 
 namespace momentscope {
 
-/// What all passes of one picture share. The Frame block is bound, the viewport covers the size.
+/// What all passes of one picture share. The Frame block is bound, the viewport covers the size, and so are
+/// the light's maps where there are shadows.
 struct PassInput {
     const SceneBuffers& scene;
     glm::ivec2 size;
     GLuint opaque_color;
     GLuint depth;  // of the opaque surfaces; tested, never written
     const ResolvedParameters& parameters;
+    const ShaderLighting* lighting = nullptr;  // how fragments are lit; null: by no light of the scene
+
+    /// The variant of a pass that shades fragments.
+    ShaderVariant lit(ShaderVariant variant) const {
+        if (lighting != nullptr) add_lighting(variant, *lighting);
+        return variant;
+    }
 };
 
 /// The passes of one technique at one picture size. Each function draws one stage and leaves no GL state

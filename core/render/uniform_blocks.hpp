@@ -1,6 +1,7 @@
 // uniform_blocks.hpp -- what shaders read in C++: shaders/passes/blocks.glsl (std140), and the vertices of
 // scene.vert.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 
@@ -12,6 +13,17 @@ struct FrameBlock {
     glm::vec4 depth_warp;
     glm::vec4 parameters;
     glm::ivec4 picture;
+};
+
+/// shaders/passes/light_block.glsl (std140).
+struct LightBlock {
+    glm::mat4 view_from_eye;
+    glm::mat4 projection;
+    glm::vec4 position;
+    glm::vec4 range;
+    glm::vec4 reconstruction;
+    glm::ivec4 radius;
+    std::array<glm::vec4, 5> weights;
 };
 
 struct alignas(256)

@@ -2,7 +2,27 @@
 
 #include <algorithm>
 
+#include "core/shadow/shadow_settings.hpp"
+
 namespace momentscope {
+
+namespace {
+
+// Shadows change colours alone; where a first pass stores colours, it is among what they change.
+Stage first_stale_of_light(const View& before, const View& after) {
+    const auto differs = [&](ParameterId id) { return before.parameters[id] != after.parameters[id]; };
+    if (!has_shadows(after.parameters) && !has_shadows(before.parameters)) return Stage::nothing;
+    const Technique& of_light = *light_configuration(after.parameters).technique;
+    const bool changed = differs(ParameterId::shadows) || std::ranges::any_of(SHADOW_PARAMETERS, differs) ||
+                         std::ranges::any_of(of_light.parameters, [&](ParameterId id) {
+                             return id != ParameterId::beta && differs(id);
+                         });
+    if (!changed) return Stage::nothing;
+    const bool colors_first = after.technique->method != nullptr && after.technique->method->holds_colors;
+    return colors_first ? Stage::opaque : Stage::shading;
+}
+
+}  // namespace
 
 Stage first_stale_stage(const View& before, const View& after) {
     if (before.technique == nullptr || before.size != after.size || !(before.camera == after.camera))
@@ -17,7 +37,7 @@ Stage first_stale_stage(const View& before, const View& after) {
             if (before.parameters[id] != after.parameters[id]) first = std::min(first, Stage::moments);
     for (const ParameterId id : PICTURE_PARAMETERS)
         if (before.parameters[id] != after.parameters[id]) first = std::min(first, parameter(id).invalidates);
-    return first;
+    return std::min(first, first_stale_of_light(before, after));
 }
 
 ToneMap tone_map_of(const ParameterValues& values) {

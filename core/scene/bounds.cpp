@@ -1,4 +1,4 @@
-// bounds.cpp -- how far the transparent things reach, for the depth warp.
+// bounds.cpp -- how far the transparent things and the casters of shadows reach, for depth ranges.
 #include "core/scene/scene.hpp"
 
 #include <algorithm>
@@ -8,11 +8,11 @@
 namespace momentscope {
 namespace {
 
-/// Calls visit(world position) for every vertex of every transparent object.
-template <typename Visit>
-void for_each_transparent_vertex(const Scene& scene, Visit visit) {
+/// Calls visit(world position) for every vertex of every object that counts.
+template <typename Counts, typename Visit>
+void for_each_vertex(const Scene& scene, const Counts& counts, Visit visit) {
     for (const Object& object : scene.objects) {
-        if (object.opaque()) continue;
+        if (!counts(object)) continue;
         assert(object.mesh < scene.meshes.size());
         const glm::dmat4 model(object.model);
         for (const glm::vec3& position : scene.meshes[object.mesh].positions)
@@ -20,25 +20,35 @@ void for_each_transparent_vertex(const Scene& scene, Visit visit) {
     }
 }
 
-}  // namespace
-
 // The sphere sits in the middle of the bounding box and reaches to the farthest vertex, which is often
 // well inside the box's corners.
-Sphere transparent_bounds(const Scene& scene) {
+template <typename Counts>
+Sphere bounds_of(const Scene& scene, const Counts& counts) {
     glm::dvec3 low(std::numeric_limits<double>::infinity());
     glm::dvec3 high = -low;
-    for_each_transparent_vertex(scene, [&](const glm::dvec3& p) {
+    for_each_vertex(scene, counts, [&](const glm::dvec3& p) {
         low = glm::min(low, p);
         high = glm::max(high, p);
     });
-    if (low.x > high.x) return {};  // nothing is transparent
+    if (low.x > high.x) return {};  // nothing counts
 
     const glm::vec3 center(0.5 * (low + high));
     double radius = 0.0;
-    for_each_transparent_vertex(
-        scene, [&](const glm::dvec3& p) { radius = std::max(radius, glm::distance(p, glm::dvec3(center))); });
+    for_each_vertex(scene, counts, [&](const glm::dvec3& p) {
+        radius = std::max(radius, glm::distance(p, glm::dvec3(center)));
+    });
     // A few float ulps wider, so that a vertex transformed in float still lies inside.
     return {center, static_cast<float>(radius * (1.0 + 1e-6))};
+}
+
+}  // namespace
+
+Sphere transparent_bounds(const Scene& scene) {
+    return bounds_of(scene, [](const Object& object) { return !object.opaque(); });
+}
+
+Sphere caster_bounds(const Scene& scene) {
+    return bounds_of(scene, [](const Object& object) { return object.casts_shadow; });
 }
 
 }  // namespace momentscope

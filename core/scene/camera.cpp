@@ -42,7 +42,7 @@ DepthWarp depth_warp(const Camera& camera, const Sphere& bounds) {
     const float z_min = std::max(center - bounds.radius, NEAR_PLANE);
     // A range without extent would divide by zero; a thousandth of the depth is far below what can be seen.
     const float z_max = std::max(center + bounds.radius, z_min * 1.001f);
-    return {true, z_min, z_max};
+    return {DepthWarp::Kind::logarithmic, z_min, z_max};
 }
 
 }  // namespace momentscope

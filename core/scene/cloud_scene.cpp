@@ -15,6 +15,7 @@ Scene build_cloud() {
     Scene scene;
     scene.id = "cloud";
     scene.camera = {glm::vec3(0.0f, 0.1f, 0.0f), 6.0f, 0.3f, 0.15f, 0.8f};
+    scene.light = {-0.5f, 1.2f};
     scene.background = linear_color(0x9DB8D2);
     scene.picked = {0.5f, 0.5f};
     const glm::vec3 facing = towards_camera(scene.camera);

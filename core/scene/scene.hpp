@@ -26,7 +26,15 @@ struct Object {
     glm::vec3 color = glm::vec3(1);  // linear RGB albedo, >= 0
     float opacity = 1.0f;            // alpha_l in [0, 1]; 1 without a map is drawn in the opaque pass
     std::optional<std::uint32_t> alpha_map = {};  // index into Scene::alpha_maps; opacity is multiplied by it
+    bool casts_shadow = true;  // a ground that goes on for ever only receives
     bool opaque() const { return opacity >= 1.0f && !alpha_map; }
+};
+
+/// A point that lights the scene, seen from the centre of its casters: angles as of Camera.
+struct Light {
+    float azimuth = -0.7f;
+    float elevation = 0.9f;  // [0, pi / 2]
+    friend bool operator==(const Light&, const Light&) = default;
 };
 
 /// A pinhole camera that orbits `target`. Angles in radians; y is up.
@@ -46,6 +54,7 @@ struct Scene {
     std::vector<AlphaMap> alpha_maps;
     std::vector<Object> objects;
     Camera camera;
+    Light light;
     glm::vec3 background = glm::vec3(0.8f);  // linear RGB
     glm::vec2 picked = glm::vec2(0.5f);      // the pixel worth seeing first, as a fraction of
                                              // the picture, from its upper left corner
@@ -60,5 +69,8 @@ struct Sphere {
 /// A sphere around every vertex of every transparent object in world space (Section 3.3 of the
 /// paper). Conservative, not the smallest; radius 0 when nothing is transparent.
 Sphere transparent_bounds(const Scene& scene);
+
+/// The same around everything that casts shadows, opaque or transparent.
+Sphere caster_bounds(const Scene& scene);
 
 }  // namespace momentscope

@@ -112,7 +112,7 @@ void add_layers(std::vector<Condition>& rows) {
 // Surfaces spread evenly over the logarithm of view depth, as in a landscape.
 ViewRay landscape(RandomNumbers& random, float factor, bool logarithmic) {
     ViewRay ray = random_ray(random, 5);
-    if (logarithmic) ray.warp = {true, 1.0f, factor};
+    if (logarithmic) ray.warp = {DepthWarp::Kind::logarithmic, 1.0f, factor};
     for (Fragment& fragment : ray.fragments) {
         const float view_depth = std::pow(factor, random.uniform(0, 1));
         fragment.view_depth = logarithmic ? view_depth : 2 * (view_depth - 1) / (factor - 1) - 1;

@@ -4,9 +4,9 @@ layout(std140, binding = 0) uniform Frame
 {
     mat4 view;
     mat4 projection;
-    vec4 depth_warp;      // log_z_min, scale of shared/fragment.glsl; near and far plane
+    vec4 depth_warp;      // origin, scale of shared/fragment.glsl; near and far plane
     vec4 parameters;      // beta; theta, or epsilon of nested orders; alpha; renormalise (0 or 1)
-    ivec4 picture;        // width, height
+    ivec4 picture;        // width, height; is depth linear (0 or 1)?
 } frame;
 
 layout(std140, binding = 1) uniform Object

@@ -12,6 +12,14 @@
 #include "passes/stored_moments.glsl"
 #endif
 #endif
+#ifdef WITH_LIGHT
+// Instead of T the share of the light that reaches the fragment.
+float fragment_transmittance()
+{
+    return light_visibility(eye_position);
+}
+#define WITH_TRANSMITTANCE 1
+#endif
 
 layout(early_fragment_tests) in;
 

@@ -1,15 +1,25 @@
-// shading.glsl -- two-sided Blinn-Phong under one light beside the camera: enough to judge form and colour.
+// shading.glsl -- two-sided Blinn-Phong under one light: enough to judge form and colour. It stands beside the camera, or, with
+// SHADOWS, in the scene.
 
 in vec3 eye_position;
 in vec3 eye_normal;
+#ifdef SHADOWS
+#include "passes/light.glsl"
+#endif
 
 vec3 shaded(vec3 albedo)
 {
     vec3 to_eye = normalize(-eye_position);
     vec3 n = normalize(eye_normal);
     n = dot(n, to_eye) < 0.0 ? -n : n;
+#ifdef SHADOWS
+    vec3 to_light = normalize(light.position.xyz - eye_position);
+    float visibility = light_visibility(eye_position);
+#else
     vec3 to_light = normalize(vec3(-0.4, 0.7, 0.6));
-    float diffuse = max(dot(n, to_light), 0.0);
-    float specular = pow(max(dot(n, normalize(to_light + to_eye)), 0.0), 40.0);
+    float visibility = 1.0;
+#endif
+    float diffuse = visibility * max(dot(n, to_light), 0.0);
+    float specular = visibility * pow(max(dot(n, normalize(to_light + to_eye)), 0.0), 40.0);
     return albedo * (0.35 + 0.65 * diffuse) + vec3(0.12 * specular);
 }

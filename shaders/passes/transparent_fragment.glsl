@@ -43,7 +43,8 @@ float fragment_threshold()
 float fragment_depth()
 {
     DepthWarpFactors warp;
-    warp.log_z_min = frame.depth_warp.x;
+    warp.origin = frame.depth_warp.x;
     warp.scale = frame.depth_warp.y;
+    warp.linear = frame.picture.z > 0;
     return warped_depth(fragment_view_depth(), warp);
 }

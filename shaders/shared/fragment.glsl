@@ -16,27 +16,40 @@ FN float transmittance_of(float absorbance)
     return portable_exp(-absorbance);
 }
 
-/// Maps view depths [z_min, z_max] logarithmically onto [-1, 1] (Section 3.3).
-struct DepthWarpFactors { float log_z_min; float scale; };
+/// Maps view depths [z_min, z_max] onto [-1, 1]: logarithmically (Section 3.3), or linearly (Section 6).
+struct DepthWarpFactors { float origin; float scale; bool linear; };
 
 /// z_min, z_max: view depths in scene units, 0 < z_min < z_max.
 FN DepthWarpFactors depth_warp_factors(float z_min, float z_max)
 {
     DepthWarpFactors warp;
-    warp.log_z_min = portable_log(z_min);
-    warp.scale = 2.0f / (portable_log(z_max) - warp.log_z_min);
+    warp.origin = portable_log(z_min);
+    warp.scale = 2.0f / (portable_log(z_max) - warp.origin);
+    warp.linear = false;
+    return warp;
+}
+
+/// z_min < z_max: view depths in scene units.
+FN DepthWarpFactors linear_depth_factors(float z_min, float z_max)
+{
+    DepthWarpFactors warp;
+    warp.origin = z_min;
+    warp.scale = 2.0f / (z_max - z_min);
+    warp.linear = true;
     return warp;
 }
 
 /// Depth in [-1, 1] of a view depth > 0; outside the range it is clamped.
 FN float warped_depth(float view_depth, IN(DepthWarpFactors) warp)
 {
-    PRECISE float depth = (portable_log(view_depth) - warp.log_z_min) * warp.scale - 1.0f;
+    float place = warp.linear ? view_depth : portable_log(view_depth);
+    PRECISE float depth = (place - warp.origin) * warp.scale - 1.0f;
     return clamp(depth, -1.0f, 1.0f);
 }
 
 /// The view depth that warped_depth maps to `depth`, up to rounding.
 FN float unwarped_depth(float depth, IN(DepthWarpFactors) warp)
 {
-    return portable_exp((depth + 1.0f) / warp.scale + warp.log_z_min);
+    PRECISE float place = (depth + 1.0f) / warp.scale + warp.origin;
+    return warp.linear ? place : portable_exp(place);
 }

@@ -56,7 +56,7 @@ Result evaluate(const Technique& technique, const ResolvedParameters& p, const I
     Result result{};
     result.absorbance = technique.kernel->steps(moments, settings_of(p), item.depth).absorbance;
     result.transmittance = transmittance(result.absorbance);
-    result.warped = to_depth(item.view_depth, {true, Z_MIN, Z_MAX});
+    result.warped = to_depth(item.view_depth, {DepthWarp::Kind::logarithmic, Z_MIN, Z_MAX});
     technique.kernel->add_fragment(moments, result.warped, fragment_absorbance(item.opacity),
                                    basis_parameter(p, technique));
     result.b0_with_fragment = moments.b0;

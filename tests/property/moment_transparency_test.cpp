@@ -39,7 +39,7 @@ ViewRay between_planes(const ViewRay& ray, bool published) {
 
 ViewRay ray_between_planes(RandomNumbers& random, int count) {
     ViewRay ray = random_ray(random, count);
-    ray.warp = {true, 0.2f, 60.0f};
+    ray.warp = {DepthWarp::Kind::logarithmic, 0.2f, 60.0f};
     ray.near_plane = 0.1f;
     ray.far_plane = 100;
     for (Fragment& fragment : ray.fragments) fragment.view_depth = to_view_depth(fragment.depth, ray.warp);

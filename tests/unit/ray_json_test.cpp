@@ -46,7 +46,7 @@ void expect_same(const ViewRay& a, const ViewRay& b) {
         EXPECT_EQ(a.fragments[i].opacity, b.fragments[i].opacity) << i;
         EXPECT_EQ(a.fragments[i].color, b.fragments[i].color) << i;
     }
-    EXPECT_EQ(a.warp.logarithmic, b.warp.logarithmic);
+    EXPECT_EQ(a.warp.has_view_depths(), b.warp.has_view_depths());
     EXPECT_EQ(a.warp.z_min, b.warp.z_min);
     EXPECT_EQ(a.warp.z_max, b.warp.z_max);
     EXPECT_EQ(a.near_plane, b.near_plane);
@@ -63,7 +63,7 @@ TEST(RayJson, ComesBackTheSameWithoutAWarp) {
 
 TEST(RayJson, ComesBackTheSameWithALogarithmicWarp) {
     ViewRay ray;
-    ray.warp = {true, 0.1f, 123.4f};
+    ray.warp = {DepthWarp::Kind::logarithmic, 0.1f, 123.4f};
     ray.near_plane = 0.05f;
     ray.far_plane = 1000.0f;
     for (const float view_depth : {0.1f, 7.7f, 123.4f, 0.2f}) {
@@ -85,11 +85,11 @@ TEST(RayJson, NumbersFragmentsByTheirOrderAndFillsInWhatIsOptional) {
     EXPECT_EQ(ray.fragments[1].depth, -0.5f);
     EXPECT_EQ(ray.fragments[1].view_depth, -0.5f);
     EXPECT_EQ(ray.fragments[0].color, glm::vec3(1));
-    EXPECT_FALSE(ray.warp.logarithmic);
+    EXPECT_FALSE(ray.warp.has_view_depths());
     EXPECT_EQ(ray.near_plane, 0.0f);
     EXPECT_TRUE(ray_from_json(with_fragments("")).fragments.empty());
-    EXPECT_FALSE(ray_from_json(with_fragments("", R"(, "warp": null)")).warp.logarithmic);
-    EXPECT_FALSE(ray_from_json(with_fragments("", R"(, "warp": {"kind": "none"})")).warp.logarithmic);
+    EXPECT_FALSE(ray_from_json(with_fragments("", R"(, "warp": null)")).warp.has_view_depths());
+    EXPECT_FALSE(ray_from_json(with_fragments("", R"(, "warp": {"kind": "none"})")).warp.has_view_depths());
     EXPECT_EQ(ray_from_json(with_fragments("", R"(, "note": [[[["ignored"]]]])")).fragments.size(), 0u);
 }
 

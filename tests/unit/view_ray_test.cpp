@@ -116,7 +116,7 @@ TEST(ToDepth, WithoutAWarpClampsOnly) {
 }
 
 TEST(ToDepth, WithALogarithmicWarpPutsTheGeometricMeanInTheMiddle) {
-    const DepthWarp warp = {true, 1.0f, 16.0f};
+    const DepthWarp warp = {DepthWarp::Kind::logarithmic, 1.0f, 16.0f};
     EXPECT_EQ(to_depth(1.0f, warp), -1.0f);
     // A few roundings of numbers up to 2 (ln 16 is 2.8, its half 1.4): 4 of 1.2e-7.
     EXPECT_NEAR(to_depth(2.0f, warp), -0.5f, 5e-7f);
@@ -124,7 +124,7 @@ TEST(ToDepth, WithALogarithmicWarpPutsTheGeometricMeanInTheMiddle) {
     EXPECT_NEAR(to_depth(16.0f, warp), 1.0f, 5e-7f);
     EXPECT_NEAR(to_view_depth(0.5f, warp), 8.0f,
                 8.0f * 1e-6f);  // 5e-7 of depth times half of ln 16, and 2 ulps
-    const glm::vec2 factors = depth_warp_factors(warp);
+    const glm::vec3 factors = depth_warp_factors(warp);
     EXPECT_EQ(factors.x, 0.0f);
     EXPECT_NEAR(factors.y, 2.0f / std::log(16.0f), 3e-7f);
 }

@@ -1,0 +1,303 @@
+#include "core/render/shadow_maps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/gl/texture.hpp"
+#include "core/render/geometry_pass.hpp"
+#include "core/render/uniform_blocks.hpp"
+#include "core/shadow/shadow_filter.hpp"
+
+namespace momentscope {
+
+namespace {
+
+constexpr const char* SCENE = "passes/scene.vert";
+constexpr const char* FULLSCREEN = "passes/fullscreen.vert";
+constexpr const char* FILTER = "passes/shadow_filter.frag";
+constexpr GLuint LIGHT_BLOCK = 2;  // passes/light_block.glsl, light.glsl
+constexpr GLuint OPAQUE_UNIT = 12, TRANSPARENT_UNIT = 13, DEEP_STEPS = 1;
+constexpr GLint DIRECTION = 0, LAYER = 1;  // shadow_filter.frag
+constexpr std::size_t MOST_BYTES = std::size_t{1} << 30;
+
+GlBuffer make_uniform_buffer(std::size_t bytes) {
+    GLuint name = 0;
+    glCreateBuffers(1, &name);
+    GlBuffer buffer(name);
+    glNamedBufferStorage(buffer, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    return buffer;
+}
+
+GLenum opaque_format(const OpaqueShadow& row) {
+    if (row.bits == 16) return GL_RGBA16;
+    return row.numbers == 2 ? GL_RG32F : GL_RGBA32F;
+}
+
+// Throws what this GL cannot hold, before it takes memory.
+void require_fitting(const ShadowSettings& settings) {
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    if (settings.size > most)
+        throw Error(fmt::format(
+            "A shadow map of {0}x{0} texels is larger than the {1}x{1} that this GL can draw; give a "
+            "smaller --shadow-size.",
+            settings.size, most));
+    const auto texels = static_cast<std::size_t>(settings.size) * static_cast<std::size_t>(settings.size);
+    const std::size_t bytes = texels * (52 + 32 * static_cast<std::size_t>(caster_layers(settings)));
+    if (bytes > MOST_BYTES)
+        throw Error(fmt::format(
+            "Shadow maps of {0}x{0} texels take {1} MB, more than the {2} MB that are spent on them; give a smaller "
+            "--shadow-size.",
+            settings.size, bytes >> 20U, MOST_BYTES >> 20U));
+}
+
+bool same_sums(const ShadowSettings& a, const ShadowSettings& b) {
+    const Technique& technique = *a.transparent.technique;
+    if (&technique != b.transparent.technique || a.size != b.size || !(a.light == b.light) ||
+        a.distance != b.distance)
+        return false;
+    const ResolvedParameters before = resolve(a.transparent.values, technique);
+    const ResolvedParameters after = resolve(b.transparent.values, technique);
+    return before.method.size == after.method.size && (!technique.on_circle() || before.theta == after.theta);
+}
+
+}  // namespace
+
+ShadowMaps::ShadowMaps(PassTiming timing)
+    : timing_(timing),
+      frame_block_(make_uniform_buffer(sizeof(FrameBlock))),
+      light_block_(make_uniform_buffer(sizeof(LightBlock))) {
+    GLuint name = 0;
+    glCreateQueries(GL_TIME_ELAPSED, 1, &name);
+    timer_ = GlQuery(name);
+}
+
+template <typename Draw>
+void ShadowMaps::timed(double& milliseconds, const Draw& draw) {
+    PassTimer timer(timing_, timer_);
+    draw();
+    milliseconds = timer.milliseconds();
+}
+
+void ShadowMaps::update(const SceneBuffers& scene, const Sphere& casters, const ShadowSettings& settings) {
+    const LightFrame frame = light_frame(settings, casters);
+    require_fitting(settings);
+    const bool fresh = !settings_;
+    const bool textures = fresh || settings_->size != settings.size || settings_->opaque != settings.opaque ||
+                          caster_layers(*settings_) != caster_layers(settings);
+    const bool maps = textures || !same_sums(*settings_, settings) || casters.center != casters_.center ||
+                      casters.radius != casters_.radius;
+    const bool filter = maps || settings_->radius != settings.radius;
+    settings_.reset();  // until all went well
+    ShadowSettings next = settings;
+    frame_ = frame;
+    casters_ = casters;
+    lighting_ = shader_lighting(settings);
+    settings_ = std::move(next);
+    try {
+        if (textures) make_textures();
+        if (maps) draw_maps(scene);
+        if (filter) filter_maps();
+        check_gl("drawing shadow maps");
+    } catch (...) {
+        settings_.reset();
+        throw;
+    }
+}
+
+void ShadowMaps::redraw(const SceneBuffers& scene) {
+    draw_maps(scene);
+    filter_maps();
+}
+
+void ShadowMaps::make_textures() {
+    const glm::ivec2 size(settings_->size);
+    const OpaqueShadow& row = *settings_->opaque;
+    nearest_ = make_texture(GL_R32F, size);
+    nearest_depth_ = make_texture(GL_DEPTH_COMPONENT32F, size);
+    nearest_target_ = make_framebuffer({nearest_}, nearest_depth_);
+    opaque_filtered_ = make_texture(opaque_format(row), size);
+    opaque_target_ = make_framebuffer({opaque_filtered_}, 0);
+    opaque_halfway_ = make_layered_texture(GL_RGBA32F, size, 1);
+    opaque_halfway_target_ = make_layer_framebuffer(opaque_halfway_, 0, 1);
+    filtered_targets_.clear();
+    sums_ = {};
+    filtered_ = {};
+    halfway_ = {};
+    list_.reset();
+    deep_ = {};
+    const int layers = caster_layers(*settings_);
+    no_depth_ = make_texture(GL_DEPTH_COMPONENT32F, size);
+    const float far = 1;
+    glClearTexImage(no_depth_, 0, GL_DEPTH_COMPONENT, GL_FLOAT, &far);
+    if (layers == 0) return;
+    sums_ = make_layered_texture(GL_RGBA32F, size, layers);
+    filtered_ = make_layered_texture(GL_RGBA32F, size, layers);
+    halfway_ = make_layered_texture(GL_RGBA32F, size, 1);
+    sums_target_ = make_layer_framebuffer(sums_, 0, layers);
+    halfway_target_ = make_layer_framebuffer(halfway_, 0, 1);
+    for (int layer = 0; layer < layers; ++layer)
+        filtered_targets_.push_back(make_layer_framebuffer(filtered_, layer, 1));
+    check_gl(fmt::format("making shadow maps of {}x{} texels", size.x, size.y));
+}
+
+// The passes' eye is the light.
+void ShadowMaps::write_blocks(const glm::mat4& eye_view) const {
+    const glm::vec3 warp = depth_warp_factors(frame_.warp);
+    const FrameBlock frame = {frame_.view, frame_.projection,
+                              glm::vec4(warp.x, warp.y, frame_.near_plane, frame_.far_plane), glm::vec4(0),
+                              glm::ivec4(settings_->size, settings_->size, 1, 0)};
+    glNamedBufferSubData(frame_block_, 0, sizeof(frame), &frame);
+    const ResolvedParameters parameters =
+        resolve(settings_->transparent.values, *settings_->transparent.technique);
+    LightBlock light = {};
+    light.view_from_eye = glm::mat4(glm::dmat4(frame_.view) * glm::inverse(glm::dmat4(eye_view)));
+    light.projection = frame_.projection;
+    light.position = eye_view * glm::vec4(frame_.position, 1);
+    light.range = glm::vec4(warp.x, warp.y, static_cast<float>(settings_->size), 0);
+    light.reconstruction = glm::vec4(
+        parameters.beta, basis_parameter(parameters, *settings_->transparent.technique), parameters.alpha, 0);
+    light.radius = glm::ivec4(settings_->radius);
+    const std::vector<float> weights = gaussian_weights(settings_->radius);
+    for (std::size_t i = 0; i < weights.size(); ++i)
+        light.weights[i / 4][static_cast<int>(i % 4)] = weights[i];
+    glNamedBufferSubData(light_block_, 0, sizeof(light), &light);
+}
+
+void ShadowMaps::draw_maps(const SceneBuffers& scene) {
+    write_blocks(glm::mat4(1));
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_block_);
+    glBindBufferBase(GL_UNIFORM_BUFFER, LIGHT_BLOCK, light_block_);
+    glViewport(0, 0, settings_->size, settings_->size);
+    timed(times_.render, [&] { draw_casters(scene); });
+    ++times_.rendered;
+}
+
+void ShadowMaps::draw_casters(const SceneBuffers& scene) {
+    const float far[4] = {1, 1, 1, 1};
+    glClearNamedFramebufferfv(nearest_target_, GL_COLOR, 0, far);
+    glClearNamedFramebufferfv(nearest_target_, GL_DEPTH, 0, far);
+    glBindFramebuffer(GL_FRAMEBUFFER, nearest_target_);
+    glEnable(GL_DEPTH_TEST);
+    glUseProgram(programs_.get(SCENE, "passes/caster_depth.frag"));
+    scene.draw(Surfaces::opaque_casters);
+    glDisable(GL_DEPTH_TEST);
+    if (settings_->deep()) return draw_deep(scene);
+    const int layers = caster_layers(*settings_);
+    ShaderVariant variant;
+    add_lighting(variant, lighting_);
+    clear_colors(sums_target_, layers);
+    glUseProgram(programs_.get(SCENE, "passes/caster.frag", variant));
+    draw_transparent(scene, sums_target_, Blending::add);
+}
+
+// Lists of the steps of T, sorted by the CPU: a ground truth, not a fast one.
+void ShadowMaps::draw_deep(const SceneBuffers& scene) {
+    const int size = settings_->size;
+    std::vector<glm::uvec2> lists(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
+    std::vector<glm::vec2> steps;
+    GLint64 most_bytes = 0;
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most_bytes);
+    for (int y = 0, rows = size; y < size; y += rows) {
+        rows = std::min(rows, size - y);
+        auto nodes = capture_texels(scene, {0, y}, {size, rows});
+        while (!nodes && rows > 1) {
+            rows = (rows + 1) / 2;
+            nodes = capture_texels(scene, {0, y}, {size, rows});
+        }
+        if (!nodes ||
+            (steps.size() + nodes->size()) * sizeof(glm::vec2) > static_cast<std::size_t>(most_bytes))
+            throw Error(fmt::format(
+                "A deep shadow map of {0}x{0} texels has more fragments than this GL can hold; give a smaller "
+                "--shadow-size.",
+                size));
+        std::ranges::sort(*nodes, {}, [](const FragmentNode& n) { return std::pair(n.pixel, n.depth); });
+        double absorbance = 0;
+        std::uint32_t pixel = ~0U;
+        for (const FragmentNode& node : *nodes) {
+            const std::size_t at =
+                static_cast<std::size_t>(node.pixel >> 16U) * static_cast<std::size_t>(size) +
+                (node.pixel & 0xffffU);
+            if (node.pixel != pixel) {
+                pixel = node.pixel;
+                absorbance = 0;
+                lists[at] = {steps.size(), 0};
+            }
+            absorbance += static_cast<double>(fragment_absorbance(node.color_opacity.a));
+            steps.emplace_back(node.depth, static_cast<float>(std::exp(-absorbance)));
+            ++lists[at].y;
+        }
+    }
+    deep_.lists = make_texture(GL_RG32UI, glm::ivec2(size));
+    glTextureSubImage2D(deep_.lists, 0, 0, 0, size, size, GL_RG_INTEGER, GL_UNSIGNED_INT, lists.data());
+    GLuint name = 0;
+    glCreateBuffers(1, &name);
+    deep_.steps = GlBuffer(name);
+    if (steps.empty()) steps.emplace_back(0.0f, 1.0f);  // GL refuses empty storage
+    glNamedBufferStorage(deep_.steps, static_cast<GLsizeiptr>(steps.size() * sizeof(glm::vec2)), steps.data(),
+                         0);
+}
+
+void ShadowMaps::filter_maps() {
+    write_blocks(glm::mat4(1));
+    glBindBufferBase(GL_UNIFORM_BUFFER, LIGHT_BLOCK, light_block_);
+    glViewport(0, 0, settings_->size, settings_->size);
+    timed(times_.filter, [&] {
+        filter_opaque();
+        filter_transparent();
+    });
+    ++times_.filtered;
+    leave_nothing_bound();
+}
+
+void ShadowMaps::filter_opaque() {
+    if (settings_->opaque->unfiltered) return;
+    ShaderVariant of_depths;
+    add_lighting(of_depths, lighting_);
+    of_depths.defines["OPAQUE_DEPTHS"] = "1";
+    glBindFramebuffer(GL_FRAMEBUFFER, opaque_halfway_target_);
+    glUseProgram(programs_.get(FULLSCREEN, FILTER, of_depths));
+    glUniform2i(DIRECTION, 1, 0);
+    glBindTextureUnit(0, nearest_);
+    draw_fullscreen();
+    glBindFramebuffer(GL_FRAMEBUFFER, opaque_target_);
+    glUseProgram(programs_.get(FULLSCREEN, FILTER));
+    glUniform2i(DIRECTION, 0, 1);
+    glUniform1i(LAYER, 0);
+    glBindTextureUnit(0, opaque_halfway_);
+    draw_fullscreen();
+}
+
+void ShadowMaps::filter_transparent() {
+    if (filtered_targets_.empty()) return;
+    glUseProgram(programs_.get(FULLSCREEN, FILTER));
+    for (std::size_t layer = 0; layer < filtered_targets_.size(); ++layer) {
+        glBindFramebuffer(GL_FRAMEBUFFER, halfway_target_);
+        glUniform2i(DIRECTION, 1, 0);
+        glUniform1i(LAYER, static_cast<GLint>(layer));
+        glBindTextureUnit(0, sums_);
+        draw_fullscreen();
+        glBindFramebuffer(GL_FRAMEBUFFER, filtered_targets_[layer]);
+        glUniform2i(DIRECTION, 0, 1);
+        glUniform1i(LAYER, 0);
+        glBindTextureUnit(0, halfway_);
+        draw_fullscreen();
+    }
+}
+
+void ShadowMaps::bind(const glm::mat4& eye_view) const {
+    write_blocks(eye_view);
+    glBindBufferBase(GL_UNIFORM_BUFFER, LIGHT_BLOCK, light_block_);
+    glBindTextureUnit(OPAQUE_UNIT, settings_->opaque->unfiltered ? nearest_ : opaque_filtered_);
+    if (settings_->deep()) {
+        glBindTextureUnit(TRANSPARENT_UNIT, deep_.lists);
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, DEEP_STEPS, deep_.steps);
+    } else {
+        glBindTextureUnit(TRANSPARENT_UNIT, filtered_);
+    }
+}
+
+}  // namespace momentscope

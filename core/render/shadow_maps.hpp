@@ -1,0 +1,86 @@
+// shadow_maps.hpp -- the light's maps of opaque and of transparent casters, drawn and filtered.
+#pragma once
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/gl/program.hpp"
+#include "core/render/fragment_list.hpp"
+#include "core/render/pass_timing.hpp"
+#include "core/render/shader_lighting.hpp"
+#include "core/shadow/light_frame.hpp"
+#include "core/shadow/light_ray.hpp"
+
+namespace momentscope {
+
+/// Milliseconds that each stage of the maps took when it last ran, and how often it did.
+struct ShadowTimes {
+    double render = 0, filter = 0;
+    int rendered = 0, filtered = 0;
+};
+
+class ShadowMaps {
+public:
+    explicit ShadowMaps(PassTiming timing);
+
+    /// Draws and filters what the change since the last call made stale: the light's place, the size and the
+    /// technique the maps, the radius their filtering, beta and alpha nothing. Throws Error when the light
+    /// stands among the casters or the maps are too large for this GL.
+    void update(const SceneBuffers& scene, const Sphere& casters, const ShadowSettings& settings);
+
+    /// Everything again, of the settings of the last update.
+    void redraw(const SceneBuffers& scene);
+
+    /// Binds what passes/light.glsl reads. eye_view: world to eye.
+    void bind(const glm::mat4& eye_view) const;
+
+    const ShaderLighting& lighting() const { return lighting_; }
+    const ShadowTimes& times() const { return times_; }
+    const LightFrame& frame() const { return frame_; }
+    const ShadowSettings& settings() const { return *settings_; }
+
+    /// What the filter region of a place is made of, and what the map holds of it.
+    LightBundle capture(const SceneBuffers& scene, const LightPlace& place);
+
+private:
+    struct DeepMap {
+        GlTexture lists;  // first step and how many, per texel
+        GlBuffer steps;   // depth and T behind it
+    };
+
+    void make_textures();
+    void draw_maps(const SceneBuffers& scene);
+    void draw_casters(const SceneBuffers& scene);
+    void draw_deep(const SceneBuffers& scene);
+    void filter_maps();
+    void filter_opaque();
+    void filter_transparent();
+    void write_blocks(const glm::mat4& eye_view) const;
+    std::optional<std::vector<FragmentNode>> capture_texels(const SceneBuffers& scene, glm::ivec2 corner,
+                                                            glm::ivec2 extent);
+    std::vector<float> read_texel(GLuint texture, glm::ivec2 at, int layer) const;
+
+    template <typename Draw>
+    void timed(double& milliseconds, const Draw& draw);
+
+    PassTiming timing_;
+    GlQuery timer_;
+    GlBuffer frame_block_, light_block_;
+    std::optional<ShadowSettings> settings_;  // of what the maps hold
+    Sphere casters_;
+    LightFrame frame_;
+    ShaderLighting lighting_;
+    ShadowTimes times_;
+    ProgramCache programs_;
+
+    GlTexture nearest_, nearest_depth_;           // depths of opaque casters, and what tests them
+    GlTexture opaque_filtered_, opaque_halfway_;  // halfway: filtered in one direction
+    GlTexture sums_, filtered_, halfway_;         // of transparent casters, in layers of four numbers
+    GlTexture no_depth_;                          // all at the far end
+    GlFramebuffer nearest_target_, opaque_target_, opaque_halfway_target_, sums_target_, halfway_target_;
+    std::vector<GlFramebuffer> filtered_targets_;  // of each layer
+    std::unique_ptr<FragmentList> list_;
+    DeepMap deep_;
+};
+
+}  // namespace momentscope

@@ -1,0 +1,59 @@
+#include "core/shadow/light_frame.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "core/error.hpp"
+
+namespace momentscope {
+
+namespace {
+
+constexpr float STANDARD_DISTANCE = 4;   // radii
+constexpr float LEAST_DISTANCE = 1.05f;  // radii; closer the frustum is wider than 144 degrees
+
+}  // namespace
+
+LightFrame light_frame(const ShadowSettings& settings, const Sphere& casters) {
+    const float radius = std::max(casters.radius, 1e-3f);  // nothing casts: any frame will do
+    const float distance = settings.distance.value_or(STANDARD_DISTANCE * radius);
+    if (!(distance >= LEAST_DISTANCE * radius))
+        throw Error(fmt::format(
+            "The light stands {:.3g} from the centre of what casts shadows, within the sphere of radius {:.3g} "
+            "around it; give a --light-distance of {:.3g} or more.",
+            distance, radius, std::ceil(105 * radius) / 100));
+    const Light& light = settings.light;
+    const glm::vec3 direction = {std::sin(light.azimuth) * std::cos(light.elevation),
+                                 std::sin(light.elevation),
+                                 std::cos(light.azimuth) * std::cos(light.elevation)};
+    LightFrame frame;
+    frame.position = casters.center + distance * direction;
+    const bool overhead = light.elevation > 1.5f;
+    frame.view =
+        glm::lookAt(frame.position, casters.center, overhead ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0));
+    frame.near_plane = distance - radius;
+    frame.far_plane = distance + radius;
+    // The cone that touches the sphere, a thousandth wider.
+    const float angle = std::asin(std::min(1.001f * radius / distance, 0.999f));
+    frame.projection = glm::perspective(2 * angle, 1.0f, 0.999f * frame.near_plane, 1.001f * frame.far_plane);
+    frame.warp = {DepthWarp::Kind::linear, frame.near_plane, frame.far_plane};
+    return frame;
+}
+
+LightPlace light_place(const LightFrame& frame, int map_size, const glm::vec3& world) {
+    const glm::vec4 in_light = frame.view * glm::vec4(world, 1);
+    const glm::vec4 clip = frame.projection * in_light;
+    LightPlace place;
+    if (!(-in_light.z > frame.near_plane)) return place;
+    place.texel = (glm::vec2(clip) / clip.w * 0.5f + 0.5f) * static_cast<float>(map_size);
+    place.depth = to_depth(-in_light.z, frame.warp);
+    place.within = place.texel.x >= 0 && place.texel.y >= 0 &&
+                   place.texel.x <= static_cast<float>(map_size) &&
+                   place.texel.y <= static_cast<float>(map_size);
+    return place;
+}
+
+}  // namespace momentscope

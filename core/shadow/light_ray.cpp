@@ -1,0 +1,110 @@
+#include "core/shadow/light_ray.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace momentscope {
+
+namespace {
+
+// The opacity that absorbs `share` of what this one does.
+float shared_opacity(float opacity, float share) {
+    const double absorbance = static_cast<double>(fragment_absorbance(opacity)) * static_cast<double>(share);
+    return static_cast<float>(-std::expm1(-absorbance));
+}
+
+double absorbance_in_front(const LightTexel& texel, float depth) {
+    double sum = 0;
+    for (const Fragment& fragment : texel.fragments)
+        if (fragment.depth < depth) sum += static_cast<double>(fragment_absorbance(fragment.opacity));
+    return sum;
+}
+
+MethodFragment receiver_fragment(float depth) {
+    MethodFragment fragment;
+    fragment.depth = 0.5f * (depth + 1.0f);
+    fragment.view_depth = 1;
+    fragment.window_depth = fragment.plane_depth = fragment.depth;
+    return fragment;
+}
+
+}  // namespace
+
+ViewRay mixed_ray(const LightBundle& bundle) {
+    ViewRay ray;
+    ray.warp = bundle.warp;
+    ray.near_plane = bundle.near_plane;
+    ray.far_plane = bundle.far_plane;
+    for (const LightTexel& texel : bundle.texels)
+        for (Fragment fragment : texel.fragments) {
+            fragment.opacity = shared_opacity(fragment.opacity, texel.weight);
+            ray.fragments.push_back(fragment);
+        }
+    return ray;
+}
+
+ViewRay opaque_ray(const LightBundle& bundle) {
+    ViewRay ray;
+    ray.warp = bundle.warp;
+    for (const OpaqueShare& share : bundle.opaque) {
+        Fragment fragment;
+        fragment.depth = share.depth;
+        fragment.view_depth = to_view_depth(share.depth, bundle.warp);
+        fragment.opacity = static_cast<float>(-std::expm1(-static_cast<double>(share.weight)));
+        ray.fragments.push_back(fragment);
+    }
+    return ray;
+}
+
+double deep_transmittance(const LightBundle& bundle, float depth) {
+    double sum = 0;
+    for (const LightTexel& texel : bundle.texels)
+        sum += static_cast<double>(texel.weight) * std::exp(-absorbance_in_front(texel, depth));
+    return bundle.texels.empty() ? 1 : sum;
+}
+
+double mixed_transmittance(const LightBundle& bundle, float depth) {
+    double absorbance = 0;
+    for (const LightTexel& texel : bundle.texels)
+        absorbance += static_cast<double>(texel.weight) * absorbance_in_front(texel, depth);
+    return std::exp(-absorbance);
+}
+
+double opaque_fraction(const LightBundle& bundle, float depth) {
+    double sum = 0;
+    for (const OpaqueShare& share : bundle.opaque)
+        if (share.depth < depth) sum += static_cast<double>(share.weight);
+    return sum;
+}
+
+float light_transmittance(const LightBundle& bundle, const Configuration& transparent, float depth) {
+    if (bundle.texels.empty()) return 1;
+    const Technique& technique = *transparent.technique;
+    if (technique.is_truth()) return static_cast<float>(deep_transmittance(bundle, depth));
+    const ResolvedParameters parameters = resolve(transparent.values, technique);
+    if (technique.method != nullptr) {
+        PixelState state;
+        std::ranges::copy(bundle.sums, state.f.begin());
+        return technique.method->transmittance_at(state, receiver_fragment(depth), parameters.method);
+    }
+    MomentVector moments;
+    moments.b0 = bundle.sums.front();
+    std::copy(bundle.sums.begin() + 1, bundle.sums.end(), moments.b.begin());
+    float reconstructed = 0, beta0 = 0, beta1 = 0;
+    ReconstructionSettings settings = settings_of(parameters);
+    settings.solver = Solver::robust;
+    technique.kernel->evaluate(moments, settings, {&depth, 1},
+                               {{&reconstructed, 1}, {&beta0, 1}, {&beta1, 1}});
+    return transmittance(reconstructed);
+}
+
+float light_shadowed(const LightBundle& bundle, const OpaqueShadow& opaque, float depth) {
+    if (bundle.texels.empty()) return 0;
+    if (!opaque.unfiltered) return opaque.shadowed(bundle.texel, depth);
+    double sum = 0;
+    for (const OpaqueShare& share : bundle.opaque)
+        sum += static_cast<double>(share.weight * opaque.shadowed(opaque.texel(share.depth), depth));
+    return static_cast<float>(sum);
+}
+
+}  // namespace momentscope

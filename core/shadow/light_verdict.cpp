@@ -1,0 +1,108 @@
+#include "core/shadow/light_verdict.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/inspect/exact.hpp"
+
+namespace momentscope {
+
+namespace {
+
+constexpr double VISIBLE = 0.01;  // a share of the light below which nothing is said
+
+/// T from exact moments without bias; nullopt for techniques without.
+std::optional<double> exact_transmittance(const ViewRay& ray, const Technique& technique,
+                                          ResolvedParameters parameters, float beta, float depth) {
+    parameters.beta = beta;
+    const std::vector<float> absorbance = unbiased_absorbance(ray, technique, parameters, {&depth, 1});
+    if (absorbance.empty()) return std::nullopt;
+    return std::exp(-static_cast<double>(absorbance.front()));
+}
+
+// From the truth to what is shown, one cause at a time.
+std::vector<Contribution> contributions_of(const LightBundle& bundle, const Configuration& transparent,
+                                           double truth, double shown) {
+    const Technique& technique = *transparent.technique;
+    if (technique.is_truth() || bundle.texels.empty()) return {};
+    const float depth = bundle.place.depth;
+    const double mixed = mixed_transmittance(bundle, depth);
+    std::vector<Contribution> chain = {{"filtering", truth - mixed}};
+    const ViewRay ray = mixed_ray(bundle);
+    const ResolvedParameters parameters = resolve(transparent.values, technique);
+    const auto lower = exact_transmittance(ray, technique, parameters, 0, depth);
+    const auto weighted = exact_transmittance(ray, technique, parameters, parameters.beta, depth);
+    if (!lower || !weighted) {
+        chain.push_back({"the series", mixed - shown});
+        return chain;
+    }
+    chain.push_back({"light leaking", mixed - *lower});
+    chain.push_back({"self-shadowing", *lower - *weighted});
+    chain.push_back({"bias and rounding", *weighted - shown});
+    return chain;
+}
+
+std::string reason(const Contribution& cause, const Configuration& transparent) {
+    const double percent = 100 * std::abs(cause.share);
+    if (cause.cause == "light leaking" && cause.share < 0)
+        return fmt::format(
+            "light leaks: the moments also fit mass behind the receiver, which lets {:.0f} % too much through",
+            percent);
+    if (cause.cause == "light leaking")
+        return fmt::format(
+            "the moments also fit mass in front of the receiver, which takes {:.0f} % of the light", percent);
+    if (cause.cause == "self-shadowing")
+        return fmt::format(
+            "wrong self-shadowing: β = {:g} counts mass at the receiver's own depth as in front, {:.0f} % of the "
+            "light",
+            static_cast<double>(transparent.values[ParameterId::beta].value_or(0)), percent);
+    if (cause.cause == "filtering")
+        return fmt::format(
+            "filtering mixes absorbances instead of what they let through, {:.0f} % of the light", percent);
+    if (cause.cause == "the series")
+        return fmt::format("the Fourier series rings and smears: {:.0f} % of the light {}", percent,
+                           cause.share < 0 ? "too much" : "too little");
+    return fmt::format("bias and rounding change {:.0f} % of the light", percent);
+}
+
+}  // namespace
+
+LightVerdict light_verdict(const LightBundle& bundle, const Configuration& transparent,
+                           const OpaqueShadow& opaque) {
+    const float depth = bundle.place.depth;
+    LightVerdict verdict;
+    if (!bundle.place.within) {
+        verdict.sentence = "The light's map knows nothing of this place: all light reaches it.";
+        return verdict;
+    }
+    verdict.true_transmittance = deep_transmittance(bundle, depth);
+    verdict.transmittance = static_cast<double>(light_transmittance(bundle, transparent, depth));
+    verdict.true_shadowed = opaque_fraction(bundle, depth);
+    verdict.shadowed = static_cast<double>(light_shadowed(bundle, opaque, depth));
+    verdict.contributions =
+        contributions_of(bundle, transparent, verdict.true_transmittance, verdict.transmittance);
+    const double truth = (1 - verdict.true_shadowed) * verdict.true_transmittance;
+    const double shown = (1 - verdict.shadowed) * verdict.transmittance;
+    verdict.sentence =
+        fmt::format("{:.0f} % of the light should reach it, {:.0f} % does", 100 * truth, 100 * shown);
+    const auto by_size = [](const Contribution& a, const Contribution& b) {
+        return std::abs(a.share) < std::abs(b.share);
+    };
+    const double off_transparent = std::abs(verdict.true_transmittance - verdict.transmittance);
+    const double off_opaque = std::abs(verdict.true_shadowed - verdict.shadowed);
+    if (std::max(off_transparent, off_opaque) < VISIBLE)
+        verdict.sentence += ".";
+    else if (off_opaque > off_transparent)
+        verdict.sentence += fmt::format(
+            ": {} opaque casters, {:.0f} % of the filter region lie in front, the map says {:.0f} %.",
+            verdict.shadowed < verdict.true_shadowed ? "light leaks past" : "it is too dark below",
+            100 * verdict.true_shadowed, 100 * verdict.shadowed);
+    else
+        verdict.sentence += fmt::format(
+            ": {}.", reason(*std::ranges::max_element(verdict.contributions, by_size), transparent));
+    return verdict;
+}
+
+}  // namespace momentscope

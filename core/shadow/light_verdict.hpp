@@ -1,0 +1,28 @@
+// light_verdict.hpp -- why a receiver is lit wrongly: leaking, wrong self-shadowing, filtering or bias.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/inspect/verdict.hpp"
+#include "core/shadow/light_ray.hpp"
+
+namespace momentscope {
+
+/// Shares of the light that reach a receiver.
+struct LightVerdict {
+    double true_transmittance =
+        1;                     // of transparent casters, as a deep shadow map with the same filter has it
+    double transmittance = 1;  // as the map's numbers give it
+    double true_shadowed = 0;  // share of the filter region behind opaque casters, by comparing each texel
+    double shadowed = 0;       // as the map's numbers give it
+
+    /// What true_transmittance - transmittance is made of: positive where light is missing, negative where it
+    /// leaks. They sum to the difference.
+    std::vector<Contribution> contributions;
+    std::string sentence;
+};
+
+LightVerdict light_verdict(const LightBundle& bundle, const Configuration& transparent,
+                           const OpaqueShadow& opaque);
+
+}  // namespace momentscope

@@ -1,0 +1,56 @@
+#include "core/shadow/shadow_settings.hpp"
+
+#include <string_view>
+
+#include "core/techniques/moment_kernel.hpp"
+
+namespace momentscope {
+
+namespace {
+
+std::string_view chosen(const ParameterValues& values, ParameterId id) {
+    return parameter(id).choices[static_cast<std::size_t>(values[id].value_or(0.0f))];
+}
+
+int whole(const ParameterValues& values, ParameterId id) {
+    return static_cast<int>(values[id].value_or(0.0f));
+}
+
+}  // namespace
+
+bool has_shadows(const ParameterValues& values) {
+    return values[ParameterId::shadows].value_or(0.0f) >= 0.5f;
+}
+
+Configuration light_configuration(const ParameterValues& values) {
+    const std::string_view id = chosen(values, ParameterId::shadow_technique);
+    Configuration result = {nullptr, values};
+    result.values.set(ParameterId::beta, values[ParameterId::shadow_beta]);
+    if (id.starts_with("fourier-")) {
+        result.technique = &require_technique("fourier");
+        result.values.set(ParameterId::coefficients, id == "fourier-15" ? 1.0f : 0.0f);
+    } else {
+        result.technique = &require_technique(id == "deep" ? "sorted" : id);
+    }
+    return result;
+}
+
+ShadowSettings shadow_settings(const ParameterValues& values, const Light& of_scene) {
+    return {.transparent = light_configuration(values),
+            .opaque = &opaque_shadows()[static_cast<std::size_t>(whole(values, ParameterId::opaque_shadow))],
+            .size = whole(values, ParameterId::shadow_size),
+            .radius = whole(values, ParameterId::shadow_radius),
+            .light = {values[ParameterId::light_azimuth].value_or(of_scene.azimuth),
+                      values[ParameterId::light_elevation].value_or(of_scene.elevation)},
+            .distance = values[ParameterId::light_distance]};
+}
+
+int texel_numbers(const Configuration& configuration) {
+    const Technique& technique = *configuration.technique;
+    if (technique.kernel != nullptr) return 1 + technique.kernel->moment_floats;
+    if (technique.method != nullptr)
+        return technique.state_floats(technique.method_settings(configuration.values));
+    return 0;
+}
+
+}  // namespace momentscope

@@ -1,0 +1,37 @@
+// shadow_settings.hpp -- what parameters say about shadows.
+#pragma once
+#include <optional>
+
+#include "core/scene/scene.hpp"
+#include "core/shadow/opaque_shadow.hpp"
+#include "core/techniques/configuration.hpp"
+
+namespace momentscope {
+
+constexpr int MAX_SHADOW_RADIUS = 8;
+
+/// Parameters with `auto` replaced.
+struct ShadowSettings {
+    Configuration transparent;  // the technique of the transparent casters' map, with the light's beta;
+                                // `sorted` for a deep shadow map
+    const OpaqueShadow* opaque = nullptr;
+    int size = 1024;  // texels of a side
+    int radius = 4;   // of the filter, in texels
+    Light light;
+    std::optional<float> distance;  // of the light from the centre of all casters; nullopt: four radii
+
+    bool deep() const { return transparent.technique->is_truth(); }
+};
+
+bool has_shadows(const ParameterValues& values);
+
+/// The technique of the transparent casters' map, and its values: beta is the light's. What else a technique
+/// reads, such as theta, is the same for eye and light.
+Configuration light_configuration(const ParameterValues& values);
+
+ShadowSettings shadow_settings(const ParameterValues& values, const Light& of_scene);
+
+/// Numbers that a texel of the transparent casters' map stores, b_0 among them; 0 for a deep shadow map.
+int texel_numbers(const Configuration& configuration);
+
+}  // namespace momentscope

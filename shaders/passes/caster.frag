@@ -1,0 +1,25 @@
+// caster.frag -- transparent casters into the light's map, by additive blending. They are not tested against opaque casters, whose
+// silhouettes would leak (Section 6). The eye of this pass is the light.
+#include "passes/blocks.glsl"
+in vec3 eye_position;
+#include "passes/transparent_fragment.glsl"
+#include "passes/light_block.glsl"
+#namespace transparent
+#include "shared/portable_math.glsl"
+#include "shared/fragment.glsl"
+#include "technique"
+#ifdef PIXEL_STATE
+#include "passes/caster_state.glsl"
+#else
+#include "passes/caster_moments.glsl"
+#endif
+#endnamespace
+
+layout(location = 0) out vec4 layers[CASTER_LAYERS];
+
+void main()
+{
+    transparent_CasterSums sums = transparent_caster_sums(fragment_depth(), fragment_opacity(), light.reconstruction);
+    for (int layer = 0; layer < CASTER_LAYERS; ++layer)
+        layers[layer] = vec4(sums.f[4 * layer], sums.f[4 * layer + 1], sums.f[4 * layer + 2], sums.f[4 * layer + 3]);
+}

@@ -1,0 +1,26 @@
+// caster_moments.glsl -- transparent casters as moments: sums are b_0 and the other moments. Follows the basis.
+#include "shared/float_storage.glsl"
+#include "shared/reconstruction.glsl"
+
+struct CasterSums { float f[16]; };
+
+/// Of one fragment; depth in [-1, 1].
+FN CasterSums caster_sums(float depth, float opacity, IN(vec4) settings)
+{
+    Moments moments = fragment_moments(depth, absorbance_of_opacity(opacity), make_basis(settings.y));
+    CasterSums sums;
+    for (int i = 0; i < 16; ++i) sums.f[i] = 0.0;
+    sums.f[0] = moments.b0;
+    for (int i = 0; i < MOMENT_FLOATS; ++i) sums.f[1 + i] = moments.b[i];
+    return sums;
+}
+
+/// settings: beta, theta or epsilon, alpha.
+FN float caster_transmittance(IN(CasterSums) sums, float depth, IN(vec4) settings)
+{
+    Moments moments;
+    moments.b0 = sums.f[0];
+    for (int i = 0; i < MOMENT_FLOATS; ++i) moments.b[i] = sums.f[1 + i];
+    if (is_empty(moments)) return 1.0;
+    return transmittance_of(absorbance_from_moments(moments, depth, settings.z, settings.x, settings.y));
+}

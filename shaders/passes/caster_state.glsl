@@ -1,0 +1,45 @@
+// caster_state.glsl -- transparent casters as the sums of a technique without moments: Fourier opacity mapping. Follows the math file.
+
+struct CasterSums { float f[16]; };
+
+FN MethodSettings caster_settings()
+{
+    MethodSettings settings;
+    settings.size = METHOD_SIZE;
+    settings.option = METHOD_OPTION;
+    settings.overestimation = 0.0;
+    settings.bias = 0.0;
+    return settings;
+}
+
+/// What it knows of a caster or a receiver is its depth, in [-1, 1].
+FN MethodFragment caster_fragment(float depth, float opacity)
+{
+    MethodFragment fragment;
+    fragment.depth = 0.5 * (depth + 1.0);
+    fragment.view_depth = 1.0;
+    fragment.window_depth = fragment.depth;
+    fragment.plane_depth = fragment.depth;
+    fragment.opacity = opacity;
+    fragment.red = 0.0;
+    fragment.green = 0.0;
+    fragment.blue = 0.0;
+    fragment.seed = 0u;
+    fragment.threshold = 0.5;
+    return fragment;
+}
+
+FN CasterSums caster_sums(float depth, float opacity, IN(vec4) settings)
+{
+    PixelState state = fragment_state(caster_fragment(depth, opacity), caster_settings());
+    CasterSums sums;
+    for (int i = 0; i < 16; ++i) sums.f[i] = state.f[i];
+    return sums;
+}
+
+FN float caster_transmittance(IN(CasterSums) sums, float depth, IN(vec4) settings)
+{
+    PixelState state;
+    for (int i = 0; i < 16; ++i) state.f[i] = sums.f[i];
+    return transmittance_at(state, caster_fragment(depth, 0.0), caster_settings());
+}

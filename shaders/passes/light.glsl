@@ -1,0 +1,145 @@
+// light.glsl -- how much of the light reaches a point: what opaque casters let through times what transparent ones do (Section 6).
+// core/shadow/light_frame.cpp, shadow_filter.cpp and light_receiver.cpp say the same in C++.
+#include "passes/light_block.glsl"
+
+layout(binding = 12) uniform sampler2D opaque_map;             // filtered texels, or depths of UNFILTERED ones
+#ifdef DEEP_SHADOWS
+layout(binding = 13) uniform usampler2D deep_map;              // first step and how many, per texel
+layout(std430, binding = 1) readonly buffer DeepSteps { vec2 deep_steps[]; };   // depth, T behind it; ascending per texel
+#else
+layout(binding = 13) uniform sampler2DArray transparent_map;   // filtered sums
+#endif
+
+#namespace opaque
+#include "shared/portable_math.glsl"
+#include "technique"
+#endnamespace
+
+#namespace transparent
+#include "shared/portable_math.glsl"
+#include "shared/fragment.glsl"
+#include "technique"
+#ifdef PIXEL_STATE
+#include "passes/caster_state.glsl"
+#else
+#include "passes/caster_moments.glsl"
+#endif
+#endnamespace
+
+/// A point as the light sees it: place in texels from the map's lower left, depth in [-1, 1] of the depth range, beyond it cut.
+struct LightPlace { vec2 texel; float depth; bool within; };
+
+LightPlace light_place(vec3 eye_space)
+{
+    vec4 in_light = light.view_from_eye * vec4(eye_space, 1.0);
+    vec4 clip = light.projection * in_light;
+    LightPlace place;
+    float size = light.range.z;
+    place.texel = (clip.xy / clip.w * 0.5 + 0.5) * size;
+    place.depth = clamp((-in_light.z - light.range.x) * light.range.y - 1.0, -1.0, 1.0);
+    place.within = -in_light.z > light.range.x && min(place.texel.x, place.texel.y) >= 0.0
+        && max(place.texel.x, place.texel.y) <= size;
+    return place;
+}
+
+/// The four texels around a place and how much of each, in the order (0, 0), (1, 0), (0, 1), (1, 1).
+struct Corners { ivec2 texel[4]; float share[4]; };
+
+Corners corners_at(vec2 at)
+{
+    vec2 below = floor(at - 0.5);
+    vec2 part = at - 0.5 - below;
+    ivec2 last = ivec2(int(light.range.z) - 1);
+    Corners corners;
+    for (int i = 0; i < 4; ++i)
+    {
+        ivec2 step = ivec2(i % 2, i / 2);
+        corners.texel[i] = clamp(ivec2(below) + step, ivec2(0), last);
+        corners.share[i] = (step.x == 1 ? part.x : 1.0 - part.x) * (step.y == 1 ? part.y : 1.0 - part.y);
+    }
+    return corners;
+}
+
+/// The weight of a texel that is `offset` from the middle of the filter; 0 outside of it.
+float filter_weight(int offset)
+{
+    int at = offset + light.radius.x;
+    return at < 0 || at > 2 * light.radius.x ? 0.0 : light.weights[at / 4][at % 4];
+}
+
+/// Filter and bilinear interpolation at once, for what can only be mixed after it was looked up.
+float unfiltered_weight(int offset, float part)
+{
+    return (1.0 - part) * filter_weight(offset) + part * filter_weight(offset - 1);
+}
+
+/// The share of the filter region whose opaque surface lies in front of the place.
+float opaque_shadow(LightPlace place)
+{
+#ifdef opaque_UNFILTERED
+    vec2 below = floor(place.texel - 0.5);
+    vec2 part = place.texel - 0.5 - below;
+    ivec2 last = ivec2(int(light.range.z) - 1);
+    float shadowed = 0.0;
+    for (int y = -light.radius.x; y <= light.radius.x + 1; ++y)
+        for (int x = -light.radius.x; x <= light.radius.x + 1; ++x)
+        {
+            float depth = texelFetch(opaque_map, clamp(ivec2(below) + ivec2(x, y), ivec2(0), last), 0).x;
+            shadowed += unfiltered_weight(x, part.x) * unfiltered_weight(y, part.y)
+                * opaque_shadowed_fraction(opaque_shadow_texel(depth), place.depth);
+        }
+    return shadowed;
+#else
+    Corners corners = corners_at(place.texel);
+    vec4 mean = vec4(0.0);
+    for (int i = 0; i < 4; ++i) mean += corners.share[i] * texelFetch(opaque_map, corners.texel[i], 0);
+    return opaque_shadowed_fraction(opaque_make_shadow_texel(mean.x, mean.y, mean.z, mean.w), place.depth);
+#endif
+}
+
+/// What transparent casters in front of the place let through.
+float transparent_light(LightPlace place)
+{
+#ifdef DEEP_SHADOWS
+    vec2 below = floor(place.texel - 0.5);
+    vec2 part = place.texel - 0.5 - below;
+    ivec2 last = ivec2(int(light.range.z) - 1);
+    float lit = 0.0;
+    for (int y = -light.radius.x; y <= light.radius.x + 1; ++y)
+        for (int x = -light.radius.x; x <= light.radius.x + 1; ++x)
+        {
+            uvec2 list = texelFetch(deep_map, clamp(ivec2(below) + ivec2(x, y), ivec2(0), last), 0).xy;
+            uint in_front = 0u;   // bisection for the number of steps in front of the place
+            uint end = list.y;
+            while (in_front < end)
+            {
+                uint middle = (in_front + end) / 2u;
+                if (deep_steps[list.x + middle].x < place.depth) in_front = middle + 1u;
+                else end = middle;
+            }
+            float t = in_front > 0u ? deep_steps[list.x + in_front - 1u].y : 1.0;
+            lit += unfiltered_weight(x, part.x) * unfiltered_weight(y, part.y) * t;
+        }
+    return lit;
+#else
+    Corners corners = corners_at(place.texel);
+    transparent_CasterSums sums;
+    for (int layer = 0; layer < CASTER_LAYERS; ++layer)
+    {
+        vec4 mean = vec4(0.0);
+        for (int i = 0; i < 4; ++i)
+            mean += corners.share[i] * texelFetch(transparent_map, ivec3(corners.texel[i], layer), 0);
+        for (int i = 0; i < 4; ++i) sums.f[4 * layer + i] = mean[i];
+    }
+    for (int i = 4 * CASTER_LAYERS; i < 16; ++i) sums.f[i] = 0.0;
+    return transparent_caster_transmittance(sums, place.depth, light.reconstruction);
+#endif
+}
+
+/// The share of the light that reaches a point of the eye's space; all of it where the map knows nothing.
+float light_visibility(vec3 eye_space)
+{
+    LightPlace place = light_place(eye_space);
+    if (!place.within) return 1.0;
+    return (1.0 - opaque_shadow(place)) * transparent_light(place);
+}

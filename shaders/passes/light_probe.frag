@@ -1,0 +1,13 @@
+// light_probe.frag -- of the nearest opaque surface, what its shading asks of the light: share behind opaque casters, T of
+// transparent ones, depth seen from the light (2 where the map knows nothing), view depth.
+#include "passes/blocks.glsl"
+#include "passes/shading.glsl"
+
+layout(location = 0) out vec4 probe;
+
+void main()
+{
+    LightPlace place = light_place(eye_position);
+    probe = place.within ? vec4(opaque_shadow(place), transparent_light(place), place.depth, -eye_position.z)
+                         : vec4(0.0, 1.0, 2.0, -eye_position.z);
+}
