@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cassert>
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -11,7 +13,7 @@
 #include "core/error.hpp"
 #include "core/figures/figure.hpp"
 #include "core/output_file.hpp"
-#include "core/render/renderer.hpp"
+#include "core/render/light_view.hpp"
 #include "core/scene/camera.hpp"
 #include "core/scene/scenes.hpp"
 #include "ui/theme.hpp"
@@ -43,6 +45,26 @@ public:
     ViewRay picked_ray(const Shot& shot) override {
         draw(shot);
         return renderer_.capture_pixel(picked_pixel(scene_, SIZE)).ray;
+    }
+
+    std::vector<CasterRay> caster_rays(const Shot& shot) override {
+        draw(shot);
+        constexpr int STEPS = 2, STEP = 10;  // pixels
+        const glm::ivec2 middle = picked_pixel(scene_, SIZE);
+        std::vector<CasterRay> rays;
+        for (int y = -STEPS; y <= STEPS; ++y)
+            for (int x = -STEPS; x <= STEPS; ++x) {
+                const glm::ivec2 pixel = middle + STEP * glm::ivec2(x, y);
+                const PixelCapture eye = renderer_.capture_pixel(pixel);
+                const auto& fragments = eye.ray.fragments;
+                const auto caster = std::ranges::max_element(fragments, {}, &Fragment::opacity);
+                if (caster == fragments.end() || caster->opacity < 0.5f) continue;
+                auto light = view_from_light(renderer_, pixel, eye,
+                                             static_cast<std::size_t>(caster - fragments.begin()));
+                rays.push_back({std::move(light->ray), caster->draw});
+            }
+        assert(!rays.empty() && "nothing stands out at the scene's picked pixel");
+        return rays;
     }
 
 private:

@@ -14,6 +14,9 @@ ViewRay even_sheets(int count);
 /// Five sheets of different opacities, two of them close together.
 ViewRay uneven_sheets();
 
+/// The cloud with shadows of transparent casters: a choice of ParameterId::shadow_technique, with that beta.
+Shot shadow_shot(const char* casters, float shadow_weight);
+
 // One for each figure.
 std::vector<Finding> measure_overestimation(ShotSource& shots);
 std::vector<Finding> measure_ideal(ShotSource& shots);
@@ -27,5 +30,6 @@ std::vector<Finding> measure_variants(ShotSource& shots);
 std::vector<Finding> measure_smoke(ShotSource& shots);
 std::vector<Finding> measure_samples(ShotSource& shots);
 std::vector<Finding> measure_low(ShotSource& shots);
+std::vector<Finding> measure_cloud_shadows(ShotSource& shots);
 
 }  // namespace momentscope

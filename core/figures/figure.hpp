@@ -31,12 +31,22 @@ struct FigurePanel {
     glm::vec4 part = glm::vec4(0, 0, 1, 1);  // of a picture, as fractions from its upper left corner
 };
 
+/// What lies between the light and a caster that stands out, with the draw call of that caster.
+struct CasterRay {
+    ViewRay ray;
+    std::uint32_t draw = 0;
+};
+
 /// Pictures and pixels of shots; implemented by who has a GL.
 class ShotSource {
 public:
     virtual ~ShotSource() = default;
     virtual const Image& picture(const Shot& shot) = 0;
     virtual ViewRay picked_ray(const Shot& shot) = 0;
+
+    /// Around the scene's picked pixel, the light's rays through fragments of at least half opacity. Never
+    /// empty. The shot has shadows.
+    virtual std::vector<CasterRay> caster_rays(const Shot& shot) = 0;
 
     /// Against `sorted`, of the picture or a part of it given by fractions from its upper left corner.
     double error(const Shot& shot, Metric metric = Metric::rmse, glm::vec4 part = {0, 0, 1, 1});

@@ -94,6 +94,7 @@ void Renderer::resize(glm::ivec2 size) {
     pixel_list_.reset();
     failure_counts_ = {};
     probe_ = {};
+    probed_ = false;
     opaque_color_ = make_texture(GL_RGBA16F, size);
     depth_ = make_texture(GL_DEPTH_COMPONENT32F, size);
     picture_ = make_texture(GL_RGBA32F, size);
@@ -164,6 +165,7 @@ void Renderer::redraw() {
 }
 
 void Renderer::run_from(Stage stage) {
+    probed_ = false;
     glViewport(0, 0, view_.size.x, view_.size.y);
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);

@@ -154,6 +154,7 @@ private:
     std::unique_ptr<ShadowMaps> shadow_maps_;  // made when they are first needed
     GlTexture probe_;                          // of light_probe.frag; made when it is first asked for
     GlFramebuffer probe_target_;
+    bool probed_ = false;  // does it belong to the last picture?
 
     GlTexture failure_counts_, failure_color_;  // made when they are first asked for
     GlFramebuffer failure_target_, failure_color_target_;

@@ -46,11 +46,12 @@ void Renderer::draw_probe() {
     glDepthFunc(GL_LESS);
     glDisable(GL_DEPTH_TEST);
     leave_nothing_bound();
+    probed_ = true;
 }
 
 std::optional<Renderer::LitSurface> Renderer::lit_surface(glm::ivec2 pixel) {
     assert(lit() && "the picture has no shadows");
-    draw_probe();
+    if (!probed_) draw_probe();
     glm::vec4 probe;
     glGetTextureSubImage(probe_, 0, pixel.x, view_.size.y - 1 - pixel.y, 0, 1, 1, 1, GL_RGBA, GL_FLOAT,
                          sizeof(probe), &probe);
