@@ -100,6 +100,8 @@ RunTable measured(const ChartPlan& plan, const UnfinishedChart& unfinished) {
 }  // namespace
 
 void run_chart_command(const Options& options) {
+    if (parse_parameters(options)[ParameterId::shadows] == 1.0f)
+        return run_shadow_chart(options, parse_scenes(options.scene));
     const Metric metric = require_metric(options.metric.empty() ? "rmse" : options.metric).id;
     const ChartPlan plan = parse_plan(options);
     const std::filesystem::path path = options.output;

@@ -73,7 +73,8 @@ void add_inspect(CLI::App& app, Options& options) {
                       "the function that the light's map has of what the pixel shows, instead of the eye's");
     inspect->add_option(
         "--receiver", options.receiver,
-        "of --light: surface, the opaque one, or the number of a fragment from 1, the nearest [surface]");
+        "of --light: the number of a fragment from 1, the nearest, or surface, the opaque one "
+        "[what is seen of the pixel]");
     inspect->add_option("--format", options.format, "json, csv or table [json]");
     inspect->add_option("-o,--output", options.output, "file to write instead of standard output");
     add_parameter_options(*inspect, options);
@@ -164,6 +165,9 @@ void add_chart(CLI::App& app, Options& options) {
         ->capture_default_str();
     add_metric_option(*chart, options);
     add_shard_option(*chart, options);
+    chart->footer(
+        "With --shadows: what shadows of transparent casters cost, in .csv or .md, for --shadow-technique [fourier-7, "
+        "fourier-15, power4-32 and power6-32] and --shadow-size [1024 and 2048].");
     chart->add_option("-o,--output", options.output,
                       ".csv, .md, .svg, .html or .png; the same command goes on where an ended one stopped");
     add_parameter_options(*chart, options);

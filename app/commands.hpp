@@ -13,6 +13,7 @@ void run_needed(const Options& options);
 void run_stress_command(const Options& options);
 void run_tune_command(const Options& options);
 void run_chart_command(const Options& options);
+void run_shadow_chart(const Options& options, const std::vector<std::string>& scenes);  // chart --shadows
 void run_advise_command(const Options& options);
 void run_merge_command(const Options& options);
 void run_list(const std::string& what, const std::string& format);

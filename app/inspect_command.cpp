@@ -26,9 +26,10 @@ struct Subject {
     std::optional<LightView> light;
 };
 
-// nullopt for the opaque surface.
+// nullopt for what is seen of the pixel.
 std::optional<std::size_t> parse_receiver(const std::string& text, const ViewRay& ray) {
-    if (text.empty() || text == "surface") return std::nullopt;
+    if (text.empty()) return std::nullopt;
+    if (text == "surface") return OPAQUE_SURFACE;
     const int number = parse_count(text, "receiver", 1, MAX_SAMPLES);
     const std::vector<std::size_t> order = front_to_back(ray);
     if (static_cast<std::size_t>(number) > order.size())
@@ -68,11 +69,11 @@ Subject ray_of_file(const std::string& path) {
 std::string text_of_light(const LightView& light) {
     const LightVerdict& v = light.verdict;
     return fmt::format(
-        "Receiver at depth {:.5f} seen from the light, {} in {} texels.\n"
+        "Receiver: {}, at depth {:.5f} seen from the light, {} in {} texels.\n"
         "Transparent casters let through {:.4f} (truth {:.4f}), opaque ones {:.4f} (truth {:.4f}); shaded with {:.4f}.\n{}\n",
-        static_cast<double>(light.bundle.place.depth), fragment_count_text(light.ray.fragments.size()),
-        light.bundle.texels.size(), v.transmittance, v.true_transmittance, 1 - v.shadowed,
-        1 - v.true_shadowed, light.visibility, v.sentence);
+        light.receiver, static_cast<double>(light.bundle.place.depth),
+        fragment_count_text(light.ray.fragments.size()), light.bundle.texels.size(), v.transmittance,
+        v.true_transmittance, 1 - v.shadowed, 1 - v.true_shadowed, light.visibility, v.sentence);
 }
 
 // One line for each technique, below a table of curves.

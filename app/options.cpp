@@ -42,9 +42,11 @@ void add_scene_options(CLI::App& command, Options& options) {
 
 void add_parameter_options(CLI::App& command, Options& options) {
     for (const Parameter& row : parameters()) {
-        command.add_option(fmt::format("--{}", row.key), options.parameters[row.key],
-                           fmt::format("{} {}: {} [{}]", row.name, row.symbol, parameter_values_text(row),
-                                       parameter_text(row, row.standard)));
+        CLI::Option* option =
+            command.add_option(fmt::format("--{}", row.key), options.parameters[row.key],
+                               fmt::format("{} {}: {} [{}]", row.name, row.symbol, parameter_values_text(row),
+                                           parameter_text(row, row.standard)));
+        if (row.scale == Scale::toggle) option->expected(0, 1);  // without a value it is on
     }
 }
 

@@ -28,14 +28,14 @@ constexpr std::array ORDERS = {"submitted", "reversed", "shuffled"};
 constexpr std::array DEPTH_RANGES = {"corrected", "published"};
 constexpr std::array TONE_MAPS = {"none", "reinhard", "filmic"};
 
-// Moments in floats, which may be filtered; two sizes of Fourier series; and the ground truth.
+// Moments in floats, which may be filtered; two sizes of Fourier series; the ground truth; and no such casters.
 std::vector<const char*> shadow_techniques() {
     std::vector<const char*> ids;
 #define MOMENT_TECHNIQUE(id, basis, count, bits, key, ...) \
     if (bits == 32) ids.push_back(key);
 #include "core/techniques/moment_techniques.def"
 #undef MOMENT_TECHNIQUE
-    ids.insert(ids.end(), {"fourier-7", "fourier-15", "deep"});
+    ids.insert(ids.end(), {"fourier-7", "fourier-15", "deep", "none"});
     return ids;
 }
 const std::vector<const char*> SHADOW_TECHNIQUES = shadow_techniques();
@@ -155,12 +155,12 @@ const std::array<Parameter, PARAMETER_COUNT> ROWS = {{
     {ParameterId::shadow_technique, "shadow-technique", "A_s", "transparent casters", "", 0.0f,
      static_cast<float>(SHADOW_TECHNIQUES.size() - 1), 1.0f, Scale::choice, Stage::shading,
      "How a texel of the light's map stores the absorbance of transparent casters: moments in floats, Fourier opacity "
-     "mapping, or all fragments sorted, the slow ground truth. Moments in 16 bits are not offered: they are stored divided by "
+     "mapping, or all fragments sorted, the slow ground truth; or `none`, so that only opaque casters count. Moments in 16 bits are not offered: they are stored divided by "
      "b_0, and division is not linear, so they cannot be filtered.",
      "Münstermann et al. 2018, Section 6; Jansen and Bavoil 2010; Lokovic and Veach 2000", SHADOW_TECHNIQUES},
-    {ParameterId::shadow_beta, "shadow-beta", "β_s", "overestimation weight of shadows", "", 0.0f, 1.0f, 0.0f,
+    {ParameterId::shadow_beta, "shadow-beta", "β_s", "shadow overestimation", "", 0.0f, 1.0f, 0.0f,
      Scale::linear, Stage::shading,
-     "β of the light's moments. At 0 transparent surfaces do not shadow themselves, but light leaks; the paper's Fig. 9 has "
+     "What β is for the moments of the light. At 0 transparent surfaces do not shadow themselves, but light leaks; the paper's Fig. 9 has "
      "0.5.",
      "Münstermann et al. 2018, Section 7.2"},
     {ParameterId::opaque_shadow, "opaque-shadow", "F", "opaque casters", "", 0.0f,
@@ -182,7 +182,7 @@ const std::array<Parameter, PARAMETER_COUNT> ROWS = {{
      std::nullopt, Scale::linear, Stage::shading,
      "How high the light stands: 0 at the horizon, π/2 overhead; `auto` is the scene's own place.",
      "Momentscope 2026"},
-    {ParameterId::light_distance, "light-distance", "d_L", "distance of the light", "", 0.0f, 10000.0f,
+    {ParameterId::light_distance, "light-distance", "d_L", "distance of the light", "", 0.1f, 10000.0f,
      std::nullopt, Scale::logarithmic, Stage::shading,
      "From the centre of all casters in scene units. It must stay outside of the sphere around them, from which the depth "
      "range follows; `auto` is four radii.",
@@ -231,6 +231,8 @@ ParameterValues values_with(const ParameterSettings& settings) {
 
 std::optional<float> parse_parameter(const Parameter& row, std::string_view text) {
     if (text == "auto") return std::nullopt;
+    if (row.scale == Scale::toggle && (text == "on" || text == "true")) return 1.0f;
+    if (row.scale == Scale::toggle && (text == "off" || text == "false")) return 0.0f;
     const auto choice =
         std::ranges::find(row.choices, text, [](const char* name) { return std::string_view(name); });
     if (choice != row.choices.end()) return static_cast<float>(choice - row.choices.begin());

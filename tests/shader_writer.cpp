@@ -7,6 +7,7 @@
 #include "core/gl/program.hpp"
 #include "core/output_file.hpp"
 #include "core/render/moment_passes.hpp"
+#include "core/render/shader_lighting.hpp"
 #include "core/render/state_passes.hpp"
 #include "core/techniques/moment_kernel.hpp"
 
@@ -18,7 +19,8 @@ constexpr const char* PLAIN[] = {
     "passes/scene.vert",     "passes/fullscreen.vert",     "passes/opaque.frag",
     "passes/composite.frag", "passes/display.frag",        "passes/capture.frag",
     "passes/sorted.frag",    "passes/peel.frag",           "passes/peel_composite.frag",
-    "passes/copy.frag",      "passes/failure_colors.frag", "passes/farthest_depth.frag"};
+    "passes/copy.frag",      "passes/failure_colors.frag", "passes/farthest_depth.frag",
+    "passes/caster_depth.frag", "passes/shadow_filter.frag"};
 constexpr const char* RECONSTRUCTING[] = {"passes/color.frag", "passes/capture.frag", "passes/failures.frag"};
 
 void write(const std::filesystem::path& folder, const std::string& prefix, const std::string& path,
@@ -70,6 +72,26 @@ void write_method(const std::filesystem::path& folder, const Technique& techniqu
     if (technique.method->has_depths()) write(folder, technique.id, "passes/capture.frag", variant);
 }
 
+// Passes that are lit by any light, and those that draw its maps.
+void write_shadows(const std::filesystem::path& folder, ParameterId id) {
+    const Parameter& row = parameter(id);
+    for (std::size_t i = 0; i < row.choices.size(); ++i) {
+        const ShadowSettings settings = shadow_settings(values_with({{id, static_cast<float>(i)}}), {});
+        const std::string name = fmt::format("lit.{}", row.choices[i]);
+        const auto lit = [&](ShaderVariant variant) {
+            add_lighting(variant, shader_lighting(settings));
+            return variant;
+        };
+        for (const char* path : {"passes/opaque.frag", "passes/light_probe.frag", "passes/peel.frag"})
+            write(folder, name, path, lit({}));
+        write(folder, name, "passes/capture.frag", lit({.defines = {{"WITH_LIGHT", "1"}}}));
+        write(folder, name, "passes/color.frag",
+              lit(reconstruction_variant(require_technique("trig3-32"), {.factored_once = true})));
+        if (caster_layers(settings) > 0) write(folder, name, "passes/caster.frag", lit({}));
+        write(folder, name + ".depths", "passes/shadow_filter.frag", lit({.defines = {{"OPAQUE_DEPTHS", "1"}}}));
+    }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -80,6 +102,8 @@ int main(int argc, char** argv) {
             if (technique.kernel != nullptr) write_technique(argv[1], technique);
             if (technique.method != nullptr) write_method(argv[1], technique);
         }
+        for (const ParameterId id : {ParameterId::shadow_technique, ParameterId::opaque_shadow})
+            write_shadows(argv[1], id);
     } catch (const Error& error) {
         std::fputs(fmt::format("momentscope_shaders: {}\n", error.what()).c_str(), stderr);
         return 1;

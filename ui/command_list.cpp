@@ -272,6 +272,17 @@ void add_plot(List& list) {
                     },
                     [](const Explorer& e) { return e.measurement().capture.ray.warp.has_view_depths(); },
                     view_depth});
+    list.push_back(
+        {"plot.light",
+         "Seen from the light",
+         {"L"},
+         "Plots the function that the light's map has of what the pixel shows, and turns shadows on.",
+         [](Explorer& e) {
+             set_viewpoint(e.state(),
+                           seen_from_light(e.state()) ? Viewpoint::eye : Viewpoint::transparent_casters);
+         },
+         has_picture,
+         [](const Explorer& e) { return seen_from_light(e.state()); }});
     for (const SeriesRow& row : series_rows())
         list.push_back(choice(
             fmt::format("plot.{}", row.key), fmt::format("Show {}", row.name), {row.shortcut},

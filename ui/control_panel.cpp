@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/scene/scenes.hpp"
+#include "core/shadow/shadow_settings.hpp"
 #include "ui/parameter_controls.hpp"
 #include "ui/side_panels.hpp"
 #include "ui/technique_combo.hpp"
@@ -87,8 +88,30 @@ void draw_picture_controls(const Ui& ui, ExplorerState& state, std::string& mess
     if (state.ray) return;  // has no picture
     ImGui::Spacing();
     for (const ParameterId id : PICTURE_PARAMETERS)
-        draw_parameter_control(ui, parameter(id), *state.technique, LABEL_WIDTH * em(), false,
-                               state.parameters, message);
+        if (id != ParameterId::shadows)
+            draw_parameter_control(ui, parameter(id), *state.technique, LABEL_WIDTH * em(), false,
+                                   state.parameters, message);
+}
+
+void draw_shadow_controls(const Ui& ui, const Light& light, float distance, ExplorerState& state,
+                          std::string& message) {
+    if (state.ray) return;
+    ImGui::Spacing();
+    const Configuration of_light = light_configuration(state.parameters);
+    const auto automatic = [&](ParameterId id) -> std::optional<float> {
+        if (id == ParameterId::light_azimuth) return light.azimuth;
+        if (id == ParameterId::light_elevation) return light.elevation;
+        if (id == ParameterId::light_distance) return distance;
+        return std::nullopt;
+    };
+    const auto draw = [&](ParameterId id) {
+        draw_parameter_control(ui, parameter(id), *of_light.technique, LABEL_WIDTH * em(), false,
+                               state.parameters, message, automatic(id));
+    };
+    draw(ParameterId::shadows);
+    if (!has_shadows(state.parameters)) return;
+    for (const ParameterId id : SHADOW_PARAMETERS) draw(id);
+    ImGui::Spacing();
 }
 
 }  // namespace momentscope::ui

@@ -31,9 +31,17 @@ void DraftPicture::draw(const View& view, double wanted) {
     if (!first && took.count() > wanted) divisor_ = std::min(divisor_ + 1, MOST_DIVISOR);
 }
 
+glm::ivec2 DraftPicture::pixel_at(glm::vec2 place) const {
+    return glm::clamp(glm::ivec2(place * glm::vec2(size_)), glm::ivec2(0), size_ - 1);
+}
+
 PixelCapture DraftPicture::capture(glm::vec2 place) {
-    const glm::ivec2 pixel(place * glm::vec2(size_));
-    return renderer_->capture_pixel(glm::clamp(pixel, glm::ivec2(0), size_ - 1));
+    return renderer_->capture_pixel(pixel_at(place));
+}
+
+std::optional<LightView> DraftPicture::light(glm::vec2 place, const PixelCapture& eye,
+                                             std::optional<std::size_t> receiver) {
+    return view_from_light(*renderer_, pixel_at(place), eye, receiver);
 }
 
 }  // namespace momentscope::ui

@@ -2,7 +2,7 @@
 #pragma once
 #include <memory>
 
-#include "core/render/renderer.hpp"
+#include "core/render/light_view.hpp"
 
 namespace momentscope::ui {
 
@@ -20,9 +20,15 @@ public:
     /// Exact fragments of the draft's pixel at that place, a fraction of the picture.
     PixelCapture capture(glm::vec2 place);
 
+    /// What lights that place; `eye` is its capture.
+    std::optional<LightView> light(glm::vec2 place, const PixelCapture& eye,
+                                   std::optional<std::size_t> receiver);
+
     GLuint display_texture() const { return renderer_->display_texture(); }
 
 private:
+    glm::ivec2 pixel_at(glm::vec2 place) const;
+
     std::unique_ptr<Renderer> renderer_;  // made when it is first asked for
     Scene scene_;
     bool scene_stale_ = true;

@@ -131,6 +131,7 @@ void Explorer::show_scene(Scene scene) {
     draft_.set_scene(scene);
     reference_.reset();
     scene_ = std::move(scene);
+    light_distance_ = standard_light_distance(caster_bounds(scene_));
     if (!scene_.warnings.empty()) message_ = warning();
     shown_view_.technique = nullptr;
     apply_opacity();
@@ -179,6 +180,7 @@ void Explorer::update_ray() {
     const bool changed = !(shown_state_.ray == state_.ray) || measurement_.curve.technique == nullptr;
     if (changed) {
         measurement_.capture = {.ray = *state_.ray, .transmittance = {}, .stored = {}};
+        measurement_.light.reset();
         measurement_.pins.clear();
         shown_view_.technique = nullptr;  // the picture is not shown any more
     }
@@ -212,7 +214,7 @@ void Explorer::report_passes(const PassCounts& before) {
 }
 
 bool Explorer::fragments_stale(const View& view, Stage stage) const {
-    if (stage <= Stage::opaque) return true;
+    if (stage <= Stage::opaque || light_changed(shown_view_, view)) return true;  // their colours
     const bool reordered = std::ranges::any_of(PICTURE_PARAMETERS, [&](ParameterId id) {
         return parameter(id).invalidates <= Stage::moments &&
                view.parameters[id] != shown_view_.parameters[id];
@@ -226,18 +228,37 @@ bool Explorer::fragments_stale(const View& view, Stage stage) const {
 // moments at low resolution mix; the second pass's T is only captured where it is shown.
 void Explorer::update_capture(const View& view, Stage stage) {
     const glm::ivec2 pixel = pixel_of(state_.picked, scene_, view.size);
-    const bool moved = fragments_stale(view, stage) || pixel != measurement_.pixel || draft_captured_;
+    const bool light = seen_from_light(state_);
+    const bool moved =
+        fragments_stale(view, stage) || pixel != measurement_.pixel || draft_captured_ ||
+        light != measurement_.light.has_value() ||
+        (light && (state_.receiver != shown_state_.receiver || state_.viewpoint != shown_state_.viewpoint));
     transmittance_stale_ |= stage <= Stage::color;
-    if (!moved && !(transmittance_stale_ && state_.panel == Panel::fragments)) {
+    if (!moved && (light || !(transmittance_stale_ && state_.panel == Panel::fragments))) {
         if (transmittance_stale_) measurement_.capture.transmittance.clear();
         return;
     }
     measurement_.capture = renderer_.capture_pixel(pixel);
+    measurement_.light.reset();
+    if (light) see_from_light(pixel);
     measurement_.pixel = pixel;
     measurement_.picture_size = view.size;
     transmittance_stale_ = false;
     draft_captured_ = false;
     report_.capture = true;
+}
+
+// The ray of the capture becomes the light's.
+void Explorer::see_from_light(glm::ivec2 pixel) {
+    measurement_.light = view_from_light(renderer_, pixel, measurement_.capture, state_.receiver);
+    if (!measurement_.light) {
+        message_ =
+            "This pixel shows nothing that could receive light; the plot shows the eye's ray. Pick another one.";
+        state_.viewpoint = Viewpoint::eye;
+        return;
+    }
+    measurement_.capture.ray = ray_of(*measurement_.light, state_.viewpoint);
+    measurement_.capture.transmittance.clear();
 }
 
 void Explorer::update_pins(const View& view, Stage stage) {
@@ -275,12 +296,11 @@ void Explorer::measure_if_changed(bool captured) {
     if (captured || first) sharp_input_.reset();
     if (report_.plot) measure_curves(measurement_, state_);
     verdict_stale_ |= report_.plot || shown_state_.parameters != state_.parameters;
-    if (verdict_stale_ && state_.panel == Panel::fragments) {
+    if (verdict_stale_ && state_.panel == Panel::fragments && !measurement_.light) {
         measure_verdict(measurement_, state_);
         verdict_stale_ = false;
     }
-    const ViewRay& ray = measurement_.capture.ray;
-    report_.query = report_.plot || query_depth(ray, state_) != measurement_.canonical.query;
+    report_.query = report_.plot || query_depth(measurement_, state_) != measurement_.canonical.query;
     if (report_.query) measure_query(measurement_, state_);
 }
 

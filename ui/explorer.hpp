@@ -133,6 +133,7 @@ private:
     bool wants_draft(const View& view, Stage stage);
     void draw_draft(const View& view, Stage stage);
     void update_capture(const View& view, Stage stage);
+    void see_from_light(glm::ivec2 pixel);
     bool fragments_stale(const View& view, Stage stage) const;
     void update_pins(const View& view, Stage stage);
     void update_scene_picture(const View& view, Stage stage);
@@ -176,8 +177,9 @@ private:
     std::string message_;
     Anchors anchors_;
 
-    Scene scene_;      // what the renderer holds
-    View shown_view_;  // technique is null when nothing is shown
+    Scene scene_;               // what the renderer holds
+    float light_distance_ = 1;  // its light's own
+    View shown_view_;           // technique is null when nothing is shown
     DraftPicture draft_;
     View draft_view_;              // technique is null when the full picture is shown
     bool draft_captured_ = false;  // the fragments that are shown

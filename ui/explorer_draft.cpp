@@ -10,7 +10,7 @@ bool Explorer::wants_draft(const View& view, Stage stage) {
     const PassTimes& t = renderer_.pass_times();
     const double milliseconds = t.composite + (stage <= Stage::color ? t.color : 0) +
                                 (stage <= Stage::moments ? t.moments : 0) +
-                                (stage <= Stage::opaque ? t.opaque : 0);
+                                (stage <= Stage::opaque || stage == Stage::shading ? t.opaque : 0);
     if (!ImGui::IsAnyMouseDown() || milliseconds <= options_.most_milliseconds) return false;
     const bool still = shows_draft() && first_stale_stage(draft_view_, view) == Stage::nothing;
     still_seconds_ = still ? still_seconds_ + ImGui::GetIO().DeltaTime : 0;
@@ -27,6 +27,13 @@ void Explorer::draw_draft(const View& view, Stage stage) {
         if (fragments_stale(view, stage)) {
             const glm::ivec2 pixel = pixel_of(state_.picked, scene_, view.size);
             measurement_.capture = draft_.capture(fraction_of(pixel, view.size));
+            measurement_.light.reset();
+            if (seen_from_light(state_)) {
+                measurement_.light =
+                    draft_.light(fraction_of(pixel, view.size), measurement_.capture, state_.receiver);
+                if (measurement_.light)
+                    measurement_.capture.ray = ray_of(*measurement_.light, state_.viewpoint);
+            }
             report_.capture = draft_captured_ = true;
         }
         measurement_.capture.transmittance.clear();

@@ -129,7 +129,8 @@ void Explorer::export_to(const FileDialog::Choice& choice) {
     } else if (kind == "ray_json") {
         write_text_file(ray_to_json(ray).dump(1) + "\n", choice.path);
     } else {
-        if (!state_.ray && measurement_.capture.transmittance.empty() && !ray.fragments.empty())
+        if (!state_.ray && !measurement_.light && measurement_.capture.transmittance.empty() &&
+            !ray.fragments.empty())
             measurement_.capture = renderer_.capture_pixel(measurement_.pixel);
         const auto rows =
             pixel_history(ray, measurement_.capture.transmittance, *state_.technique, state_.parameters);

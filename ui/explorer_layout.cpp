@@ -166,9 +166,14 @@ void Explorer::draw_tabs(const Ui& ui) {
     ImGui::BeginChild("panel");
     switch (state_.panel) {
         case Panel::controls:
+            if (seen_from_light(state_))
+                draw_shadow_controls(ui, scene_.light, light_distance_, state_,
+                                     message_);  // what the plot shows
             draw_control_panel(ui, renderer_.ordered_access(), state_, to_type_, message_);
             draw_tuning(ui);
             draw_picture_controls(ui, state_, message_);
+            if (!seen_from_light(state_))
+                draw_shadow_controls(ui, scene_.light, light_distance_, state_, message_);
             break;
         case Panel::fragments:
             draw_fragment_panel(ui, measurement_, state_);

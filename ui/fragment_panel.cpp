@@ -132,17 +132,43 @@ std::string verdict_help(const Verdict& verdict) {
     return text;
 }
 
+std::string light_help(const LightView& light) {
+    const LightVerdict& v = light.verdict;
+    std::string text = fmt::format(
+        "Shares of the light. Transparent casters let {:.4f} through, {:.4f} by the truth of a deep shadow map with the same "
+        "filter; opaque ones {:.4f}, {:.4f} by comparing every texel. The GL shades with {:.4f}.\nWhat the difference is made of:",
+        v.transmittance, v.true_transmittance, 1 - v.shadowed, 1 - v.true_shadowed, light.visibility);
+    for (const Contribution& one : v.contributions)
+        text += fmt::format("\n{:+.4f}  {}", one.share, one.cause);
+    return text;
+}
+
+std::string light_summary(const LightView& light) {
+    return fmt::format(
+        "Seen from the light: {} of {} filtered texels, opacities as much as their texel weighs.",
+        fragment_count_text(light.ray.fragments.size()), light.bundle.texels.size());
+}
+
 }  // namespace
 
 void draw_fragment_panel(const Ui& ui, const Measurement& m, ExplorerState& state) {
     if (m.history.empty()) {
-        ImGui::TextWrapped("No transparent surface covers this pixel. Click one in the scene.");
+        ImGui::TextWrapped("%s", m.light
+                                     ? "No transparent caster stands between the light and this place."
+                                     : "No transparent surface covers this pixel. Click one in the scene.");
         return;
     }
-    ImGui::TextWrapped("%s", m.verdict.sentence.c_str());
-    ui.mark("fragments.verdict");
-    tooltip(verdict_help(m.verdict));
-    ImGui::TextUnformatted(summary(m).c_str());
+    if (m.light) {
+        ImGui::TextWrapped("%s", m.light->verdict.sentence.c_str());
+        ui.mark("fragments.verdict");
+        tooltip(light_help(*m.light));
+        ImGui::TextWrapped("%s", light_summary(*m.light).c_str());
+    } else {
+        ImGui::TextWrapped("%s", m.verdict.sentence.c_str());
+        ui.mark("fragments.verdict");
+        tooltip(verdict_help(m.verdict));
+        ImGui::TextUnformatted(summary(m).c_str());
+    }
     const ImGuiTableFlags flags = ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg |
                                   ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingFixedFit |
                                   ImGuiTableFlags_NoSavedSettings;

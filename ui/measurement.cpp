@@ -29,6 +29,10 @@ std::vector<Range> ranges_where(const std::vector<float>& depths, const Predicat
 
 }  // namespace
 
+const ViewRay& ray_of(const LightView& light, Viewpoint viewpoint) {
+    return viewpoint == Viewpoint::opaque_casters ? light.opaque : light.ray;
+}
+
 std::vector<float> plot_depths(const ViewRay& ray, std::size_t samples, Range range) {
     std::vector<float> depths = even_depths(samples);
     for (float& depth : depths) depth = range.low + 0.5f * (depth + 1) * (range.high - range.low);
@@ -55,8 +59,10 @@ Range visible_depths(const ViewRay& ray, const PlotState& plot) {
     return range;
 }
 
-float query_depth(const ViewRay& ray, const ExplorerState& state) {
+float query_depth(const Measurement& measurement, const ExplorerState& state) {
+    const ViewRay& ray = measurement.capture.ray;
     if (state.plot.query) return *state.plot.query;
+    if (measurement.light && !state.marked) return measurement.light->bundle.place.depth;
     return state.marked && *state.marked < ray.fragments.size() ? ray.fragments[*state.marked].depth : 0.0f;
 }
 
@@ -90,26 +96,32 @@ SolverFailure solver_failure(const Curve& curve) {
 }
 
 bool same_curves(const ExplorerState& a, const ExplorerState& b) {
+    const auto of_light_alone = [](ParameterId id) {
+        return std::ranges::find(SHADOW_PARAMETERS, id) != SHADOW_PARAMETERS.end();
+    };
     for (const Parameter& row : parameters())
-        if (row.invalidates < Stage::composite && a.parameters[row.id] != b.parameters[row.id]) return false;
-    return a.technique == b.technique && a.compared == b.compared && a.plot.depth == b.plot.depth &&
+        if (row.invalidates < Stage::composite && (seen_from_light(a) || !of_light_alone(row.id)) &&
+            a.parameters[row.id] != b.parameters[row.id])
+            return false;
+    return a.technique == b.technique && seen_from_light(a) == seen_from_light(b) &&
+           a.viewpoint == b.viewpoint && a.compared == b.compared && a.plot.depth == b.plot.depth &&
            a.plot.axis == b.plot.axis && a.plot.shows(Series::ghost) == b.plot.shows(Series::ghost);
 }
 
 void measure_curves(Measurement& m, const ExplorerState& state) {
     const ViewRay& ray = m.capture.ray;
     const std::vector<float> depths = plot_depths(ray, SAMPLES, visible_depths(ray, state.plot));
-    m.curve = sample_curve(ray, *state.technique, state.parameters, depths);
+    const auto [technique, values] = plotted_configuration(state);
+    m.curve = sample_curve(ray, *technique, values, depths);
     m.exit = band_exit(m.curve);
     m.failure = solver_failure(m.curve);
     m.compared.clear();
-    for (const Technique* technique : state.compared)
-        if (technique != state.technique)
-            m.compared.push_back(sample_curve(ray, *technique, state.parameters, depths));
+    for (const Technique* other : state.compared)
+        if (other != technique) m.compared.push_back(sample_curve(ray, *other, values, depths));
     m.ghost = state.plot.shows(Series::ghost)
-                  ? unbiased_absorbance(ray, *state.technique, m.curve.parameters, depths)
+                  ? unbiased_absorbance(ray, *technique, m.curve.parameters, depths)
                   : std::vector<float>();
-    m.history = pixel_history(ray, m.capture.transmittance, *state.technique, state.parameters);
+    m.history = pixel_history(ray, m.capture.transmittance, *technique, values);
     for (Pinned& pin : m.pins)
         pin.curve =
             sample_curve(pin.ray, *state.technique, state.parameters, plot_depths(pin.ray, SAMPLES / 2));
@@ -120,7 +132,7 @@ void measure_verdict(Measurement& m, const ExplorerState& state) {
 }
 
 void measure_query(Measurement& m, const ExplorerState& state) {
-    const float query = query_depth(m.capture.ray, state);
+    const float query = query_depth(m, state);
     m.canonical = canonical_representation(m.curve, query);
     m.steps = reconstruction_steps(m.curve, query);
 }

@@ -1,6 +1,7 @@
 // measurement.hpp -- all numbers that the window shows of the picked ray, computed from the state and the
 // captured pixel.
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "core/inspect/canonical.hpp"
@@ -9,7 +10,7 @@
 #include "core/inspect/sharp_bounds.hpp"
 #include "core/inspect/steps.hpp"
 #include "core/inspect/verdict.hpp"
-#include "core/render/renderer.hpp"
+#include "core/render/light_view.hpp"
 #include "ui/state.hpp"
 
 namespace momentscope::ui {
@@ -38,11 +39,12 @@ struct Pinned {
 struct Measurement {
     glm::ivec2 pixel{0};
     glm::ivec2 picture_size{0};
-    PixelCapture capture;         // its transmittance is of the second pass when it was last asked for
-    Curve curve;                  // as the plot draws it; depths ascend
-    std::vector<Curve> compared;  // at the same depths
-    std::vector<float> ghost;     // the same; empty while it is not shown
-    SharpBounds sharp;            // at depths of its own; empty until it is computed beside the window
+    PixelCapture capture;            // its transmittance is of the second pass when it was last asked for
+    Curve curve;                     // as the plot draws it; depths ascend
+    std::vector<Curve> compared;     // at the same depths
+    std::vector<float> ghost;        // the same; empty while it is not shown
+    SharpBounds sharp;               // at depths of its own; empty until it is computed beside the window
+    std::optional<LightView> light;  // when the capture's ray is the light's
     CanonicalRepresentation canonical;
     Steps steps;                           // at the same query depth
     std::vector<PixelHistoryRow> history;  // front to back
@@ -52,6 +54,9 @@ struct Measurement {
     std::vector<Pinned> pins;
 };
 
+/// The ray that a viewpoint has of a receiver; viewpoint is not the eye.
+const ViewRay& ray_of(const LightView& light, Viewpoint viewpoint);
+
 /// Where to evaluate a curve so that its drawing misses nothing: evenly within the range, and at and around
 /// every fragment's own depth.
 std::vector<float> plot_depths(const ViewRay& ray, std::size_t samples, Range range = {-1, 1});
@@ -60,7 +65,7 @@ std::vector<float> plot_depths(const ViewRay& ray, std::size_t samples, Range ra
 Range visible_depths(const ViewRay& ray, const PlotState& plot);
 
 /// The warped depth at which bounds, beta and the canonical representation are drawn.
-float query_depth(const ViewRay& ray, const ExplorerState& state);
+float query_depth(const Measurement& measurement, const ExplorerState& state);
 
 /// Where a curve's truth leaves the band by more than rounding does.
 BandExit band_exit(const Curve& curve);

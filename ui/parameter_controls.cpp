@@ -22,13 +22,16 @@ std::string shown_name(const Parameter& row) {
 // ImGui's own logarithmic sliders do not reach this far down, so the slider moves the exponent.
 bool draw_logarithmic(const Parameter& row, float& value) {
     const float most = std::log10(row.maximum);
-    const float least = LEAST_EXPONENT - 0.25f;
-    float exponent = value > 0 ? std::clamp(std::log10(value), LEAST_EXPONENT, most) : least;
-    const std::string shown = value > 0 ? fmt::format("{:.2e}", static_cast<double>(value)) : "0";
+    const float first = row.minimum > 0 ? std::log10(row.minimum) : LEAST_EXPONENT;
+    const float least = row.minimum > 0 ? first : LEAST_EXPONENT - 0.25f;
+    float exponent = value > 0 ? std::clamp(std::log10(value), first, most) : least;
+    const bool plain = row.maximum > 1;  // a length, not a small share
+    const std::string shown = plain       ? fmt::format("{:.4g}", static_cast<double>(value))
+                              : value > 0 ? fmt::format("{:.2e}", static_cast<double>(value))
+                                          : "0";
     if (!ImGui::SliderFloat("##value", &exponent, least, most, shown.c_str(), ImGuiSliderFlags_NoInput))
         return false;
-    value = exponent < LEAST_EXPONENT ? row.minimum
-                                      : std::clamp(std::pow(10.0f, exponent), row.minimum, row.maximum);
+    value = exponent < first ? row.minimum : std::clamp(std::pow(10.0f, exponent), row.minimum, row.maximum);
     return true;
 }
 
@@ -69,9 +72,11 @@ bool draw_value(const Ui& ui, const Parameter& row, const Technique& technique, 
             return draw_choice(ui, row, technique, values, value);
         case Scale::whole: {
             int number = static_cast<int>(value);
-            const bool changed = ImGui::SliderInt("##value", &number, static_cast<int>(row.minimum),
-                                                  static_cast<int>(row.maximum), "%d",
-                                                  ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
+            const bool wide = row.maximum > 1000 * std::max(row.minimum, 1.0f);
+            const bool changed = ImGui::SliderInt(
+                "##value", &number, static_cast<int>(row.minimum), static_cast<int>(row.maximum), "%d",
+                ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput |
+                    (wide ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None));
             value = static_cast<float>(number);
             return changed;
         }
@@ -134,9 +139,10 @@ std::string parameter_help(const Parameter& row) {
 }
 
 void draw_parameter_control(const Ui& ui, const Parameter& row, const Technique& technique, float label_width,
-                            bool type_now, ParameterValues& values, std::string& message) {
+                            bool type_now, ParameterValues& values, std::string& message,
+                            std::optional<float> automatic) {
     ImGui::PushID(row.key);
-    const float recommended = automatic_bias(values, technique);
+    const float recommended = automatic.value_or(automatic_bias(values, technique));
     float value = values[row.id].value_or(recommended);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(shown_name(row).c_str());
@@ -165,8 +171,9 @@ void draw_parameter_control(const Ui& ui, const Parameter& row, const Technique&
         bool on = !values[row.id].has_value();
         if (ImGui::Checkbox("auto", &on)) values.set(row.id, on ? std::nullopt : std::optional(value));
         ui.mark(fmt::format("parameter.{}.auto", row.key));
-        tooltip(fmt::format("What the bias preset says for this technique, {:.1e}.",
-                            static_cast<double>(recommended)));
+        tooltip(automatic ? fmt::format("The scene's own, {:.3g}.", static_cast<double>(recommended))
+                          : fmt::format("What the bias preset says for this technique, {:.1e}.",
+                                        static_cast<double>(recommended)));
     }
     ImGui::PopID();
 }

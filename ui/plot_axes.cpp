@@ -117,7 +117,8 @@ void draw_axes(ImDrawList& list, const PlotAxes& axes, const Palette& colors, bo
                                              : "depth seen from the light (linear, scene units)"
         : axes.axis == DepthAxis::warped ? "depth z (logarithm of view depth, mapped to [−1, 1])"
                                          : "view depth (linear, scene units)";
-    const char* value_name = axes.quantity == Quantity::absorbance
+    const char* value_name = axes.value_name != nullptr ? axes.value_name
+                             : axes.quantity == Quantity::absorbance
                                  ? "absorbance A(z) = −ln T(z), linear"
                                  : "transmittance T(z) = exp(−A(z)), linear";
     draw_text(list, {0.5f * (area.low.x + area.high.x), area.high.y + 4 + line}, {0.5f, 0}, depth_name,

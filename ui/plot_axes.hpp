@@ -13,6 +13,7 @@ struct PlotAxes {
     Quantity quantity = Quantity::absorbance;
     DepthAxis axis = DepthAxis::warped;
     DepthWarp warp;
+    const char* value_name = nullptr;  // instead of that of the quantity
 
     float x_of(float axis_value) const {
         return area.low.x + (axis_value - depth.low) / (depth.high - depth.low) * (area.high.x - area.low.x);

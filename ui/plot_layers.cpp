@@ -103,6 +103,8 @@ void draw_failure(ImDrawList& list, const PlotAxes& axes, const Palette& colors,
 
 // From the truth to the reconstruction at every fragment's own depth: the error that the picture has.
 void draw_errors(ImDrawList& list, const PlotAxes& axes, const Palette& colors, const PlotInput& input) {
+    constexpr std::size_t MANY = 300;  // their marks would hide the curves
+    if (input.measurement.history.size() > MANY) return;
     const ImU32 tint = tint_of(input, Series::errors, colors.errors);
     const float scale = em() / 15;
     for (const PixelHistoryRow& row : input.measurement.history) {

@@ -44,8 +44,33 @@ void draw_axis_choices(const Ui& ui, bool warped, PlotState& plot, float right) 
     ImGui::EndDisabled();
 }
 
+// Whose ray is plotted.
+void draw_viewpoint_choice(const Ui& ui, ExplorerState& state, float right) {
+    if (state.ray) return;  // comes from a file
+    const Viewpoint shown = seen_from_light(state) ? state.viewpoint : Viewpoint::eye;
+    const struct {
+        Viewpoint viewpoint;
+        const char *label, *anchor, *help;
+    } choices[] = {
+        {Viewpoint::eye, "eye", "plot.eye", "The ray from the eye through the picked pixel."},
+        {Viewpoint::transparent_casters, "light", "plot.light",
+         "What the light's map of transparent casters has of the surface in the picked pixel, or of the marked fragment: the mixture "
+         "of all texels of the filter. Turns shadows on."},
+        {Viewpoint::opaque_casters, "opaque", "plot.opaque",
+         "The same of the map of opaque casters: A(z) is the share of the filter region in front of z, and moments are those of "
+         "four moments shadow mapping with β = 0; the sharp bounds are its Hausdorff variant."}};
+    for (const auto& choice : choices) {
+        if (toggle_button(choice.label, shown == choice.viewpoint)) set_viewpoint(state, choice.viewpoint);
+        ui.mark(choice.anchor);
+        tooltip(choice.help, "L");
+        flow(button_width("opaque"), right,
+             (choice.viewpoint == Viewpoint::opaque_casters ? 1.0f : 0.2f) * em());
+    }
+}
+
 void draw_tools(const Ui& ui, const Measurement& m, ExplorerState& state, float right) {
     PlotState& plot = state.plot;
+    draw_viewpoint_choice(ui, state, right);
     draw_axis_choices(ui, m.capture.ray.warp.has_view_depths(), plot, right);
     flow(button_width("fit"), right, em());
     if (ImGui::Button("fit")) fit(plot);
@@ -53,7 +78,7 @@ void draw_tools(const Ui& ui, const Measurement& m, ExplorerState& state, float 
     tooltip("Fit the plot to the ray.", "F, or double-click in the plot");
     flow(9 * em(), right, em());
     ImGui::SetNextItemWidth(std::min(9 * em(), std::max(right - ImGui::GetCursorScreenPos().x, 20.0f)));
-    float query = query_depth(m.capture.ray, state);
+    float query = query_depth(m, state);
     if (ImGui::SliderFloat("##query", &query, -1, 1, "query z = %.3f", ImGuiSliderFlags_AlwaysClamp))
         plot.query = query;
     ui.mark("plot.query");
@@ -99,7 +124,7 @@ void draw_crosshair(const Ui& ui, const PlotAxes& axes, const Measurement& m, co
         ImGui::SameLine(11 * em());
         ImGui::Text("view depth %.4f", static_cast<double>(to_view_depth(warped, ray.warp)));
     }
-    const Curve curve = sample_curve(ray, *state.technique, state.parameters, at);
+    const Curve curve = sample_curve(ray, *m.curve.technique, m.curve.values, at);
     value_line("truth", ui.colors.truth, static_cast<float>(curve.truth[0]), axes);
     if (has_function(*curve.technique))
         value_line("reconstruction", ui.colors.reconstruction, curve.reconstructed[0], axes);
@@ -110,11 +135,12 @@ void draw_crosshair(const Ui& ui, const PlotAxes& axes, const Measurement& m, co
                    curve.beta1[0], axes);
     }
     const auto ghost = m.ghost.empty() ? std::vector<float>()
-                                       : unbiased_absorbance(ray, *state.technique, curve.parameters, at);
+                                       : unbiased_absorbance(ray, *m.curve.technique, curve.parameters, at);
     if (!ghost.empty()) value_line("exact, no bias", ui.colors.ghost, ghost[0], axes);
     for (std::size_t i = 0; i < m.compared.size(); ++i)
         value_line(m.compared[i].technique->id, ui.colors.compared[i % ui.colors.compared.size()],
-                   sample_curve(ray, *m.compared[i].technique, state.parameters, at).reconstructed[0], axes);
+                   sample_curve(ray, *m.compared[i].technique, m.compared[i].values, at).reconstructed[0],
+                   axes);
     ImGui::EndTooltip();
 }
 
@@ -123,6 +149,20 @@ void draw_note(const Ui& ui, const std::string& note, float right) {
     ImGui::PushTextWrapPos(right - ImGui::GetWindowPos().x);
     ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ui.colors.exit), "%s", note.c_str());
     ImGui::PopTextWrapPos();
+}
+
+// What receives the light, and how much of it.
+void draw_light_line(const Ui& ui, const Measurement& m, float right) {
+    if (!m.light) return;
+    ImGui::PushTextWrapPos(right - ImGui::GetWindowPos().x);
+    ImGui::TextWrapped("Receiver: %s, at z = %.3f. %s", m.light->receiver.c_str(),
+                       static_cast<double>(m.light->bundle.place.depth), m.light->verdict.sentence.c_str());
+    ImGui::PopTextWrapPos();
+    ui.mark("plot.receiver");
+    tooltip(
+        "What lights the surface in the picked pixel: the fragment that was marked, or the one with which the pixel "
+        "is covered by half, else the opaque surface. To choose another, mark a fragment of the eye's ray. The truth "
+        "that is plotted is the mixture of the filter's texels.");
 }
 
 bool contains(const Rect& rect, ImVec2 at) {
@@ -223,6 +263,7 @@ void PlotPanel::draw(const Ui& ui, const Measurement& m, ExplorerState& state, I
     ImGui::PushID("plot panel");
     draw_tools(ui, m, state, right);
     const std::optional<Series> hovered = draw_legend(ui, m, state, right);
+    draw_light_line(ui, m, right);
     if (state.plot.shows(Series::reconstruction)) draw_note(ui, failure_note(m), right);
     if (state.plot.shows(Series::bounds) && m.failure.where.empty()) draw_note(ui, band_note(m), right);
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -231,7 +272,9 @@ void PlotPanel::draw(const Ui& ui, const Measurement& m, ExplorerState& state, I
     ImGui::InvisibleButton("plot", extent,
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
-    const PlotAxes axes = make_axes(m.capture.ray, m.curve, state.plot, outside, true);
+    PlotAxes axes = make_axes(m.capture.ray, m.curve, state.plot, outside, true);
+    if (m.light && state.viewpoint == Viewpoint::opaque_casters && axes.quantity == Quantity::absorbance)
+        axes.value_name = "share of the filter region in front of z, linear";
     ui.anchors["plot"] = axes.area;
     ui.anchors["plot.depth_axis"] = {{axes.area.low.x, axes.area.high.y}, {axes.area.high.x, outside.high.y}};
     ui.anchors["plot.value_axis"] = {{outside.low.x, axes.area.low.y}, {axes.area.low.x, axes.area.high.y}};
@@ -246,7 +289,9 @@ void PlotPanel::draw(const Ui& ui, const Measurement& m, ExplorerState& state, I
     if (m.capture.ray.fragments.empty())
         draw_text(list,
                   {0.5f * (axes.area.low.x + axes.area.high.x), 0.5f * (axes.area.low.y + axes.area.high.y)},
-                  {0.5f, 0.5f}, "No transparent surface covers this pixel. Click one in the scene.",
+                  {0.5f, 0.5f},
+                  m.light ? "No transparent caster stands between the light and this place."
+                          : "No transparent surface covers this pixel. Click one in the scene.",
                   ui.colors.text);
     list.PopClipRect();
     if (ImGui::IsItemHovered() && contains(axes.area, ImGui::GetIO().MousePos) && grip_ != Grip::pan)

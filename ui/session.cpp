@@ -27,6 +27,7 @@ constexpr const char* COMPARE_MODES[] = {"off", "wipe", "difference", "false_col
 constexpr const char* LENS_ZOOMS[] = {"far", "near", "values", "digits"};
 constexpr const char* QUANTITIES[] = {"absorbance", "transmittance"};
 constexpr const char* AXES[] = {"warped", "view"};
+constexpr const char* VIEWPOINTS[] = {"eye", "transparent_casters", "opaque_casters"};
 constexpr const char* THEMES[] = {"dark", "light"};
 
 ordered_json pair_json(const glm::vec2& v) {
@@ -134,6 +135,13 @@ std::optional<Camera> camera_from(const json& object, std::vector<std::string>& 
     return camera;
 }
 
+void read_fragment(JsonReader& reader, const char* key, std::optional<std::size_t>& index) {
+    const json* found = reader.find(key);
+    if (found == nullptr || found->is_null()) return;
+    if (!found->is_number_unsigned()) reader.fail(key, "null or the number of a fragment");
+    index = found->get<std::size_t>();
+}
+
 void read_places(JsonReader& reader, ExplorerState& state) {
     if (const json* found = reader.find("picked"); found != nullptr && !found->is_null()) {
         const auto place = reader.numbers(*found, "picked", 2, 0, 1);
@@ -147,10 +155,9 @@ void read_places(JsonReader& reader, ExplorerState& state) {
             state.pins.emplace_back(place[0], place[1]);
         }
     }
-    if (const json* found = reader.find("marked"); found != nullptr && !found->is_null()) {
-        if (!found->is_number_unsigned()) reader.fail("marked", "null or the number of a fragment");
-        state.marked = found->get<std::size_t>();
-    }
+    read_fragment(reader, "marked", state.marked);
+    reader.choice("viewpoint", state.viewpoint, VIEWPOINTS);
+    read_fragment(reader, "receiver", state.receiver);
 }
 
 void read_compare(const json& object, CompareState& compare, std::vector<std::string>& ignored) {
@@ -203,6 +210,8 @@ ordered_json session_to_json(const ExplorerState& state) {
             {"technique", state.technique->id},
             {"compared", compared},
             {"parameters", parameters_json(state.parameters)},
+            {"viewpoint", VIEWPOINTS[static_cast<std::size_t>(state.viewpoint)]},
+            {"receiver", state.receiver ? ordered_json(*state.receiver) : ordered_json()},
             {"compare", compare_json(state.compare)},
             {"camera", camera_json(state.camera)},
             {"picked", state.picked ? pair_json(*state.picked) : ordered_json()},

@@ -16,6 +16,10 @@ void draw_control_panel(const Ui& ui, OrderedAccess access, ExplorerState& state
 /// How pictures are drawn and shown, whatever the technique.
 void draw_picture_controls(const Ui& ui, ExplorerState& state, std::string& message);
 
+/// Whether there are shadows, and how they are made. `light` and `distance` are the scene's own.
+void draw_shadow_controls(const Ui& ui, const Light& light, float distance, ExplorerState& state,
+                          std::string& message);
+
 /// The pixel's history: one row per fragment from front to back. Clicking a row marks it in the plot.
 void draw_fragment_panel(const Ui& ui, const Measurement& measurement, ExplorerState& state);
 

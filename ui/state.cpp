@@ -1,8 +1,34 @@
 #include "ui/state.hpp"
 
+#include "core/shadow/shadow_settings.hpp"
+
 #include <algorithm>
+#include <utility>
 
 namespace momentscope::ui {
+
+bool seen_from_light(const ExplorerState& state) {
+    return state.viewpoint != Viewpoint::eye && !state.ray && has_shadows(state.parameters);
+}
+
+void set_viewpoint(ExplorerState& state, Viewpoint viewpoint) {
+    const bool before = seen_from_light(state), after = viewpoint != Viewpoint::eye;
+    if (after && !before) {
+        state.parameters.set(ParameterId::shadows, 1.0f);
+        state.receiver = std::exchange(state.marked, std::nullopt);
+    } else if (before && !after) {
+        state.marked = state.receiver;
+    }
+    state.viewpoint = viewpoint;
+    state.plot.query.reset();
+    fit(state.plot);
+}
+
+Configuration plotted_configuration(const ExplorerState& state) {
+    if (!seen_from_light(state)) return {state.technique, state.parameters};
+    return state.viewpoint == Viewpoint::opaque_casters ? opaque_configuration(state.parameters)
+                                                        : light_configuration(state.parameters);
+}
 
 void choose_scene(ExplorerState& state, const std::string& id_or_path) {
     state.scene = id_or_path;
@@ -11,6 +37,7 @@ void choose_scene(ExplorerState& state, const std::string& id_or_path) {
     state.picked.reset();
     state.pins.clear();
     state.marked.reset();
+    state.receiver.reset();
     state.compare.region.reset();
     fit(state.plot);
 }

@@ -11,6 +11,7 @@
 #include "core/compare/difference.hpp"
 #include "core/ray/view_ray.hpp"
 #include "core/scene/scene.hpp"
+#include "core/techniques/configuration.hpp"
 #include "core/techniques/technique.hpp"
 
 namespace momentscope::ui {
@@ -40,6 +41,10 @@ struct PlotState {
     bool shows(Series series) const { return shown[static_cast<std::size_t>(series)]; }
     friend bool operator==(const PlotState&, const PlotState&) = default;
 };
+
+/// Whose ray the plot shows: that of the eye through the picked pixel, or what the light's maps of
+/// transparent or of opaque casters have of the surface there.
+enum class Viewpoint { eye, transparent_casters, opaque_casters };
 
 /// The tabs below the plot.
 enum class Panel { controls, fragments, technique, steps, editor, stress, compare, chart };
@@ -111,6 +116,9 @@ struct ExplorerState {
         picked;  // fraction of the picture from its upper left corner; nullopt: the scene's own
     std::vector<glm::vec2> pins;        // at most MAX_PINS, as fractions
     std::optional<std::size_t> marked;  // index of a fragment of the picked ray
+    Viewpoint viewpoint = Viewpoint::eye;
+    std::optional<std::size_t>
+        receiver;  // of the light: index of a fragment of the eye's ray; nullopt: what is seen
     PlotState plot;
     Panel panel = Panel::controls;
     bool lens = false;
@@ -123,6 +131,16 @@ struct ExplorerState {
     float plot_share = 0.54f;   // of the right side's height, in [0.2, 0.8]
     friend bool operator==(const ExplorerState&, const ExplorerState&) = default;
 };
+
+/// Is the ray that the plot shows one of the light? Needs a scene with shadows.
+bool seen_from_light(const ExplorerState& state);
+
+/// What receives the light is the fragment that was marked, else what is seen of the pixel. The light's
+/// viewpoints turn shadows on.
+void set_viewpoint(ExplorerState& state, Viewpoint viewpoint);
+
+/// What the plot's curve is of: the picture's technique, or that of the light's map.
+Configuration plotted_configuration(const ExplorerState& state);
 
 /// Chooses another scene; what belonged to the last one is forgotten.
 void choose_scene(ExplorerState& state, const std::string& id_or_path);

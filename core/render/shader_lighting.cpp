@@ -34,7 +34,9 @@ int caster_layers(const ShadowSettings& settings) {
 ShaderLighting shader_lighting(const ShadowSettings& settings) {
     ShaderLighting lighting = {.defines = {{"SHADOWS", "1"}},
                                .namespaces = {{"opaque", opaque_namespace(*settings.opaque)}}};
-    if (settings.deep()) {
+    if (!settings.casters) {
+        lighting.defines["NO_TRANSPARENT_CASTERS"] = "1";
+    } else if (settings.deep()) {
         lighting.defines["DEEP_SHADOWS"] = "1";
     } else {
         lighting.defines["CASTER_LAYERS"] = std::to_string(caster_layers(settings));

@@ -56,7 +56,8 @@ LightBundle ShadowMaps::capture(const SceneBuffers& scene, const LightPlace& pla
     if (!place.within) return bundle;
     const ShadowFootprint footprint = shadow_footprint(place.texel, settings_->size, settings_->radius);
     for (const float weight : footprint.weights) bundle.texels.push_back({weight, {}});
-    auto nodes = capture_texels(scene, footprint.corner, footprint.extent);
+    auto nodes = settings_->casters ? capture_texels(scene, footprint.corner, footprint.extent)
+                                    : std::vector<FragmentNode>();
     if (!nodes)
         throw Error(
             "Too many fragments light this receiver to be captured; choose a smaller --shadow-radius or a greater "

@@ -56,8 +56,8 @@ void require_fitting(const ShadowSettings& settings) {
 
 bool same_sums(const ShadowSettings& a, const ShadowSettings& b) {
     const Technique& technique = *a.transparent.technique;
-    if (&technique != b.transparent.technique || a.size != b.size || !(a.light == b.light) ||
-        a.distance != b.distance)
+    if (&technique != b.transparent.technique || a.casters != b.casters || a.size != b.size ||
+        !(a.light == b.light) || a.distance != b.distance)
         return false;
     const ResolvedParameters before = resolve(a.transparent.values, technique);
     const ResolvedParameters after = resolve(b.transparent.values, technique);
@@ -172,11 +172,12 @@ void ShadowMaps::draw_maps(const SceneBuffers& scene) {
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_block_);
     glBindBufferBase(GL_UNIFORM_BUFFER, LIGHT_BLOCK, light_block_);
     glViewport(0, 0, settings_->size, settings_->size);
-    timed(times_.render, [&] { draw_casters(scene); });
+    timed(times_.opaque_render, [&] { draw_opaque(scene); });
+    timed(times_.transparent_render, [&] { draw_transparent_casters(scene); });
     ++times_.rendered;
 }
 
-void ShadowMaps::draw_casters(const SceneBuffers& scene) {
+void ShadowMaps::draw_opaque(const SceneBuffers& scene) {
     const float far[4] = {1, 1, 1, 1};
     glClearNamedFramebufferfv(nearest_target_, GL_COLOR, 0, far);
     glClearNamedFramebufferfv(nearest_target_, GL_DEPTH, 0, far);
@@ -185,6 +186,10 @@ void ShadowMaps::draw_casters(const SceneBuffers& scene) {
     glUseProgram(programs_.get(SCENE, "passes/caster_depth.frag"));
     scene.draw(Surfaces::opaque_casters);
     glDisable(GL_DEPTH_TEST);
+}
+
+void ShadowMaps::draw_transparent_casters(const SceneBuffers& scene) {
+    if (!settings_->casters) return;
     if (settings_->deep()) return draw_deep(scene);
     const int layers = caster_layers(*settings_);
     ShaderVariant variant;
@@ -245,10 +250,8 @@ void ShadowMaps::filter_maps() {
     write_blocks(glm::mat4(1));
     glBindBufferBase(GL_UNIFORM_BUFFER, LIGHT_BLOCK, light_block_);
     glViewport(0, 0, settings_->size, settings_->size);
-    timed(times_.filter, [&] {
-        filter_opaque();
-        filter_transparent();
-    });
+    timed(times_.opaque_filter, [&] { filter_opaque(); });
+    timed(times_.transparent_filter, [&] { filter_transparent(); });
     ++times_.filtered;
     leave_nothing_bound();
 }
@@ -295,7 +298,7 @@ void ShadowMaps::bind(const glm::mat4& eye_view) const {
     if (settings_->deep()) {
         glBindTextureUnit(TRANSPARENT_UNIT, deep_.lists);
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, DEEP_STEPS, deep_.steps);
-    } else {
+    } else if (settings_->casters) {
         glBindTextureUnit(TRANSPARENT_UNIT, filtered_);
     }
 }

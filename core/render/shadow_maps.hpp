@@ -15,7 +15,8 @@ namespace momentscope {
 
 /// Milliseconds that each stage of the maps took when it last ran, and how often it did.
 struct ShadowTimes {
-    double render = 0, filter = 0;
+    double opaque_render = 0, transparent_render = 0, opaque_filter = 0, transparent_filter = 0;
+    double sum() const { return opaque_render + transparent_render + opaque_filter + transparent_filter; }
     int rendered = 0, filtered = 0;
 };
 
@@ -50,7 +51,8 @@ private:
 
     void make_textures();
     void draw_maps(const SceneBuffers& scene);
-    void draw_casters(const SceneBuffers& scene);
+    void draw_opaque(const SceneBuffers& scene);
+    void draw_transparent_casters(const SceneBuffers& scene);
     void draw_deep(const SceneBuffers& scene);
     void filter_maps();
     void filter_opaque();

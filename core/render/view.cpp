@@ -6,27 +6,18 @@
 
 namespace momentscope {
 
-namespace {
-
-// Shadows change colours alone; where a first pass stores colours, it is among what they change.
-Stage first_stale_of_light(const View& before, const View& after) {
+bool light_changed(const View& before, const View& after) {
     const auto differs = [&](ParameterId id) { return before.parameters[id] != after.parameters[id]; };
-    if (!has_shadows(after.parameters) && !has_shadows(before.parameters)) return Stage::nothing;
+    if (!has_shadows(after.parameters)) return has_shadows(before.parameters);
     const Technique& of_light = *light_configuration(after.parameters).technique;
-    const bool changed = differs(ParameterId::shadows) || std::ranges::any_of(SHADOW_PARAMETERS, differs) ||
-                         std::ranges::any_of(of_light.parameters, [&](ParameterId id) {
-                             return id != ParameterId::beta && differs(id);
-                         });
-    if (!changed) return Stage::nothing;
-    const bool colors_first = after.technique->method != nullptr && after.technique->method->holds_colors;
-    return colors_first ? Stage::opaque : Stage::shading;
+    return differs(ParameterId::shadows) || std::ranges::any_of(SHADOW_PARAMETERS, differs) ||
+           std::ranges::any_of(of_light.parameters,
+                               [&](ParameterId id) { return id != ParameterId::beta && differs(id); });
 }
 
-}  // namespace
+namespace {
 
-Stage first_stale_stage(const View& before, const View& after) {
-    if (before.technique == nullptr || before.size != after.size || !(before.camera == after.camera))
-        return Stage::opaque;
+Stage first_stale_of_technique(const View& before, const View& after) {
     if (before.technique != after.technique) return Stage::moments;
     Stage first = Stage::nothing;
     for (const ParameterId id : after.technique->parameters)
@@ -37,7 +28,19 @@ Stage first_stale_stage(const View& before, const View& after) {
             if (before.parameters[id] != after.parameters[id]) first = std::min(first, Stage::moments);
     for (const ParameterId id : PICTURE_PARAMETERS)
         if (before.parameters[id] != after.parameters[id]) first = std::min(first, parameter(id).invalidates);
-    return std::min(first, first_stale_of_light(before, after));
+    return first;
+}
+
+}  // namespace
+
+// A change of light alters colours alone; where a first pass stores colours, it is among what must run again.
+Stage first_stale_stage(const View& before, const View& after) {
+    if (before.technique == nullptr || before.size != after.size || !(before.camera == after.camera))
+        return Stage::opaque;
+    const Stage first = first_stale_of_technique(before, after);
+    if (!light_changed(before, after)) return first;
+    const bool colors_first = after.technique->method != nullptr && after.technique->method->holds_colors;
+    return first <= Stage::moments || colors_first ? Stage::opaque : Stage::shading;
 }
 
 ToneMap tone_map_of(const ParameterValues& values) {

@@ -22,6 +22,9 @@ ToneMap tone_map_of(const ParameterValues& values);
 
 constexpr int MAX_PICTURE_SIDE = 8192;
 
+/// Does the change alter how surfaces are lit?
+bool light_changed(const View& before, const View& after);
+
 /// The first stage that must run again for `after` when `before` was drawn last. Parameters that the
 /// technique does not read make nothing stale, but for the tone map, which is none of its business.
 Stage first_stale_stage(const View& before, const View& after);

@@ -17,9 +17,13 @@ constexpr float LEAST_DISTANCE = 1.05f;  // radii; closer the frustum is wider t
 
 }  // namespace
 
+float standard_light_distance(const Sphere& casters) {
+    return STANDARD_DISTANCE * std::max(casters.radius, 1e-3f);  // nothing casts: any frame will do
+}
+
 LightFrame light_frame(const ShadowSettings& settings, const Sphere& casters) {
-    const float radius = std::max(casters.radius, 1e-3f);  // nothing casts: any frame will do
-    const float distance = settings.distance.value_or(STANDARD_DISTANCE * radius);
+    const float radius = std::max(casters.radius, 1e-3f);
+    const float distance = settings.distance.value_or(standard_light_distance(casters));
     if (!(distance >= LEAST_DISTANCE * radius))
         throw Error(fmt::format(
             "The light stands {:.3g} from the centre of what casts shadows, within the sphere of radius {:.3g} "

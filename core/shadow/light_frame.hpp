@@ -22,6 +22,9 @@ struct LightPlace {
     bool within = false;  // does the map know what shadows it?
 };
 
+/// How far the light stands from the centre of a sphere around all casters unless it is told otherwise.
+float standard_light_distance(const Sphere& casters);
+
 /// The frustum around a sphere. Throws Error when the light stands inside of it, or the scene has no casters.
 LightFrame light_frame(const ShadowSettings& settings, const Sphere& casters);
 

@@ -13,8 +13,8 @@ struct ShadowOnset {
     float length() const { return high - low; }
 };
 
-/// The shadow of the fragments of one draw call within a light's ray: 1 - T / T without them, both by the same technique. Of the
-/// truth it is a step. `sorted` is the truth.
+/// The shadow of the fragments of one draw call within a light's ray: 1 - T / T without them, both by the
+/// same technique. Of the truth it is a step. `sorted` is the truth.
 ShadowOnset shadow_onset(const ViewRay& ray, std::uint32_t draw, const Configuration& configuration);
 
 }  // namespace momentscope

@@ -16,6 +16,10 @@ int whole(const ParameterValues& values, ParameterId id) {
     return static_cast<int>(values[id].value_or(0.0f));
 }
 
+const OpaqueShadow& opaque_row(const ParameterValues& values) {
+    return opaque_shadows()[static_cast<std::size_t>(whole(values, ParameterId::opaque_shadow))];
+}
+
 }  // namespace
 
 bool has_shadows(const ParameterValues& values) {
@@ -30,14 +34,27 @@ Configuration light_configuration(const ParameterValues& values) {
         result.technique = &require_technique("fourier");
         result.values.set(ParameterId::coefficients, id == "fourier-15" ? 1.0f : 0.0f);
     } else {
-        result.technique = &require_technique(id == "deep" ? "sorted" : id);
+        result.technique = &require_technique(id == "deep" || id == "none" ? "sorted" : id);
     }
     return result;
 }
 
+Configuration opaque_configuration(const ParameterValues& values) {
+    const OpaqueShadow& row = opaque_row(values);
+    Configuration result = {&require_technique("sorted"), values};
+    result.values.set(ParameterId::beta, 0.0f);
+    if (row.moment_count == 0) return result;
+    const bool circle = row.moment_count == 2;
+    result.technique = &require_technique(circle ? "trig2-32" : "power4-32");
+    result.values.set(ParameterId::alpha, circle ? 4e-7f : 3e-7f);  // as in the math files
+    result.values.set(ParameterId::theta, 0.314159265f);
+    return result;
+}
+
 ShadowSettings shadow_settings(const ParameterValues& values, const Light& of_scene) {
-    return {.transparent = light_configuration(values),
-            .opaque = &opaque_shadows()[static_cast<std::size_t>(whole(values, ParameterId::opaque_shadow))],
+    return {.casters = chosen(values, ParameterId::shadow_technique) != "none",
+            .transparent = light_configuration(values),
+            .opaque = &opaque_row(values),
             .size = whole(values, ParameterId::shadow_size),
             .radius = whole(values, ParameterId::shadow_radius),
             .light = {values[ParameterId::light_azimuth].value_or(of_scene.azimuth),

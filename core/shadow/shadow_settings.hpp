@@ -12,6 +12,7 @@ constexpr int MAX_SHADOW_RADIUS = 8;
 
 /// Parameters with `auto` replaced.
 struct ShadowSettings {
+    bool casters = true;        // do transparent ones count?
     Configuration transparent;  // the technique of the transparent casters' map, with the light's beta;
                                 // `sorted` for a deep shadow map
     const OpaqueShadow* opaque = nullptr;
@@ -20,7 +21,7 @@ struct ShadowSettings {
     Light light;
     std::optional<float> distance;  // of the light from the centre of all casters; nullopt: four radii
 
-    bool deep() const { return transparent.technique->is_truth(); }
+    bool deep() const { return casters && transparent.technique->is_truth(); }
 };
 
 bool has_shadows(const ParameterValues& values);
@@ -28,6 +29,10 @@ bool has_shadows(const ParameterValues& values);
 /// The technique of the transparent casters' map, and its values: beta is the light's. What else a technique
 /// reads, such as theta, is the same for eye and light.
 Configuration light_configuration(const ParameterValues& values);
+
+/// The technique whose math a map of opaque casters shares, with b_0 = 1 and beta = 0, in floats: what a plot
+/// draws of it. `sorted` where a map shares none.
+Configuration opaque_configuration(const ParameterValues& values);
 
 ShadowSettings shadow_settings(const ParameterValues& values, const Light& of_scene);
 

@@ -3,7 +3,8 @@
 #include "passes/light_block.glsl"
 
 layout(binding = 12) uniform sampler2D opaque_map;             // filtered texels, or depths of UNFILTERED ones
-#ifdef DEEP_SHADOWS
+#if defined(NO_TRANSPARENT_CASTERS)
+#elif defined(DEEP_SHADOWS)
 layout(binding = 13) uniform usampler2D deep_map;              // first step and how many, per texel
 layout(std430, binding = 1) readonly buffer DeepSteps { vec2 deep_steps[]; };   // depth, T behind it; ascending per texel
 #else
@@ -100,7 +101,9 @@ float opaque_shadow(LightPlace place)
 /// What transparent casters in front of the place let through.
 float transparent_light(LightPlace place)
 {
-#ifdef DEEP_SHADOWS
+#if defined(NO_TRANSPARENT_CASTERS)
+    return 1.0;
+#elif defined(DEEP_SHADOWS)
     vec2 below = floor(place.texel - 0.5);
     vec2 part = place.texel - 0.5 - below;
     ivec2 last = ivec2(int(light.range.z) - 1);

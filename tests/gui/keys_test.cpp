@@ -126,6 +126,11 @@ const std::map<std::string, Check>& checks() {
         {"plot.quantity",
          [](const Pressed& p) { EXPECT_EQ(p.now.state().plot.quantity, ui::Quantity::transmittance); }},
         {"plot.axis", [](const Pressed& p) { EXPECT_EQ(p.now.state().plot.axis, ui::DepthAxis::view); }},
+        {"plot.light",
+         [](const Pressed& p) {
+             EXPECT_EQ(p.now.state().viewpoint, ui::Viewpoint::transparent_casters);
+             EXPECT_TRUE(p.now.measurement().light.has_value());
+         }},
         {"plot.truth", series(Series::truth)},
         {"plot.reconstruction", series(Series::reconstruction)},
         {"plot.bounds", series(Series::bounds)},

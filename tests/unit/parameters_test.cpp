@@ -31,8 +31,8 @@ TEST(ParameterValues, TakeBothEndsOfTheRangeAndNothingBeyond) {
             EXPECT_EQ(values[row.id], end);
         }
         const ParameterValues before = values;
-        const float below = std::nextafter(row.minimum, -1.0f);
-        const float above = std::nextafter(row.maximum, 100.0f);
+        const float below = std::nextafter(row.minimum, -ENDLESS);
+        const float above = std::nextafter(row.maximum, ENDLESS);
         for (const float refused : {below, above, NO_NUMBER, ENDLESS, -ENDLESS})
             expect_error([&] { values.set(row.id, refused); }, std::string("--") + row.key);
         EXPECT_EQ(values, before);  // what was refused changed nothing
