@@ -46,7 +46,7 @@ void add_parameter_options(CLI::App& command, Options& options) {
             command.add_option(fmt::format("--{}", row.key), options.parameters[row.key],
                                fmt::format("{} {}: {} [{}]", row.name, row.symbol, parameter_values_text(row),
                                            parameter_text(row, row.standard)));
-        if (row.scale == Scale::toggle) option->expected(0, 1);  // without a value it is on
+        if (row.scale == Scale::toggle) option->expected(0, 1)->default_str("on")->type_name("[on|off]");
     }
 }
 

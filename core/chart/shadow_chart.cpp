@@ -148,7 +148,8 @@ std::string shadow_rows_to_markdown(const std::vector<ShadowRow>& rows) {
             return r.scene == row.scene && r.map_size == row.map_size && r.technique == "fourier-7";
         });
         const auto cell = [](const Spread& s) {
-            return fmt::format("{:.0f} ± {:.0f}", s.median, 0.5 * s.range);
+            return fmt::format("{:.{}f} ± {:.{}f}", s.median, s.median < 10 ? 1 : 0, 0.5 * s.range,
+                               s.median < 10 ? 1 : 0);
         };
         fmt::format_to(std::back_inserter(text),
                        "| {0} | {1}² | {2} | {3} | {4} | {5} | {6} | {7} | {8} | {9} |\n", row.scene,

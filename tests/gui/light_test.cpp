@@ -11,8 +11,8 @@ protected:
     /// A pixel of the ground in the middle of the disk's shadow.
     std::string shadowed() {
         const ui::Rect rect = explorer().anchors().at("scene");
-        return fmt::format("{} {}", rect.low.x + 0.55f * (rect.high.x - rect.low.x),
-                           rect.low.y + 0.675f * (rect.high.y - rect.low.y));
+        return fmt::format("{} {}", rect.low.x + 0.557f * (rect.high.x - rect.low.x),
+                           rect.low.y + 0.636f * (rect.high.y - rect.low.y));
     }
 };
 
