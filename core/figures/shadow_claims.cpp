@@ -74,7 +74,7 @@ std::vector<Finding> measure_cloud_shadows(ShotSource& shots) {
         {"Fourier opacity mapping shows the disk's shadow above the disk", fourier_7.begins < -0.1,
          text_of("7 coefficients:", fourier_7) + ", " + text_of("15:", fourier_15) +
              fmt::format("; truth {:.2f} long", truth.length),
-         "Medians over light rays through the disk, in scene units; the cloud is 2.4 deep"},
+         "Medians over light rays through the disk, in scene units; the cloud is some three deep"},
         {"moments show a hard onset there, and none above",
          power_6.begins >= 0 && power_6.length < fourier_7.length,
          "β = 0: " + text_of("six,", power_6) + ", " + text_of("four,", power_4)},
