@@ -13,6 +13,7 @@
 #include "core/ray/ray_json.hpp"
 #include "core/render/light_view.hpp"
 #include "core/scene/camera.hpp"
+#include "core/shadow/cast_ray.hpp"
 
 namespace momentscope {
 
@@ -24,6 +25,7 @@ constexpr int MAX_SAMPLES = 1'000'000;
 struct Subject {
     PixelCapture capture;
     std::optional<LightView> light;
+    CastLight cast = {};  // of the light
 };
 
 // nullopt for what is seen of the pixel.
@@ -50,13 +52,15 @@ Subject capture_scene_pixel(const Options& options, const Configuration& configu
     if (options.light) values.set(ParameterId::shadows, 1.0f);
     renderer.render({scene.camera, size, configuration.technique, values});
     const glm::ivec2 at = pixel.value_or(picked_pixel(scene, size));
-    Subject subject = {renderer.capture_pixel(at), {}};
+    Subject subject = {.capture = renderer.capture_pixel(at), .light = {}};
     if (!options.light) return subject;
     subject.light =
         view_from_light(renderer, at, subject.capture, parse_receiver(options.receiver, subject.capture.ray));
     if (!subject.light)
         throw Error(fmt::format("Pixel {},{} shows nothing that could receive light; give another --pixel.",
                                 at.x, at.y));
+    subject.cast =
+        cast_light(scene, subject.light->world, renderer.shadow_maps()->frame().position, LIGHT_SLACK);
     return subject;
 }
 
@@ -66,14 +70,16 @@ Subject ray_of_file(const std::string& path) {
     return subject;
 }
 
-std::string text_of_light(const LightView& light) {
+std::string text_of_light(const LightView& light, const CastLight& cast) {
     const LightVerdict& v = light.verdict;
     return fmt::format(
         "Receiver: {}, at depth {:.5f} seen from the light, {} in {} texels.\n"
-        "Transparent casters let through {:.4f} (truth {:.4f}), opaque ones {:.4f} (truth {:.4f}); shaded with {:.4f}.\n{}\n",
+        "Transparent casters let through {:.4f} (truth {:.4f}), opaque ones {:.4f} (truth {:.4f}); shaded with {:.4f}.\n"
+        "A ray through all triangles, without a map: {}.\n{}\n",
         light.receiver, static_cast<double>(light.bundle.place.depth),
         fragment_count_text(light.ray.fragments.size()), light.bundle.texels.size(), v.transmittance,
-        v.true_transmittance, 1 - v.shadowed, 1 - v.true_shadowed, light.visibility, v.sentence);
+        v.true_transmittance, 1 - v.shadowed, 1 - v.true_shadowed, light.visibility,
+        cast.shadowed ? "an opaque caster is met" : fmt::format("{:.4f}", cast.transmittance), v.sentence);
 }
 
 // One line for each technique, below a table of curves.
@@ -141,8 +147,8 @@ void run_inspect(const Options& options) {
         : format == "json" ? curves_to_json(ray, curves)
         : format == "csv"
             ? curves_to_csv(curves)
-            : curves_to_table(ray, curves) +
-                  (subject.light ? text_of_light(*subject.light) : text_of_verdicts(subject.capture, curves));
+            : curves_to_table(ray, curves) + (subject.light ? text_of_light(*subject.light, subject.cast)
+                                                            : text_of_verdicts(subject.capture, curves));
     if (options.output.empty())
         std::fputs(text.c_str(), stdout);
     else

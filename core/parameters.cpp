@@ -28,7 +28,8 @@ constexpr std::array ORDERS = {"submitted", "reversed", "shuffled"};
 constexpr std::array DEPTH_RANGES = {"corrected", "published"};
 constexpr std::array TONE_MAPS = {"none", "reinhard", "filmic"};
 
-// Moments in floats, which may be filtered; two sizes of Fourier series; the ground truth; and no such casters.
+// Moments in floats, which may be filtered; two sizes of Fourier series; the ground truth; and no such
+// casters.
 std::vector<const char*> shadow_techniques() {
     std::vector<const char*> ids;
 #define MOMENT_TECHNIQUE(id, basis, count, bits, key, ...) \

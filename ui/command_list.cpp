@@ -275,7 +275,7 @@ void add_plot(List& list) {
     list.push_back(
         {"plot.light",
          "Seen from the light",
-         {"L"},
+         {"V"},
          "Plots the function that the light's map has of what the pixel shows, and turns shadows on.",
          [](Explorer& e) {
              set_viewpoint(e.state(),

@@ -62,7 +62,7 @@ void draw_viewpoint_choice(const Ui& ui, ExplorerState& state, float right) {
     for (const auto& choice : choices) {
         if (toggle_button(choice.label, shown == choice.viewpoint)) set_viewpoint(state, choice.viewpoint);
         ui.mark(choice.anchor);
-        tooltip(choice.help, "L");
+        tooltip(choice.help, "V");
         flow(button_width("opaque"), right,
              (choice.viewpoint == Viewpoint::opaque_casters ? 1.0f : 0.2f) * em());
     }

@@ -21,8 +21,8 @@ struct Fragment {
     friend bool operator==(const Fragment&, const Fragment&) = default;
 };
 
-/// How view depth became depth: logarithmically for the eye (Section 3.3), linearly for the light (Section 6).
-/// Without a warp they are the same.
+/// How view depth became depth: logarithmically for the eye (Section 3.3), linearly for the light (Section
+/// 6). Without a warp they are the same.
 struct DepthWarp {
     enum class Kind { none, logarithmic, linear } kind = Kind::none;
     float z_min = -1;  // view depths that map to -1 and 1; 0 < z_min < z_max unless none

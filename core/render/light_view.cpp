@@ -38,8 +38,9 @@ std::optional<LightView> view_from_light(Renderer& renderer, glm::ivec2 pixel, c
     if (!view.fragment && !surface) view.fragment = front_to_back(eye.ray).back();
     view.receiver = receiver_text(eye.ray, view.fragment);
     const ShadowSettings& settings = renderer.shadow_maps()->settings();
-    view.bundle = renderer.capture_light(
-        pixel, view.fragment ? fragments[*view.fragment].view_depth : surface->view_depth);
+    const float view_depth = view.fragment ? fragments[*view.fragment].view_depth : surface->view_depth;
+    view.world = renderer.world_place(pixel, view_depth);
+    view.bundle = renderer.capture_light(pixel, view_depth);
     view.ray = mixed_ray(view.bundle);
     view.opaque = opaque_ray(view.bundle);
     view.configuration = settings.transparent;

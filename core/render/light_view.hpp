@@ -17,6 +17,7 @@ struct LightView {
     std::optional<std::size_t>
         fragment;          // of the eye's ray, that receives; nullopt: the pixel's opaque surface
     std::string receiver;  // the same in words
+    glm::vec3 world{0};    // where it is
     LightBundle bundle;
     ViewRay ray;                  // transparent casters: the mixture of all texels of the filter region
     ViewRay opaque;               // opaque casters: A(z) is the share of the region in front of z

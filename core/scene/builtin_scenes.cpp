@@ -62,7 +62,8 @@ void add_hall(Scene& scene) {
     add_ground(scene, LENGTH, 0.0f);
     const std::uint32_t wall = add_mesh(scene, make_rectangle(LENGTH, 20.0f, 1, 1));
     scene.objects.push_back({wall, placed_at({0.0f, 10.0f, -45.0f}), linear_color(0xC9B28F)});
-    scene.objects.back().casts_shadow = false;  // it would widen the light's frustum for a shadow that nothing receives
+    scene.objects.back().casts_shadow =
+        false;  // it would widen the light's frustum for a shadow that nothing receives
     const std::uint32_t column = add_mesh(scene, make_column(0.6f, 12.0f, 48));
     for (int i = 0; i < 4; ++i) {
         for (const float x : {-5.5f, 6.5f}) {

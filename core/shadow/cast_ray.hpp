@@ -10,6 +10,9 @@ struct CastLight {
     double transmittance = 1;  // of all transparent ones
 };
 
+/// Scene units within which a surface is that of the receiver itself.
+constexpr float LIGHT_SLACK = 1e-2f;
+
 /// Every triangle is tried. Surfaces closer to the point than `slack` scene units do not count: it lies on
 /// one of them.
 CastLight cast_light(const Scene& scene, const glm::vec3& from, const glm::vec3& to, float slack);

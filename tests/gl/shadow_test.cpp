@@ -149,8 +149,8 @@ TEST_F(ShadowTest, DeepMapsAgreeWithRays) {
             if (!surface) continue;
             const LightBundle bundle = renderer_->capture_light(pixel, surface->view_depth);
             if (!bundle.place.within) continue;
-            const CastLight cast =
-                cast_light(scene_, renderer_->world_place(pixel, surface->view_depth), frame.position, 1e-2f);
+            const CastLight cast = cast_light(scene_, renderer_->world_place(pixel, surface->view_depth),
+                                              frame.position, LIGHT_SLACK);
             off.push_back(std::abs((cast.shadowed ? 0 : cast.transmittance) -
                                    static_cast<double>((1 - surface->shadowed) * surface->transmittance)));
         }

@@ -60,11 +60,11 @@ TEST_F(LightTest, TheMarkedFragmentReceives) {
     ASSERT_GT(fragments, 5U);
     explorer().state().marked = 3;
     settle();
-    play("key L");
+    play("key V");
     ASSERT_TRUE(measurement().light.has_value());
     EXPECT_EQ(measurement().light->fragment, 3U);
     EXPECT_FALSE(state().marked.has_value()) << "fragments of another ray are shown now";
-    play("key L");
+    play("key V");
     EXPECT_FALSE(measurement().light.has_value());
     EXPECT_EQ(state().marked, 3U);
     EXPECT_EQ(measurement().capture.ray.fragments.size(), fragments);
@@ -84,14 +84,14 @@ TEST_F(LightTest, OpaqueCastersSumToOne) {
 TEST_F(LightTest, TheSkyReceivesNothing) {
     open("cloud", "power6-32");
     const ui::Rect rect = explorer().anchors().at("scene");
-    play(fmt::format("key L\nclick {} {}\nexpect-message receive", rect.low.x + 5, rect.low.y + 5));
+    play(fmt::format("key V\nclick {} {}\nexpect-message receive", rect.low.x + 5, rect.low.y + 5));
     EXPECT_EQ(state().viewpoint, ui::Viewpoint::eye);
     EXPECT_FALSE(measurement().light.has_value());
 }
 
 TEST_F(LightTest, ALightAmongTheCastersIsRefusedAndTheLastPictureStays) {
     open("cloud", "power6-32");
-    play("key L");
+    play("key V");
     const std::vector<unsigned char> before = screen();
     explorer().state().parameters.set(ParameterId::light_distance, 1.0f);
     settle();

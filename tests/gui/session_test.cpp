@@ -26,6 +26,7 @@ key P
 click @scene 0.35 0.5
 key P
 key N
+key V
 key L
 key Shift+L
 key O
@@ -91,6 +92,8 @@ TEST_F(SessionTest, BrokenSessionsAreExplainedAndChangeNothing) {
         {with("/picked", {2, 0}), "picked"},
         {with("/pins", {{0.1, 0.1}, {0.1, 0.1}, {0.1, 0.1}, {0.1, 0.1}, {0.1, 0.1}}), "pins"},
         {with("/marked", -1), "marked"},
+        {with("/receiver", "x"), "receiver"},
+        {with("/viewpoint", "moon"), "viewpoint"},
         {with("/plot/query", 3), "query"},
         {with("/compare/reference", "perfect"), "no technique 'perfect'"},
         {with("/compare/mode", "sideways"), "mode"},
