@@ -1,6 +1,7 @@
 #include "core/shadow/light_ray.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace momentscope {
@@ -81,6 +82,7 @@ float light_transmittance(const LightBundle& bundle, const Configuration& transp
     if (bundle.texels.empty()) return 1;
     const Technique& technique = *transparent.technique;
     if (technique.is_truth()) return static_cast<float>(deep_transmittance(bundle, depth));
+    assert(!bundle.sums.empty() && "the map of the bundle is of another technique");
     const ResolvedParameters parameters = resolve(transparent.values, technique);
     if (technique.method != nullptr) {
         PixelState state;

@@ -46,7 +46,7 @@ void expect_same(const ViewRay& a, const ViewRay& b) {
         EXPECT_EQ(a.fragments[i].opacity, b.fragments[i].opacity) << i;
         EXPECT_EQ(a.fragments[i].color, b.fragments[i].color) << i;
     }
-    EXPECT_EQ(a.warp.has_view_depths(), b.warp.has_view_depths());
+    EXPECT_EQ(a.warp.kind, b.warp.kind);
     EXPECT_EQ(a.warp.z_min, b.warp.z_min);
     EXPECT_EQ(a.warp.z_max, b.warp.z_max);
     EXPECT_EQ(a.near_plane, b.near_plane);
@@ -73,6 +73,20 @@ TEST(RayJson, ComesBackTheSameWithALogarithmicWarp) {
     const auto json = ray_to_json(ray);
     EXPECT_EQ(json["warp"]["kind"], "log");
     EXPECT_EQ(json["fragments"][1]["depth"], 7.7f);  // linear, not warped
+    expect_same(ray_from_json(json.dump()), ray);
+}
+
+TEST(RayJson, ComesBackTheSameWithTheLinearWarpOfALight) {
+    ViewRay ray;
+    ray.warp = {DepthWarp::Kind::linear, 6.0f, 14.0f};
+    for (const float view_depth : {6.0f, 8.0f, 14.0f}) {
+        ray.fragments.push_back(fragment_at(view_depth, 0.3f, {0.2f, 0.4f, 0.8f}));
+        ray.fragments.back().depth = to_depth(view_depth, ray.warp);
+    }
+    EXPECT_EQ(ray.fragments[1].depth, -0.5f);
+    EXPECT_EQ(to_view_depth(-0.5f, ray.warp), 8.0f);
+    const auto json = ray_to_json(ray);
+    EXPECT_EQ(json["warp"]["kind"], "linear");
     expect_same(ray_from_json(json.dump()), ray);
 }
 
@@ -178,7 +192,7 @@ TEST(RayJson, RefusesOpacitiesDepthsAndColorsOutsideTheirRanges) {
 TEST(RayJson, RefusesWrongWarps) {
     for (const char* warp : {"1", "[]", "\"log\"", "{}", R"({"kind": 1})", R"({"z_min": 1, "z_max": 3})"})
         expect_refused(with_warp(warp), "\"kind\"");
-    for (const char* kind : {"linear", "LOG", ""})
+    for (const char* kind : {"cubic", "LOG", ""})
         expect_refused(with_warp(std::string("{\"kind\": \"") + kind + "\", \"z_min\": 1, \"z_max\": 3}"),
                        "warp kind");
     expect_refused(with_warp(R"({"kind": "log"})"), "\"z_min\"");

@@ -234,6 +234,7 @@ TEST(LightVerdict, KnowsTheWholeOfLeakingPastOpaqueCasters) {
     LightBundle bundle;
     bundle.place = {{0, 0}, 0.2f, true};
     bundle.texels = {{1.0f, {}}};
+    bundle.sums.assign(7, 0.0f);
     const OpaqueShadow& opaque = require_opaque_shadow("variance");
     for (const auto& [depth, weight] : {std::pair(-0.9f, 0.5f), std::pair(0.1f, 0.5f)}) {
         bundle.opaque.push_back({depth, weight});
