@@ -121,7 +121,7 @@ TEST_F(ShadowTest, EveryOpaqueMapIsWhatCppComputes) {
         show("teapots",
              shadows_with({{ParameterId::opaque_shadow, choice(ParameterId::opaque_shadow, row.id)}}));
         double worst = 0, most = 0;
-        for (const LightView& view : receivers(24)) {
+        for (const LightView& view : receivers(12)) {
             if (view.fragment) continue;
             const double cpp = (1 - view.verdict.shadowed) * view.verdict.transmittance;
             worst = std::max(worst, std::abs(cpp - view.visibility));
@@ -182,6 +182,33 @@ TEST_F(ShadowTest, PicturesAreCloseToThatOfADeepMap) {
     EXPECT_LT(leaking, 1.5e-2);
     EXPECT_LT(moments, 4e-3);
     EXPECT_GT(moments, 1e-4) << "else something is compared with itself";
+}
+
+// Two ground truths that shade in different passes; fragments of the scene never tie.
+TEST_F(ShadowTest, PeelingShadesAsSortedDoes) {
+    const auto picture = [&](const char* technique) {
+        show("spheres", shadows_with(), technique);
+        return renderer_->read_picture();
+    };
+    const Image sorted = picture("sorted");
+    EXPECT_LT(mean_difference(sorted, picture("peeling"), Metric::rmse), 1e-4);
+    EXPECT_LT(mean_difference(sorted, picture("mlab"), Metric::rmse), 1e-3) << "four layers in half floats";
+}
+
+// Every pass that shades knows the light: half of them would otherwise be lit from beside the camera.
+TEST_F(ShadowTest, EveryTechniqueReceivesThem) {
+    show("spheres", shadows_with(), "sorted");
+    const Image truth = renderer_->read_picture();
+    show("spheres", values_with({}), "sorted");
+    const double unlit = mean_difference(truth, renderer_->read_picture(), Metric::rmse);
+    for (const Technique& technique : techniques()) {
+        if (!why_unavailable(technique, renderer_->ordered_access()).empty()) continue;
+        show("spheres", values_with({}), technique.id);
+        const Image before = renderer_->read_picture();
+        show("spheres", shadows_with(), technique.id);
+        EXPECT_GT(mean_difference(before, renderer_->read_picture(), Metric::rmse), 0.5 * unlit)
+            << technique.id;
+    }
 }
 
 // Only what a change needs.
