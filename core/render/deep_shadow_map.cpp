@@ -1,0 +1,60 @@
+// deep_shadow_map.cpp -- the light's map with all fragments of every texel: the ground truth of the others.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/gl/texture.hpp"
+#include "core/render/shadow_maps.hpp"
+
+namespace momentscope {
+
+// Lists of the steps of T, sorted by the CPU: a ground truth, not a fast one.
+void ShadowMaps::draw_deep(const SceneBuffers& scene) {
+    const int size = settings_->size;
+    std::vector<glm::uvec2> lists(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
+    std::vector<glm::vec2> steps;
+    GLint64 most_bytes = 0;
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most_bytes);
+    for (int y = 0, rows = size; y < size; y += rows) {
+        rows = std::min(rows, size - y);
+        auto nodes = capture_texels(scene, {0, y}, {size, rows});
+        while (!nodes && rows > 1) {
+            rows = (rows + 1) / 2;
+            nodes = capture_texels(scene, {0, y}, {size, rows});
+        }
+        if (!nodes ||
+            (steps.size() + nodes->size()) * sizeof(glm::vec2) > static_cast<std::size_t>(most_bytes))
+            throw Error(fmt::format(
+                "A deep shadow map of {0}x{0} texels has more fragments than this GL can hold; give a smaller "
+                "--shadow-size.",
+                size));
+        std::ranges::sort(*nodes, {}, [](const FragmentNode& n) { return std::pair(n.pixel, n.depth); });
+        double absorbance = 0;
+        std::uint32_t pixel = ~0U;
+        for (const FragmentNode& node : *nodes) {
+            const std::size_t at =
+                static_cast<std::size_t>(node.pixel >> 16U) * static_cast<std::size_t>(size) +
+                (node.pixel & 0xffffU);
+            if (node.pixel != pixel) {
+                pixel = node.pixel;
+                absorbance = 0;
+                lists[at] = {steps.size(), 0};
+            }
+            absorbance += static_cast<double>(fragment_absorbance(node.color_opacity.a));
+            steps.emplace_back(node.depth, static_cast<float>(std::exp(-absorbance)));
+            ++lists[at].y;
+        }
+    }
+    deep_.lists = make_texture(GL_RG32UI, glm::ivec2(size));
+    glTextureSubImage2D(deep_.lists, 0, 0, 0, size, size, GL_RG_INTEGER, GL_UNSIGNED_INT, lists.data());
+    GLuint name = 0;
+    glCreateBuffers(1, &name);
+    deep_.steps = GlBuffer(name);
+    if (steps.empty()) steps.emplace_back(0.0f, 1.0f);  // GL refuses empty storage
+    glNamedBufferStorage(deep_.steps, static_cast<GLsizeiptr>(steps.size() * sizeof(glm::vec2)), steps.data(),
+                         0);
+}
+
+}  // namespace momentscope

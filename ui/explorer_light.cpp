@@ -1,0 +1,19 @@
+// explorer_light.cpp -- the plot seen from the light.
+#include "ui/explorer.hpp"
+
+namespace momentscope::ui {
+
+// The ray of the capture becomes the light's.
+void Explorer::see_from_light(glm::ivec2 pixel) {
+    measurement_.light = view_from_light(renderer_, pixel, measurement_.capture, state_.receiver);
+    if (!measurement_.light) {
+        message_ =
+            "This pixel shows nothing that could receive light; the plot shows the eye's ray. Pick another one.";
+        state_.viewpoint = Viewpoint::eye;
+        return;
+    }
+    measurement_.capture.ray = ray_of(*measurement_.light, state_.viewpoint);
+    measurement_.capture.transmittance.clear();
+}
+
+}  // namespace momentscope::ui
