@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-
 #include "core/error.hpp"
 #include "core/gl/texture.hpp"
 #include "core/render/geometry_pass.hpp"
