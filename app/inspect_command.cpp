@@ -130,6 +130,9 @@ void run_inspect(const Options& options) {
                                           : parse_depths(options.depths);
     if (options.light && !options.ray.empty())
         throw Error("A ray from a file has no scene and no light; leave --light or --ray out.");
+    if (options.light && configurations.size() > 1)
+        throw Error(
+            "The light's map has one technique; give a --shadow-technique, and a single --technique for the picture.");
     if (!options.light && !options.receiver.empty()) throw Error("A --receiver belongs to --light.");
     if (!options.output.empty()) require_writable(options.output);
     const Subject subject =

@@ -188,6 +188,7 @@ void Explorer::update_ray() {
 }
 
 void Explorer::update_picture(glm::ivec2 size) {
+    leave_light_without_shadows();
     load_scene_if_changed();
     if (busy()) return;
     const View view = {camera(), size, state_.technique, state_.parameters};

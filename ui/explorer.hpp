@@ -134,6 +134,7 @@ private:
     void draw_draft(const View& view, Stage stage);
     void update_capture(const View& view, Stage stage);
     void see_from_light(glm::ivec2 pixel);
+    void leave_light_without_shadows();
     bool fragments_stale(const View& view, Stage stage) const;
     void update_pins(const View& view, Stage stage);
     void update_scene_picture(const View& view, Stage stage);

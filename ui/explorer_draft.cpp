@@ -31,8 +31,8 @@ void Explorer::draw_draft(const View& view, Stage stage) {
             if (seen_from_light(state_)) {
                 measurement_.light =
                     draft_.light(fraction_of(pixel, view.size), measurement_.capture, state_.receiver);
-                if (measurement_.light)
-                    measurement_.capture.ray = ray_of(*measurement_.light, state_.viewpoint);
+                measurement_.capture.ray =
+                    measurement_.light ? ray_of(*measurement_.light, state_.viewpoint) : ViewRay();
             }
             report_.capture = draft_captured_ = true;
         }

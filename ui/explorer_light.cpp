@@ -1,4 +1,5 @@
 // explorer_light.cpp -- the plot seen from the light.
+#include "core/shadow/shadow_settings.hpp"
 #include "ui/explorer.hpp"
 
 namespace momentscope::ui {
@@ -9,11 +10,20 @@ void Explorer::see_from_light(glm::ivec2 pixel) {
     if (!measurement_.light) {
         message_ =
             "This pixel shows nothing that could receive light; the plot shows the eye's ray. Pick another one.";
-        state_.viewpoint = Viewpoint::eye;
+        set_viewpoint(state_, Viewpoint::eye);
         return;
     }
     measurement_.capture.ray = ray_of(*measurement_.light, state_.viewpoint);
     measurement_.capture.transmittance.clear();
+}
+
+// Shadows were turned off while their plot was shown.
+void Explorer::leave_light_without_shadows() {
+    if (state_.viewpoint == Viewpoint::eye || has_shadows(state_.parameters)) return;
+    state_.viewpoint = Viewpoint::eye;
+    state_.marked = state_.receiver;
+    state_.plot.query.reset();
+    fit(state_.plot);
 }
 
 }  // namespace momentscope::ui

@@ -154,7 +154,7 @@ std::string light_summary(const LightView& light) {
 void draw_fragment_panel(const Ui& ui, const Measurement& m, ExplorerState& state) {
     if (m.history.empty()) {
         ImGui::TextWrapped("%s", m.light
-                                     ? "No transparent caster stands between the light and this place."
+                                     ? "The light's map has no such caster there."
                                      : "No transparent surface covers this pixel. Click one in the scene.");
         return;
     }

@@ -62,7 +62,7 @@ void draw_viewpoint_choice(const Ui& ui, ExplorerState& state, float right) {
     for (const auto& choice : choices) {
         if (toggle_button(choice.label, shown == choice.viewpoint)) set_viewpoint(state, choice.viewpoint);
         ui.mark(choice.anchor);
-        tooltip(choice.help, "V");
+        tooltip(choice.help, choice.viewpoint == Viewpoint::opaque_casters ? "" : "V");
         flow(button_width("opaque"), right,
              (choice.viewpoint == Viewpoint::opaque_casters ? 1.0f : 0.2f) * em());
     }
@@ -290,7 +290,7 @@ void PlotPanel::draw(const Ui& ui, const Measurement& m, ExplorerState& state, I
         draw_text(list,
                   {0.5f * (axes.area.low.x + axes.area.high.x), 0.5f * (axes.area.low.y + axes.area.high.y)},
                   {0.5f, 0.5f},
-                  m.light ? "No transparent caster stands between the light and this place."
+                  m.light ? "The light's map has no such caster there."
                           : "No transparent surface covers this pixel. Click one in the scene.",
                   ui.colors.text);
     list.PopClipRect();

@@ -73,6 +73,7 @@ void pick(ExplorerState& state, glm::vec2 fraction) {
     if (state.picked == fraction) return;
     state.picked = fraction;
     state.marked.reset();
+    state.receiver.reset();
 }
 
 void ScenePanel::draw_tools(const Ui& ui, const Measurement& m, const ScenePicture& picture,

@@ -18,6 +18,8 @@ void set_viewpoint(ExplorerState& state, Viewpoint viewpoint) {
         state.receiver = std::exchange(state.marked, std::nullopt);
     } else if (before && !after) {
         state.marked = state.receiver;
+    } else if (viewpoint != state.viewpoint) {
+        state.marked.reset();  // it is a fragment of another ray
     }
     state.viewpoint = viewpoint;
     state.plot.query.reset();

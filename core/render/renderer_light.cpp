@@ -37,10 +37,10 @@ void Renderer::draw_probe() {
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_block_);
     shadow_maps_->bind(view_matrix(view_.camera));
     glBindFramebuffer(GL_FRAMEBUFFER, probe_target_);
+    glUseProgram(opaque_programs_.get("passes/scene.vert", "passes/light_probe.frag", pass_input().lit({})));
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_EQUAL);
     glDepthMask(GL_FALSE);
-    glUseProgram(opaque_programs_.get("passes/scene.vert", "passes/light_probe.frag", pass_input().lit({})));
     buffers_->draw(Surfaces::opaque);
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LESS);

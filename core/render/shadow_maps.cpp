@@ -43,7 +43,7 @@ void require_fitting(const ShadowSettings& settings) {
             "smaller --shadow-size.",
             settings.size, most));
     const auto texels = static_cast<std::size_t>(settings.size) * static_cast<std::size_t>(settings.size);
-    const std::size_t bytes = texels * (52 + 32 * static_cast<std::size_t>(caster_layers(settings)));
+    const std::size_t bytes = texels * (64 + 32 * static_cast<std::size_t>(caster_layers(settings)));
     if (bytes > MOST_BYTES)
         throw Error(fmt::format(
             "Shadow maps of {0}x{0} texels take {1} MB, more than the {2} MB that are spent on them; give a smaller "

@@ -26,9 +26,9 @@ LightFrame light_frame(const ShadowSettings& settings, const Sphere& casters) {
     const float distance = settings.distance.value_or(standard_light_distance(casters));
     if (!(distance >= LEAST_DISTANCE * radius))
         throw Error(fmt::format(
-            "The light stands {:.3g} from the centre of what casts shadows, within the sphere of radius {:.3g} "
-            "around it; give a --light-distance of {:.3g} or more.",
-            distance, radius, std::ceil(105 * radius) / 100));
+            "The light stands {:.2f} from the centre of what casts shadows, too close to the sphere of radius {:.2f} around it; "
+            "give a --light-distance of {:.2f} or more.",
+            distance, radius, std::ceil(100 * LEAST_DISTANCE * radius + 0.5f) / 100));
     const Light& light = settings.light;
     const glm::vec3 direction = {std::sin(light.azimuth) * std::cos(light.elevation),
                                  std::sin(light.elevation),

@@ -25,7 +25,8 @@ struct LightPlace {
 /// How far the light stands from the centre of a sphere around all casters unless it is told otherwise.
 float standard_light_distance(const Sphere& casters);
 
-/// The frustum around a sphere. Throws Error when the light stands inside of it, or the scene has no casters.
+/// The frustum around a sphere. Throws Error when the light stands inside of it, or almost. Around nothing,
+/// any frustum.
 LightFrame light_frame(const ShadowSettings& settings, const Sphere& casters);
 
 /// As shaders/passes/light.glsl computes it. world: a point in the world.

@@ -79,7 +79,7 @@ LightVerdict light_verdict(const LightBundle& bundle, const Configuration& trans
     }
     verdict.true_transmittance = deep_transmittance(bundle, depth);
     verdict.transmittance = static_cast<double>(light_transmittance(bundle, transparent, depth));
-    verdict.true_shadowed = opaque_fraction(bundle, depth);
+    verdict.true_shadowed = static_cast<double>(light_shadowed(bundle, require_opaque_shadow("pcf"), depth));
     verdict.shadowed = static_cast<double>(light_shadowed(bundle, opaque, depth));
     verdict.contributions =
         contributions_of(bundle, transparent, verdict.true_transmittance, verdict.transmittance);

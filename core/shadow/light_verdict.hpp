@@ -13,8 +13,9 @@ struct LightVerdict {
     double true_transmittance =
         1;                     // of transparent casters, as a deep shadow map with the same filter has it
     double transmittance = 1;  // as the map's numbers give it
-    double true_shadowed = 0;  // share of the filter region behind opaque casters, by comparing each texel
-    double shadowed = 0;       // as the map's numbers give it
+    double true_shadowed =
+        0;  // share of the filter region behind opaque casters, by comparing each texel with pcf's slack
+    double shadowed = 0;  // as the map's numbers give it
 
     /// What true_transmittance - transmittance is made of: positive where light is missing, negative where it
     /// leaks. They sum to the difference.

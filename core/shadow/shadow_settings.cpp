@@ -30,6 +30,7 @@ Configuration light_configuration(const ParameterValues& values) {
     const std::string_view id = chosen(values, ParameterId::shadow_technique);
     Configuration result = {nullptr, values};
     result.values.set(ParameterId::beta, values[ParameterId::shadow_beta]);
+    result.values.set(ParameterId::solver, 0.0f);  // maps know the robust one alone
     if (id.starts_with("fourier-")) {
         result.technique = &require_technique("fourier");
         result.values.set(ParameterId::coefficients, id == "fourier-15" ? 1.0f : 0.0f);
@@ -43,6 +44,7 @@ Configuration opaque_configuration(const ParameterValues& values) {
     const OpaqueShadow& row = opaque_row(values);
     Configuration result = {&require_technique("sorted"), values};
     result.values.set(ParameterId::beta, 0.0f);
+    result.values.set(ParameterId::solver, 0.0f);
     if (row.moment_count == 0) return result;
     const bool circle = row.moment_count == 2;
     result.technique = &require_technique(circle ? "trig2-32" : "power4-32");

@@ -78,8 +78,9 @@ float unfiltered_weight(int offset, float part)
 float opaque_shadow(LightPlace place)
 {
 #ifdef opaque_UNFILTERED
-    vec2 below = floor(place.texel - 0.5);
-    vec2 part = place.texel - 0.5 - below;
+    vec2 at = clamp(place.texel, vec2(0.5), vec2(light.range.z - 0.5));   // as interpolation ends at the border, then the filter
+    vec2 below = floor(at - 0.5);
+    vec2 part = at - 0.5 - below;
     ivec2 last = ivec2(int(light.range.z) - 1);
     float shadowed = 0.0;
     for (int y = -light.radius.x; y <= light.radius.x + 1; ++y)
@@ -104,8 +105,9 @@ float transparent_light(LightPlace place)
 #if defined(NO_TRANSPARENT_CASTERS)
     return 1.0;
 #elif defined(DEEP_SHADOWS)
-    vec2 below = floor(place.texel - 0.5);
-    vec2 part = place.texel - 0.5 - below;
+    vec2 at = clamp(place.texel, vec2(0.5), vec2(light.range.z - 0.5));   // as interpolation ends at the border, then the filter
+    vec2 below = floor(at - 0.5);
+    vec2 part = at - 0.5 - below;
     ivec2 last = ivec2(int(light.range.z) - 1);
     float lit = 0.0;
     for (int y = -light.radius.x; y <= light.radius.x + 1; ++y)

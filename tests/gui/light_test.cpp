@@ -70,6 +70,37 @@ TEST_F(LightTest, TheMarkedFragmentReceives) {
     EXPECT_EQ(measurement().capture.ray.fragments.size(), fragments);
 }
 
+TEST_F(LightTest, AnotherPixelHasAnotherReceiver) {
+    open("cloud", "power6-32");
+    explorer().state().marked = 3;
+    settle();
+    play("key V\nclick " + shadowed());
+    EXPECT_FALSE(state().receiver.has_value());
+    EXPECT_FALSE(measurement().light->fragment.has_value()) << "the ground";
+}
+
+TEST_F(LightTest, ShadowsTurnedOffShowTheEyesRay) {
+    open("cloud", "power6-32");
+    explorer().state().marked = 3;
+    settle();
+    play("key V");
+    explorer().state().marked = 200;
+    explorer().state().parameters.set(ParameterId::shadows, 0.0f);
+    settle();
+    EXPECT_EQ(state().viewpoint, ui::Viewpoint::eye);
+    EXPECT_EQ(state().marked, 3U) << "as before";
+    EXPECT_FALSE(measurement().light.has_value());
+}
+
+TEST_F(LightTest, TheTextbookIsTheEyesAlone) {
+    ui::ExplorerState wanted;
+    wanted.scene = "cloud";
+    wanted.parameters.set(ParameterId::solver, 1.0f);
+    open(wanted);
+    play("key V");
+    EXPECT_FALSE(measurement().curve.parameters.textbook) << "maps are looked up by the robust solver";
+}
+
 TEST_F(LightTest, OpaqueCastersSumToOne) {
     open("teapots", "power4-32");
     play("click @plot.opaque");
