@@ -46,12 +46,13 @@ public:
         for (std::size_t i = 0; i < settings_.techniques.size(); ++i) {
             show(values_of(settings_, settings_.techniques[i], map_size_));
             if (!counts) continue;
-            const ShadowTimes& maps = renderer_.shadow_maps()->times();
+            const ShadowStages& maps = renderer_.shadow_maps()->stages();
             const double shade = shade_time(renderer_.pass_times());
-            all[i].render.push_back(maps.transparent_render);
-            all[i].filter.push_back(maps.transparent_filter);
+            all[i].render.push_back(maps.transparent_render.milliseconds);
+            all[i].filter.push_back(maps.transparent_filter.milliseconds);
             all[i].shade.push_back(shade);
-            all[i].differential.push_back(maps.transparent_render + maps.transparent_filter + shade - alone);
+            all[i].differential.push_back(maps.transparent_render.milliseconds +
+                                          maps.transparent_filter.milliseconds + shade - alone);
         }
     }
 

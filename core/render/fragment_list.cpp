@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 #include "core/gl/texture.hpp"
 #include "core/render/geometry_pass.hpp"
@@ -19,6 +20,24 @@ std::size_t bounded_capacity(std::size_t wanted) {
 }
 
 }  // namespace
+
+std::vector<FragmentNode> in_submission_order(std::vector<FragmentNode> nodes) {
+    std::ranges::sort(nodes, {},
+                      [](const FragmentNode& node) { return std::pair(node.draw, node.primitive); });
+    return nodes;
+}
+
+Fragment fragment_of(const FragmentNode& node, const SceneBuffers& scene) {
+    return {.depth = node.depth,
+            .view_depth = node.view_depth,
+            .opacity = node.color_opacity.a,
+            .color = glm::vec3(node.color_opacity),
+            .draw = node.draw,
+            .primitive = node.primitive,
+            .seed = fragment_seed(node.pixel, scene.object_of_draw(node.draw),
+                                  std::bit_cast<std::uint32_t>(node.view_depth)),
+            .threshold = node.threshold};
+}
 
 FragmentList::FragmentList(glm::ivec2 size, std::size_t capacity, GLuint depth)
     : capacity_(bounded_capacity(capacity)), heads_(make_texture(GL_R32UI, size)) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/gl/program.hpp"
+#include "core/ray/view_ray.hpp"
 #include "core/render/transparency.hpp"
 
 namespace momentscope {
@@ -23,6 +24,11 @@ struct FragmentNode {
 static_assert(sizeof(FragmentNode) == 48);
 
 constexpr std::size_t PIXEL_LIST_CAPACITY = 65'536;  // of a captured region
+
+/// By draw call and triangle, which is not the order in which nodes were appended.
+std::vector<FragmentNode> in_submission_order(std::vector<FragmentNode> nodes);
+
+Fragment fragment_of(const FragmentNode& node, const SceneBuffers& scene);
 
 /// A bounded list of fragments on the GPU, with one list head per pixel.
 class FragmentList {

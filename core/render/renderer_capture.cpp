@@ -14,29 +14,6 @@
 
 namespace momentscope {
 
-namespace {
-
-// Which is not the order in which nodes were appended.
-std::vector<FragmentNode> in_submission_order(std::vector<FragmentNode> nodes) {
-    std::ranges::sort(nodes, {},
-                      [](const FragmentNode& node) { return std::pair(node.draw, node.primitive); });
-    return nodes;
-}
-
-Fragment fragment_of(const FragmentNode& node, const SceneBuffers& scene) {
-    return {.depth = node.depth,
-            .view_depth = node.view_depth,
-            .opacity = node.color_opacity.a,
-            .color = glm::vec3(node.color_opacity),
-            .draw = node.draw,
-            .primitive = node.primitive,
-            .seed = fragment_seed(node.pixel, scene.object_of_draw(node.draw),
-                                  std::bit_cast<std::uint32_t>(node.view_depth)),
-            .threshold = node.threshold};
-}
-
-}  // namespace
-
 GLuint Renderer::capture_program(bool& has_transmittance) {
     std::optional<ShaderVariant> reconstructing = transparency_->bind_for_capture(parameters_);
     has_transmittance = reconstructing.has_value();

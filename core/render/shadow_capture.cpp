@@ -1,5 +1,5 @@
 // shadow_capture.cpp -- what the filter region of a receiver is made of.
-#include <algorithm>
+#include <array>
 
 #include "core/error.hpp"
 #include "core/gl/texture.hpp"
@@ -9,27 +9,13 @@
 
 namespace momentscope {
 
-namespace {
-
-Fragment fragment_of(const FragmentNode& node) {
-    return {.depth = node.depth,
-            .view_depth = node.view_depth,
-            .opacity = node.color_opacity.a,
-            .color = glm::vec3(node.color_opacity),
-            .draw = node.draw,
-            .primitive = node.primitive};
-}
-
-}  // namespace
-
 // nullopt where there are more than can be captured at a time. frame_block_ holds the light's frame since the
 // maps were drawn.
 std::optional<std::vector<FragmentNode>> ShadowMaps::capture_texels(const SceneBuffers& scene,
                                                                     glm::ivec2 corner, glm::ivec2 extent) {
     constexpr std::size_t CAPACITY = 1'000'000;
-    if (list_ == nullptr) {
+    if (list_ == nullptr)
         list_ = std::make_unique<FragmentList>(glm::ivec2(settings_->size), CAPACITY, no_depth_);
-    }
     glViewport(0, 0, settings_->size, settings_->size);
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_block_);
     static const ResolvedParameters NONE;
@@ -40,11 +26,49 @@ std::optional<std::vector<FragmentNode>> ShadowMaps::capture_texels(const SceneB
     return list_->read(count);
 }
 
-std::vector<float> ShadowMaps::read_texel(GLuint texture, glm::ivec2 at, int layer) const {
-    std::vector<float> values(4);
-    glGetTextureSubImage(texture, 0, at.x, at.y, layer, 1, 1, 1, GL_RGBA, GL_FLOAT, 4 * sizeof(float),
-                         values.data());
-    return values;
+// What each texel of the region has.
+void ShadowMaps::capture_region(const SceneBuffers& scene, LightBundle& bundle) {
+    const ShadowFootprint region = shadow_footprint(bundle.place.texel, settings_->size, settings_->radius);
+    for (const float weight : region.weights) bundle.texels.push_back({weight, {}});
+    auto nodes = settings_->casters ? capture_texels(scene, region.corner, region.extent)
+                                    : std::vector<FragmentNode>();
+    if (!nodes)
+        throw Error(
+            "Too many fragments light this receiver to be captured; choose a smaller --shadow-radius or a greater "
+            "--shadow-size.");
+    for (const FragmentNode& node : in_submission_order(std::move(*nodes))) {
+        const glm::ivec2 at =
+            glm::ivec2(static_cast<int>(node.pixel & 0xffffU), static_cast<int>(node.pixel >> 16U)) -
+            region.corner;
+        bundle.texels[static_cast<std::size_t>(at.y * region.extent.x + at.x)].fragments.push_back(
+            fragment_of(node, scene));
+    }
+    std::vector<float> depths(region.weights.size());
+    glGetTextureSubImage(nearest_, 0, region.corner.x, region.corner.y, 0, region.extent.x, region.extent.y,
+                         1, GL_RED, GL_FLOAT, static_cast<GLsizei>(depths.size() * sizeof(float)),
+                         depths.data());
+    for (std::size_t i = 0; i < depths.size(); ++i) bundle.opaque.push_back({depths[i], region.weights[i]});
+}
+
+// What the map has: the four texels that are interpolated, as a filter of no radius reads them.
+void ShadowMaps::read_filtered(LightBundle& bundle) const {
+    const ShadowFootprint corners = shadow_footprint(bundle.place.texel, settings_->size, 0);
+    bundle.sums.assign(4 * filtered_targets_.size(), 0.0f);
+    for (std::size_t i = 0; i < corners.weights.size(); ++i) {
+        const glm::ivec2 at = corners.corner + glm::ivec2(static_cast<int>(i) % corners.extent.x,
+                                                          static_cast<int>(i) / corners.extent.x);
+        const auto add = [&](GLuint texture, int layer, float* sum) {
+            std::array<float, 4> values{};
+            glGetTextureSubImage(texture, 0, at.x, at.y, layer, 1, 1, 1, GL_RGBA, GL_FLOAT, sizeof(values),
+                                 values.data());
+            for (std::size_t k = 0; k < 4; ++k) sum[k] += corners.weights[i] * values[k];
+        };
+        for (std::size_t layer = 0; layer < filtered_targets_.size(); ++layer)
+            add(filtered_, static_cast<int>(layer), &bundle.sums[4 * layer]);
+        if (!settings_->opaque->unfiltered) add(opaque_filtered_, 0, bundle.texel.data());
+    }
+    if (!bundle.sums.empty())
+        bundle.sums.resize(static_cast<std::size_t>(texel_numbers(settings_->transparent)));
 }
 
 LightBundle ShadowMaps::capture(const SceneBuffers& scene, const LightPlace& place) {
@@ -54,45 +78,8 @@ LightBundle ShadowMaps::capture(const SceneBuffers& scene, const LightPlace& pla
     bundle.near_plane = frame_.near_plane;
     bundle.far_plane = frame_.far_plane;
     if (!place.within) return bundle;
-    const ShadowFootprint footprint = shadow_footprint(place.texel, settings_->size, settings_->radius);
-    for (const float weight : footprint.weights) bundle.texels.push_back({weight, {}});
-    auto nodes = settings_->casters ? capture_texels(scene, footprint.corner, footprint.extent)
-                                    : std::vector<FragmentNode>();
-    if (!nodes)
-        throw Error(
-            "Too many fragments light this receiver to be captured; choose a smaller --shadow-radius or a greater "
-            "--shadow-size.");
-    std::ranges::sort(*nodes, {},
-                      [](const FragmentNode& node) { return std::pair(node.draw, node.primitive); });
-    for (const FragmentNode& node : *nodes) {
-        const glm::ivec2 at =
-            glm::ivec2(static_cast<int>(node.pixel & 0xffffU), static_cast<int>(node.pixel >> 16U)) -
-            footprint.corner;
-        bundle.texels[static_cast<std::size_t>(at.y * footprint.extent.x + at.x)].fragments.push_back(
-            fragment_of(node));
-    }
-    std::vector<float> depths(footprint.weights.size());
-    glGetTextureSubImage(nearest_, 0, footprint.corner.x, footprint.corner.y, 0, footprint.extent.x,
-                         footprint.extent.y, 1, GL_RED, GL_FLOAT,
-                         static_cast<GLsizei>(depths.size() * sizeof(float)), depths.data());
-    for (std::size_t i = 0; i < depths.size(); ++i)
-        bundle.opaque.push_back({depths[i], footprint.weights[i]});
-    // The four texels that are interpolated, as a filter of no radius reads them.
-    const ShadowFootprint corners = shadow_footprint(place.texel, settings_->size, 0);
-    bundle.sums.assign(4 * filtered_targets_.size(), 0.0f);
-    for (std::size_t i = 0; i < corners.weights.size(); ++i) {
-        const glm::ivec2 at = corners.corner + glm::ivec2(static_cast<int>(i) % corners.extent.x,
-                                                          static_cast<int>(i) / corners.extent.x);
-        for (std::size_t layer = 0; layer < filtered_targets_.size(); ++layer) {
-            const std::vector<float> values = read_texel(filtered_, at, static_cast<int>(layer));
-            for (std::size_t k = 0; k < 4; ++k) bundle.sums[4 * layer + k] += corners.weights[i] * values[k];
-        }
-        if (settings_->opaque->unfiltered) continue;
-        const std::vector<float> values = read_texel(opaque_filtered_, at, 0);
-        for (std::size_t k = 0; k < 4; ++k) bundle.texel[k] += corners.weights[i] * values[k];
-    }
-    if (!bundle.sums.empty())
-        bundle.sums.resize(static_cast<std::size_t>(texel_numbers(settings_->transparent)));
+    capture_region(scene, bundle);
+    read_filtered(bundle);
     leave_nothing_bound();
     check_gl("capturing the light's rays");
     return bundle;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "core/error.hpp"
 #include "core/gl/texture.hpp"
 #include "core/render/geometry_pass.hpp"
@@ -51,11 +53,14 @@ void require_fitting(const ShadowSettings& settings) {
             settings.size, bytes >> 20U, MOST_BYTES >> 20U));
 }
 
+bool same_place(const ShadowSettings& a, const ShadowSettings& b) {
+    return a.size == b.size && a.light == b.light && a.distance == b.distance;
+}
+
+// Does a texel add up the same of transparent casters?
 bool same_sums(const ShadowSettings& a, const ShadowSettings& b) {
     const Technique& technique = *a.transparent.technique;
-    if (&technique != b.transparent.technique || a.casters != b.casters || a.size != b.size ||
-        !(a.light == b.light) || a.distance != b.distance)
-        return false;
+    if (&technique != b.transparent.technique || a.casters != b.casters) return false;
     const ResolvedParameters before = resolve(a.transparent.values, technique);
     const ResolvedParameters after = resolve(b.transparent.values, technique);
     return before.method.size == after.method.size && (!technique.on_circle() || before.theta == after.theta);
@@ -72,32 +77,40 @@ ShadowMaps::ShadowMaps(PassTiming timing)
     timer_ = GlQuery(name);
 }
 
+// Waits for the GL, as a picture does.
 template <typename Draw>
-void ShadowMaps::timed(double& milliseconds, const Draw& draw) {
+void ShadowMaps::run(ShadowStage& stage, const Draw& draw) {
+    glViewport(0, 0, settings_->size, settings_->size);
     PassTimer timer(timing_, timer_);
     draw();
-    milliseconds = timer.milliseconds();
+    stage.milliseconds = timer.milliseconds();
+    ++stage.runs;
 }
 
 void ShadowMaps::update(const SceneBuffers& scene, const Sphere& casters, const ShadowSettings& settings) {
     const LightFrame frame = light_frame(settings, casters);
     require_fitting(settings);
-    const bool fresh = !settings_;
-    const bool textures = fresh || settings_->size != settings.size || settings_->opaque != settings.opaque ||
-                          caster_layers(*settings_) != caster_layers(settings);
-    const bool maps = textures || !same_sums(*settings_, settings) || casters.center != casters_.center ||
-                      casters.radius != casters_.radius;
-    const bool filter = maps || settings_->radius != settings.radius;
-    settings_.reset();  // until all went well
-    ShadowSettings next = settings;
+    const std::optional<ShadowSettings> last = std::exchange(settings_, std::nullopt);  // until all went well
+    const bool size = !last || last->size != settings.size;
+    const bool place = size || !same_place(*last, settings);
+    const bool sums = place || !same_sums(*last, settings);
+    const bool radius = !last || last->radius != settings.radius;
+    const bool opaque_row = size || last->opaque != settings.opaque;
     frame_ = frame;
-    casters_ = casters;
     lighting_ = shader_lighting(settings);
-    settings_ = std::move(next);
+    settings_ = settings;
     try {
-        if (textures) make_textures();
-        if (maps) draw_maps(scene);
-        if (filter) filter_maps();
+        if (size) make_depths();
+        if (opaque_row) make_opaque();
+        if (size || caster_layers(*last) != caster_layers(settings)) make_sums();
+        write_blocks(glm::mat4(1));
+        glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_block_);
+        glBindBufferBase(GL_UNIFORM_BUFFER, LIGHT_BLOCK, light_block_);
+        if (place) run(stages_.opaque_render, [&] { draw_opaque(scene); });
+        if (place || radius || opaque_row) run(stages_.opaque_filter, [&] { filter_opaque(); });
+        if (sums) run(stages_.transparent_render, [&] { draw_sums(scene); });
+        if (sums || radius) run(stages_.transparent_filter, [&] { filter_sums(); });
+        leave_nothing_bound();
         check_gl("drawing shadow maps");
     } catch (...) {
         settings_.reset();
@@ -105,31 +118,38 @@ void ShadowMaps::update(const SceneBuffers& scene, const Sphere& casters, const 
     }
 }
 
-void ShadowMaps::redraw(const SceneBuffers& scene) {
-    draw_maps(scene);
-    filter_maps();
-}
-
-void ShadowMaps::make_textures() {
+void ShadowMaps::make_depths() {
     const glm::ivec2 size(settings_->size);
-    const OpaqueShadow& row = *settings_->opaque;
+    const float far = 1;
+    list_.reset();
     nearest_ = make_texture(GL_R32F, size);
     nearest_depth_ = make_texture(GL_DEPTH_COMPONENT32F, size);
     nearest_target_ = make_framebuffer({nearest_}, nearest_depth_);
-    opaque_filtered_ = make_texture(opaque_format(row), size);
+    no_depth_ = make_texture(GL_DEPTH_COMPONENT32F, size);
+    glClearTexImage(no_depth_, 0, GL_DEPTH_COMPONENT, GL_FLOAT, &far);
+    check_gl(fmt::format("making shadow maps of {}x{} texels", size.x, size.y));
+}
+
+void ShadowMaps::make_opaque() {
+    const glm::ivec2 size(settings_->size);
+    opaque_filtered_ = {};
+    opaque_halfway_ = {};
+    if (settings_->opaque->unfiltered) return;
+    opaque_filtered_ = make_texture(opaque_format(*settings_->opaque), size);
     opaque_target_ = make_framebuffer({opaque_filtered_}, 0);
     opaque_halfway_ = make_layered_texture(GL_RGBA32F, size, 1);
     opaque_halfway_target_ = make_layer_framebuffer(opaque_halfway_, 0, 1);
+    check_gl(fmt::format("making shadow maps of {}x{} texels", size.x, size.y));
+}
+
+void ShadowMaps::make_sums() {
+    const glm::ivec2 size(settings_->size);
+    const int layers = caster_layers(*settings_);
     filtered_targets_.clear();
     sums_ = {};
     filtered_ = {};
     halfway_ = {};
-    list_.reset();
     deep_ = {};
-    const int layers = caster_layers(*settings_);
-    no_depth_ = make_texture(GL_DEPTH_COMPONENT32F, size);
-    const float far = 1;
-    glClearTexImage(no_depth_, 0, GL_DEPTH_COMPONENT, GL_FLOAT, &far);
     if (layers == 0) return;
     sums_ = make_layered_texture(GL_RGBA32F, size, layers);
     filtered_ = make_layered_texture(GL_RGBA32F, size, layers);
@@ -164,16 +184,6 @@ void ShadowMaps::write_blocks(const glm::mat4& eye_view) const {
     glNamedBufferSubData(light_block_, 0, sizeof(light), &light);
 }
 
-void ShadowMaps::draw_maps(const SceneBuffers& scene) {
-    write_blocks(glm::mat4(1));
-    glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_block_);
-    glBindBufferBase(GL_UNIFORM_BUFFER, LIGHT_BLOCK, light_block_);
-    glViewport(0, 0, settings_->size, settings_->size);
-    timed(times_.opaque_render, [&] { draw_opaque(scene); });
-    timed(times_.transparent_render, [&] { draw_transparent_casters(scene); });
-    ++times_.rendered;
-}
-
 void ShadowMaps::draw_opaque(const SceneBuffers& scene) {
     const float far[4] = {1, 1, 1, 1};
     glClearNamedFramebufferfv(nearest_target_, GL_COLOR, 0, far);
@@ -185,7 +195,7 @@ void ShadowMaps::draw_opaque(const SceneBuffers& scene) {
     glDisable(GL_DEPTH_TEST);
 }
 
-void ShadowMaps::draw_transparent_casters(const SceneBuffers& scene) {
+void ShadowMaps::draw_sums(const SceneBuffers& scene) {
     if (!settings_->casters) return;
     if (settings_->deep()) return draw_deep(scene);
     const int layers = caster_layers(*settings_);
@@ -194,16 +204,6 @@ void ShadowMaps::draw_transparent_casters(const SceneBuffers& scene) {
     clear_colors(sums_target_, layers);
     glUseProgram(programs_.get(SCENE, "passes/caster.frag", variant));
     draw_transparent(scene, sums_target_, Blending::add);
-}
-
-void ShadowMaps::filter_maps() {
-    write_blocks(glm::mat4(1));
-    glBindBufferBase(GL_UNIFORM_BUFFER, LIGHT_BLOCK, light_block_);
-    glViewport(0, 0, settings_->size, settings_->size);
-    timed(times_.opaque_filter, [&] { filter_opaque(); });
-    timed(times_.transparent_filter, [&] { filter_transparent(); });
-    ++times_.filtered;
-    leave_nothing_bound();
 }
 
 void ShadowMaps::filter_opaque() {
@@ -224,7 +224,7 @@ void ShadowMaps::filter_opaque() {
     draw_fullscreen();
 }
 
-void ShadowMaps::filter_transparent() {
+void ShadowMaps::filter_sums() {
     if (filtered_targets_.empty()) return;
     glUseProgram(programs_.get(FULLSCREEN, FILTER));
     for (std::size_t layer = 0; layer < filtered_targets_.size(); ++layer) {

@@ -13,30 +13,31 @@
 
 namespace momentscope {
 
-/// Milliseconds that each stage of the maps took when it last ran, and how often it did.
-struct ShadowTimes {
-    double opaque_render = 0, transparent_render = 0, opaque_filter = 0, transparent_filter = 0;
-    double sum() const { return opaque_render + transparent_render + opaque_filter + transparent_filter; }
-    int rendered = 0, filtered = 0;
+/// How often a stage ran, and how long it took when it last did.
+struct ShadowStage {
+    double milliseconds = 0;
+    int runs = 0;
+};
+
+struct ShadowStages {
+    ShadowStage opaque_render, opaque_filter, transparent_render, transparent_filter;
 };
 
 class ShadowMaps {
 public:
     explicit ShadowMaps(PassTiming timing);
 
-    /// Draws and filters what the change since the last call made stale: the light's place, the size and the
-    /// technique the maps, the radius their filtering, beta and alpha nothing. Throws Error when the light
-    /// stands among the casters or the maps are too large for this GL.
+    /// Draws and filters what the change since the last call made stale: the light's place and the size both
+    /// maps, a technique its own, the radius their filtering, beta and alpha nothing. Scene and casters are
+    /// the same in every call. Throws Error when the light stands among the casters or the maps are too large
+    /// for this GL.
     void update(const SceneBuffers& scene, const Sphere& casters, const ShadowSettings& settings);
-
-    /// Everything again, of the settings of the last update.
-    void redraw(const SceneBuffers& scene);
 
     /// Binds what passes/light.glsl reads. eye_view: world to eye.
     void bind(const glm::mat4& eye_view) const;
 
     const ShaderLighting& lighting() const { return lighting_; }
-    const ShadowTimes& times() const { return times_; }
+    const ShadowStages& stages() const { return stages_; }
     const LightFrame& frame() const { return frame_; }
     const ShadowSettings& settings() const { return *settings_; }
 
@@ -49,30 +50,30 @@ private:
         GlBuffer steps;   // depth and T behind it
     };
 
-    void make_textures();
-    void draw_maps(const SceneBuffers& scene);
+    void make_depths();
+    void make_opaque();
+    void make_sums();
     void draw_opaque(const SceneBuffers& scene);
-    void draw_transparent_casters(const SceneBuffers& scene);
+    void draw_sums(const SceneBuffers& scene);
     void draw_deep(const SceneBuffers& scene);
-    void filter_maps();
     void filter_opaque();
-    void filter_transparent();
+    void filter_sums();
     void write_blocks(const glm::mat4& eye_view) const;
     std::optional<std::vector<FragmentNode>> capture_texels(const SceneBuffers& scene, glm::ivec2 corner,
                                                             glm::ivec2 extent);
-    std::vector<float> read_texel(GLuint texture, glm::ivec2 at, int layer) const;
+    void capture_region(const SceneBuffers& scene, LightBundle& bundle);
+    void read_filtered(LightBundle& bundle) const;
 
     template <typename Draw>
-    void timed(double& milliseconds, const Draw& draw);
+    void run(ShadowStage& stage, const Draw& draw);
 
     PassTiming timing_;
     GlQuery timer_;
     GlBuffer frame_block_, light_block_;
     std::optional<ShadowSettings> settings_;  // of what the maps hold
-    Sphere casters_;
     LightFrame frame_;
     ShaderLighting lighting_;
-    ShadowTimes times_;
+    ShadowStages stages_;
     ProgramCache programs_;
 
     GlTexture nearest_, nearest_depth_;           // depths of opaque casters, and what tests them

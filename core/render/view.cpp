@@ -1,18 +1,19 @@
 #include "core/render/view.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "core/shadow/shadow_settings.hpp"
 
 namespace momentscope {
 
 bool light_changed(const View& before, const View& after) {
-    const auto differs = [&](ParameterId id) { return before.parameters[id] != after.parameters[id]; };
     if (!has_shadows(after.parameters)) return has_shadows(before.parameters);
-    const Technique& of_light = *light_configuration(after.parameters).technique;
-    return differs(ParameterId::shadows) || std::ranges::any_of(SHADOW_PARAMETERS, differs) ||
-           std::ranges::any_of(of_light.parameters,
-                               [&](ParameterId id) { return id != ParameterId::beta && differs(id); });
+    constexpr std::array OF_PLACE = {ParameterId::light_azimuth, ParameterId::light_elevation,
+                                     ParameterId::light_distance};  // automatic ones are the scene's
+    const auto differs = [&](ParameterId id) { return before.parameters[id] != after.parameters[id]; };
+    return differs(ParameterId::shadows) || std::ranges::any_of(OF_PLACE, differs) ||
+           !same_lookup(shadow_settings(before.parameters, {}), shadow_settings(after.parameters, {}));
 }
 
 namespace {

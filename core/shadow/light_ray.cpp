@@ -71,13 +71,6 @@ double mixed_transmittance(const LightBundle& bundle, float depth) {
     return std::exp(-absorbance);
 }
 
-double opaque_fraction(const LightBundle& bundle, float depth) {
-    double sum = 0;
-    for (const OpaqueShare& share : bundle.opaque)
-        if (share.depth < depth) sum += static_cast<double>(share.weight);
-    return sum;
-}
-
 float light_transmittance(const LightBundle& bundle, const Configuration& transparent, float depth) {
     if (bundle.texels.empty()) return 1;
     const Technique& technique = *transparent.technique;

@@ -50,10 +50,6 @@ double deep_transmittance(const LightBundle& bundle, float depth);
 /// exp of minus the mean of the texels' absorbances: what moments could know at best.
 double mixed_transmittance(const LightBundle& bundle, float depth);
 
-/// The share of the region in front of a depth by comparing each texel: percentage-closer filtering without
-/// slack.
-double opaque_fraction(const LightBundle& bundle, float depth);
-
 /// What shading computes of the receiver: the share of light that transparent casters let through, from the
 /// map's numbers.
 float light_transmittance(const LightBundle& bundle, const Configuration& transparent, float depth);

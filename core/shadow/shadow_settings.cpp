@@ -64,6 +64,22 @@ ShadowSettings shadow_settings(const ParameterValues& values, const Light& of_sc
             .distance = values[ParameterId::light_distance]};
 }
 
+bool same_lookup(const ShadowSettings& a, const ShadowSettings& b) {
+    const Technique& technique = *a.transparent.technique;
+    if (&technique != b.transparent.technique || a.casters != b.casters || a.opaque != b.opaque ||
+        a.size != b.size || a.radius != b.radius)
+        return false;
+    const ResolvedParameters before = resolve(a.transparent.values, technique);
+    const ResolvedParameters after = resolve(b.transparent.values, technique);
+    const auto same = [&](ParameterId id, float ResolvedParameters::*value) {
+        return !technique.uses(id) || before.*value == after.*value;
+    };
+    return same(ParameterId::beta, &ResolvedParameters::beta) &&
+           same(ParameterId::alpha, &ResolvedParameters::alpha) &&
+           same(ParameterId::theta, &ResolvedParameters::theta) &&
+           same(ParameterId::tolerance, &ResolvedParameters::tolerance) && before.method == after.method;
+}
+
 int texel_numbers(const Configuration& configuration) {
     const Technique& technique = *configuration.technique;
     if (technique.kernel != nullptr) return 1 + technique.kernel->moment_floats;

@@ -36,6 +36,10 @@ Configuration opaque_configuration(const ParameterValues& values);
 
 ShadowSettings shadow_settings(const ParameterValues& values, const Light& of_scene);
 
+/// Do both light a receiver alike, wherever the light stands? Parameters that maps do not read, such as
+/// renormalisation, do not count.
+bool same_lookup(const ShadowSettings& a, const ShadowSettings& b);
+
 /// Numbers that a texel of the transparent casters' map stores, b_0 among them; 0 for a deep shadow map.
 int texel_numbers(const Configuration& configuration);
 

@@ -68,26 +68,42 @@ float filter_weight(int offset)
     return at < 0 || at > 2 * light.radius.x ? 0.0 : light.weights[at / 4][at % 4];
 }
 
-/// Filter and bilinear interpolation at once, for what can only be mixed after it was looked up.
-float unfiltered_weight(int offset, float part)
+/// All texels that filter and bilinear interpolation read, for what can only be mixed after it was looked up: offsets from
+/// -radius to radius + 1. At the border interpolation ends first, then the filter, as of filtered maps.
+struct Region { ivec2 middle; vec2 part; };
+
+Region region_at(vec2 place)
 {
-    return (1.0 - part) * filter_weight(offset) + part * filter_weight(offset - 1);
+    vec2 at = clamp(place, vec2(0.5), vec2(light.range.z - 0.5)) - 0.5;
+    Region region;
+    region.middle = ivec2(floor(at));
+    region.part = at - floor(at);
+    return region;
+}
+
+ivec2 region_texel(Region region, ivec2 offset)
+{
+    return clamp(region.middle + offset, ivec2(0), ivec2(int(light.range.z) - 1));
+}
+
+float region_weight(Region region, ivec2 offset)
+{
+    float across = mix(filter_weight(offset.x), filter_weight(offset.x - 1), region.part.x);
+    float up = mix(filter_weight(offset.y), filter_weight(offset.y - 1), region.part.y);
+    return across * up;
 }
 
 /// The share of the filter region whose opaque surface lies in front of the place.
 float opaque_shadow(LightPlace place)
 {
 #ifdef opaque_UNFILTERED
-    vec2 at = clamp(place.texel, vec2(0.5), vec2(light.range.z - 0.5));   // as interpolation ends at the border, then the filter
-    vec2 below = floor(at - 0.5);
-    vec2 part = at - 0.5 - below;
-    ivec2 last = ivec2(int(light.range.z) - 1);
+    Region region = region_at(place.texel);
     float shadowed = 0.0;
     for (int y = -light.radius.x; y <= light.radius.x + 1; ++y)
         for (int x = -light.radius.x; x <= light.radius.x + 1; ++x)
         {
-            float depth = texelFetch(opaque_map, clamp(ivec2(below) + ivec2(x, y), ivec2(0), last), 0).x;
-            shadowed += unfiltered_weight(x, part.x) * unfiltered_weight(y, part.y)
+            float depth = texelFetch(opaque_map, region_texel(region, ivec2(x, y)), 0).x;
+            shadowed += region_weight(region, ivec2(x, y))
                 * opaque_shadowed_fraction(opaque_shadow_texel(depth), place.depth);
         }
     return shadowed;
@@ -99,31 +115,35 @@ float opaque_shadow(LightPlace place)
 #endif
 }
 
+#ifdef DEEP_SHADOWS
+/// T in front of a depth: of the last step before it, found by bisection.
+float deep_transmittance(uvec2 list, float depth)
+{
+    uint in_front = 0u;
+    uint end = list.y;
+    while (in_front < end)
+    {
+        uint middle = (in_front + end) / 2u;
+        if (deep_steps[list.x + middle].x < depth) in_front = middle + 1u;
+        else end = middle;
+    }
+    return in_front > 0u ? deep_steps[list.x + in_front - 1u].y : 1.0;
+}
+#endif
+
 /// What transparent casters in front of the place let through.
 float transparent_light(LightPlace place)
 {
 #if defined(NO_TRANSPARENT_CASTERS)
     return 1.0;
 #elif defined(DEEP_SHADOWS)
-    vec2 at = clamp(place.texel, vec2(0.5), vec2(light.range.z - 0.5));   // as interpolation ends at the border, then the filter
-    vec2 below = floor(at - 0.5);
-    vec2 part = at - 0.5 - below;
-    ivec2 last = ivec2(int(light.range.z) - 1);
+    Region region = region_at(place.texel);
     float lit = 0.0;
     for (int y = -light.radius.x; y <= light.radius.x + 1; ++y)
         for (int x = -light.radius.x; x <= light.radius.x + 1; ++x)
         {
-            uvec2 list = texelFetch(deep_map, clamp(ivec2(below) + ivec2(x, y), ivec2(0), last), 0).xy;
-            uint in_front = 0u;   // bisection for the number of steps in front of the place
-            uint end = list.y;
-            while (in_front < end)
-            {
-                uint middle = (in_front + end) / 2u;
-                if (deep_steps[list.x + middle].x < place.depth) in_front = middle + 1u;
-                else end = middle;
-            }
-            float t = in_front > 0u ? deep_steps[list.x + in_front - 1u].y : 1.0;
-            lit += unfiltered_weight(x, part.x) * unfiltered_weight(y, part.y) * t;
+            uvec2 list = texelFetch(deep_map, region_texel(region, ivec2(x, y)), 0).xy;
+            lit += region_weight(region, ivec2(x, y)) * deep_transmittance(list, place.depth);
         }
     return lit;
 #else

@@ -46,5 +46,7 @@ FN float shadowed_fraction(IN(ShadowTexel) texel, float depth)
     PRECISE float b3 = 0.125f * (1.0f + 3.0f * m1 + 3.0f * m2 + m3);
     PRECISE float b4 = 0.0625f * (1.0f + 4.0f * m1 + 6.0f * m2 + 4.0f * m3 + m4);
     float within_range = number_in_unit_range(end_supported_fraction(b1, b2, b3, b4, 0.5f * (depth + 1.0f)));
-    return nodes_within(at_depth, depth) ? on_line : max(within_range, on_line);   // rounding must not make it lighter
+    // The sharper answer is never lighter. With one or two surfaces the matrix is nearly singular, and rounding alone made it up to
+    // 7e-3 lighter.
+    return nodes_within(at_depth, depth) ? on_line : max(within_range, on_line);
 }

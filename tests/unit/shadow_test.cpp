@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/gl/shader_namespace.hpp"
 #include "core/inspect/curve.hpp"
 #include "core/ray/random_ray.hpp"
 #include "core/render/view.hpp"
@@ -151,8 +150,19 @@ TEST(FirstStaleStage, OfShadowsIsThatOfColours) {
                   Stage::shading)
             << parameter(id).key;
     EXPECT_EQ(changed(lit, {{shadows, 0}}), Stage::shading);
+    EXPECT_EQ(changed(lit, {{light_azimuth, Light().azimuth}}), Stage::shading) << "a scene may have another";
     EXPECT_EQ(changed(lit, {{beta, 0.5f}}), Stage::color) << "the eye's alone";
     EXPECT_EQ(changed(lit, {{theta, 0.5f}}), Stage::nothing) << "power moments read none";
+    EXPECT_EQ(changed(lit, {{renormalize, 0}}), Stage::composite)
+        << "nor is this any of the light's business";
+    EXPECT_EQ(changed(lit, {{solver, 1}}), Stage::color);
+    EXPECT_EQ(changed(lit, {{alpha, 1e-3f}}), Stage::shading) << "alpha is that of both";
+    View series = lit;
+    series.parameters.set(shadow_technique, *parse_parameter(parameter(shadow_technique), "fourier-7"));
+    EXPECT_EQ(changed(series, {{alpha, 1e-3f}}), Stage::color) << "which a series does not have";
+    EXPECT_EQ(changed(series, {{lanczos, 1}}), Stage::shading);
+    EXPECT_EQ(changed(series, {{coefficients, 1}}), Stage::nothing)
+        << "the eye's series has other coefficients";
     lit.parameters.set(shadow_technique, *parse_parameter(parameter(shadow_technique), "trig3-32"));
     EXPECT_EQ(changed(lit, {{theta, 0.5f}}), Stage::shading) << "the light's moments do";
     lit.technique = &require_technique("wboit");
@@ -176,8 +186,6 @@ TEST(LightBundle, MixesTexelsAsTheirWeightsSay) {
     const LightBundle bundle = two_texels();
     EXPECT_NEAR(deep_transmittance(bundle, 0.5f), 0.75 * 0.5 + 0.25 * 0.2, 1e-6);
     EXPECT_NEAR(mixed_transmittance(bundle, 0.5f), std::pow(0.5, 0.75) * std::pow(0.2, 0.25), 1e-6);
-    EXPECT_NEAR(opaque_fraction(bundle, 0.5f), 0.75, 1e-6);
-    EXPECT_NEAR(opaque_fraction(bundle, -0.2f), 0, 1e-6) << "what lies at the same depth is not in front";
     const ViewRay mixed = mixed_ray(bundle);
     const float depths[] = {0.5f};
     EXPECT_NEAR(std::exp(-true_absorbance(mixed, depths)[0]), mixed_transmittance(bundle, 0.5f), 1e-6);
@@ -289,20 +297,6 @@ TEST(CastLight, MultipliesWhatItMeets) {
     EXPECT_TRUE(cast_light(scene, from, to, 1e-3f).shadowed);
     scene.objects.back().casts_shadow = false;
     EXPECT_FALSE(cast_light(scene, from, to, 1e-3f).shadowed);
-}
-
-TEST(ShaderNamespace, RenamesWhatTheTextDeclaresAndNothingElse) {
-    const std::string text =
-        "#define SIZE 3\n#ifdef ELSEWHERE\n#endif\nstruct Texel { float f[4]; };\n"
-        "const float LIMIT = 2.0f;   // SIZE\nFN float half_of(IN(Texel) texel)\n"
-        "{\n    PRECISE float x = texel.f[0] * LIMIT;\n    return abs(x) > 1.0f ? half_of(texel) : float(SIZE);\n}\n";
-    const std::string renamed = in_namespace(text, "light");
-    EXPECT_NE(renamed.find("#define light_SIZE 3"), std::string::npos);
-    EXPECT_NE(renamed.find("#ifdef light_ELSEWHERE"), std::string::npos) << "surrounding macros are not seen";
-    EXPECT_NE(renamed.find("struct light_Texel { float f[4]; };"), std::string::npos);
-    EXPECT_NE(renamed.find("FN float light_half_of(IN(light_Texel) texel)"), std::string::npos);
-    EXPECT_NE(renamed.find("PRECISE float x = texel.f[0] * light_LIMIT;"), std::string::npos);
-    EXPECT_NE(renamed.find("abs(x) > 1.0f ? light_half_of(texel) : float(light_SIZE)"), std::string::npos);
 }
 
 }  // namespace
