@@ -70,6 +70,20 @@ TEST_F(LightTest, TheMarkedFragmentReceives) {
     EXPECT_EQ(measurement().capture.ray.fragments.size(), fragments);
 }
 
+TEST_F(LightTest, WhatCoversThePixelByHalfReceives) {
+    open("cloud", "power6-32");
+    const ViewRay eye = measurement().capture.ray;
+    play("key V");
+    const std::optional<std::size_t> receiver = measurement().light->fragment;
+    ASSERT_TRUE(receiver.has_value());
+    double before = 1;
+    for (const Fragment& fragment : eye.fragments)
+        if (fragment.depth < eye.fragments[*receiver].depth)
+            before *= 1 - static_cast<double>(fragment.opacity);
+    EXPECT_GT(before, 0.5);
+    EXPECT_LE(before * (1 - static_cast<double>(eye.fragments[*receiver].opacity)), 0.5);
+}
+
 TEST_F(LightTest, AnotherPixelHasAnotherReceiver) {
     open("cloud", "power6-32");
     explorer().state().marked = 3;

@@ -223,7 +223,7 @@ TEST(OpaqueShadow, SixteenBitsAreCloseToFloats) {
         sum += static_cast<double>(std::abs(off));
     }
     std::printf("16 bits: off from floats by %.1e on average\n", sum / 10'000);
-    EXPECT_LT(sum / 10'000, 5e-3);
+    EXPECT_LT(sum / 10'000, 1.5e-3);
     EXPECT_GT(sum / 10'000, 1e-5) << "else nothing was rounded";
 }
 
