@@ -19,11 +19,8 @@ void Explorer::see_from_light(glm::ivec2 pixel) {
 
 // Shadows were turned off while their plot was shown.
 void Explorer::leave_light_without_shadows() {
-    if (state_.viewpoint == Viewpoint::eye || has_shadows(state_.parameters)) return;
-    state_.viewpoint = Viewpoint::eye;
-    state_.marked = state_.receiver;
-    state_.plot.query.reset();
-    fit(state_.plot);
+    if (state_.viewpoint != Viewpoint::eye && !has_shadows(state_.parameters))
+        set_viewpoint(state_, Viewpoint::eye);
 }
 
 }  // namespace momentscope::ui

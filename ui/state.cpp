@@ -12,7 +12,7 @@ bool seen_from_light(const ExplorerState& state) {
 }
 
 void set_viewpoint(ExplorerState& state, Viewpoint viewpoint) {
-    const bool before = seen_from_light(state), after = viewpoint != Viewpoint::eye;
+    const bool before = state.viewpoint != Viewpoint::eye, after = viewpoint != Viewpoint::eye;
     if (after && !before) {
         state.parameters.set(ParameterId::shadows, 1.0f);
         state.receiver = std::exchange(state.marked, std::nullopt);
