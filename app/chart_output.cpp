@@ -19,7 +19,7 @@ namespace momentscope {
 
 namespace {
 
-constexpr float SCALE = 1.5f;
+constexpr float CHART_SCALE = 1.5f;
 constexpr float MOST_SIDE = MAX_PICTURE_SIDE;
 
 void write_chart_picture(const Chart& chart, Metric metric, const std::filesystem::path& path) {
@@ -28,21 +28,21 @@ void write_chart_picture(const Chart& chart, Metric metric, const std::filesyste
     for (const std::span<const ChartRow> rows : scenes_of(chart)) {
         const Drawing& drawing =
             drawings.emplace_back(chart_drawing(rows, metric, setting(chart.settings, "times")));
-        size = {std::max(size.x, SCALE * drawing.size.x), size.y + SCALE * drawing.size.y};
+        size = {std::max(size.x, CHART_SCALE * drawing.size.x), size.y + CHART_SCALE * drawing.size.y};
     }
     if (size.y < 1 || size.y > MOST_SIDE)
         throw Error(fmt::format("A picture of {} scenes cannot be drawn; write .svg or .html instead.",
                                 drawings.size()));
     const glm::ivec2 pixels(size);
     const auto context = make_gl_context("osmesa", pixels);
-    GuiSession gui(nullptr, SCALE);
+    GuiSession gui(nullptr, CHART_SCALE);
     gui.begin_frame(pixels);
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     list.AddRectFilled({0, 0}, {size.x, size.y}, IM_COL32_WHITE);
     float top = 0;
     for (const Drawing& drawing : drawings) {
-        ui::paint_drawing(list, drawing, {0, top}, SCALE);
-        top += SCALE * drawing.size.y;
+        ui::paint_drawing(list, drawing, {0, top}, CHART_SCALE);
+        top += CHART_SCALE * drawing.size.y;
     }
     gui.end_frame(pixels);
     write_png(read_framebuffer(pixels), pixels.x, pixels.y, path);

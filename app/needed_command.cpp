@@ -16,8 +16,6 @@ namespace momentscope {
 
 namespace {
 
-using json = nlohmann::ordered_json;
-
 struct NeededMap {
     Image picture;  // by sorted fragments
     std::vector<PixelNeed> pixels;
@@ -43,9 +41,9 @@ NeededMap measure(const Options& options, const MomentOrders& orders, const Para
 
 constexpr int TILE = 16;
 
-json json_of(const NeedHistogram& histogram, double memory, const Options& options,
-             const ParameterValues& values) {
-    json certificate, error;
+nlohmann::ordered_json json_of(const NeedHistogram& histogram, double memory, const Options& options,
+                               const ParameterValues& values) {
+    nlohmann::ordered_json certificate, error;
     for (std::size_t i = 0; i < NEEDED_COUNT; ++i) {
         certificate[needed_text(static_cast<Needed>(i))] = histogram.by_certificate[i];
         error[needed_text(static_cast<Needed>(i))] = histogram.by_error[i];

@@ -99,6 +99,14 @@ int parse_count(const std::string& text, const char* what, int least, int most) 
     return *count;
 }
 
+int parse_ray_count(const std::string& text) {
+    return parse_count(text, "number of rays", 1, 1'000'000);
+}
+
+std::uint32_t parse_seed(const std::string& text) {
+    return static_cast<std::uint32_t>(parse_count(text, "seed", 0, 2'000'000'000));
+}
+
 double parse_number(const std::string& text, const char* what) {
     const auto value = number<double>(text);
     if (!value) throw Error(fmt::format("'{}' is no {}; give a number.", text, what));

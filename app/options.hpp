@@ -80,6 +80,10 @@ double parse_rate(const std::string& text);
 /// A whole number from `least` to `most`; `what` names it in the error.
 int parse_count(const std::string& text, const char* what, int least, int most);
 
+/// How many random rays, and the seed of the first.
+int parse_ray_count(const std::string& text);
+std::uint32_t parse_seed(const std::string& text);
+
 /// Any number, also one that is not finite; `what` names it in the error.
 double parse_number(const std::string& text, const char* what);
 

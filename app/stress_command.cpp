@@ -15,9 +15,6 @@ namespace momentscope {
 
 namespace {
 
-constexpr int MOST_RAYS = 1'000'000;
-constexpr int MOST_SEED = 2'000'000'000;
-
 std::string report_text(const std::filesystem::path& path, const std::vector<StressCell>& cells,
                         const StressOptions& stress) {
     return path.extension() == ".csv" ? run_table_text(stress_table(cells, stress))
@@ -39,8 +36,8 @@ void run_stress_command(const Options& options) {
     for (const std::string& id : split_list(options.conditions))
         stress.conditions.push_back(&require_condition(id));
     stress.values = parse_parameters(options);
-    stress.rays = parse_count(options.rays, "number of rays", 1, MOST_RAYS);
-    stress.seed = static_cast<std::uint32_t>(parse_count(options.seed, "seed", 0, MOST_SEED));
+    stress.rays = parse_ray_count(options.rays);
+    stress.seed = parse_seed(options.seed);
     const std::filesystem::path path = options.output;
     const std::string kind = path.extension().string();
     if (!path.empty() && kind != ".csv" && kind != ".html" && kind != ".png")

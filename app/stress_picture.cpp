@@ -11,7 +11,7 @@ namespace momentscope {
 
 namespace {
 
-constexpr float SCALE = 1.25f;
+constexpr float MAP_SCALE = 1.25f;
 constexpr glm::ivec2 MOST_SIZE(4096, 2160);
 
 // The colours from 0 to 1.
@@ -37,8 +37,8 @@ void draw_scale(const ui::Ui& ui) {
 void write_stress_picture(const std::vector<StressCell>& cells, const StressOptions& options,
                           const std::filesystem::path& path) {
     const auto context = make_gl_context("osmesa", MOST_SIZE);
-    GuiSession gui(nullptr, SCALE);
-    ui::apply_style(ui::ThemeKind::light, SCALE);
+    GuiSession gui(nullptr, MAP_SCALE);
+    ui::apply_style(ui::ThemeKind::light, MAP_SCALE);
     ui::Anchors anchors;
     const ui::Ui ui{ui::palette(ui::ThemeKind::light), anchors};
     glm::ivec2 size = MOST_SIZE;

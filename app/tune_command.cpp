@@ -16,8 +16,6 @@ namespace momentscope {
 
 namespace {
 
-constexpr int MOST_RAYS = 1'000'000;
-constexpr int MOST_SEED = 2'000'000'000;
 constexpr int OVERDRAW_RAYS = 300;
 
 // Pixels on a grid, which see the scene evenly.
@@ -97,11 +95,11 @@ void run_tune_command(const Options& options) {
                                 tuning.technique->id));
     tuning.values = parse_parameters(options);
     tuning.most_failures = parse_rate(options.max_failures);
-    const auto seed = static_cast<std::uint32_t>(parse_count(options.seed, "seed", 0, MOST_SEED));
+    const std::uint32_t seed = parse_seed(options.seed);
     const bool of_scene = options.random.empty() && options.ray.empty();
     std::vector<ViewRay> rays;
     if (!options.random.empty())
-        rays = tuning_rays(parse_count(options.random, "number of rays", 1, MOST_RAYS), seed);
+        rays = tuning_rays(parse_ray_count(options.random), seed);
     else if (!options.ray.empty())
         rays.push_back(read_ray_file(options.ray));
     if (of_scene) rays = scene_rays(options, tuning);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "core/error.hpp"
@@ -12,7 +13,7 @@ namespace momentscope {
 
 namespace {
 
-constexpr float PI = 3.14159265f;
+constexpr float PI = std::numbers::pi_v<float>;
 
 constexpr std::array PRESETS = {"table1", "robust"};
 constexpr std::array SOLVERS = {"robust", "textbook"};

@@ -8,14 +8,7 @@ namespace momentscope::ui {
 
 namespace {
 
-constexpr float LABEL_WIDTH = 6.5f;  // font heights
 constexpr int MOST_BITS = 4096;
-
-void label(const char* text) {
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(text);
-    ImGui::SameLine(LABEL_WIDTH * em());
-}
 
 float greatest_error(Metric metric) {
     return metric == Metric::delta_e ? 50.0f : metric == Metric::flip ? 0.99f : 1.0f;

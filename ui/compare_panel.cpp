@@ -11,14 +11,6 @@ namespace momentscope::ui {
 
 namespace {
 
-constexpr float LABEL_WIDTH = 6.5f;  // font heights
-
-void label(const char* text) {
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(text);
-    ImGui::SameLine(LABEL_WIDTH * em());
-}
-
 void draw_modes(const Ui& ui, CompareState& compare) {
     constexpr struct {
         CompareMode mode;

@@ -14,10 +14,8 @@ namespace {
 
 constexpr float LABEL_WIDTH = 13.5f;  // font heights
 
-void label(const char* text) {
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(text);
-    ImGui::SameLine(LABEL_WIDTH * em());
+void wide_label(const char* text) {
+    label(text, LABEL_WIDTH);
     ImGui::SetNextItemWidth(-1);
 }
 
@@ -63,13 +61,13 @@ void draw_compared_combo(const Ui& ui, ExplorerState& state) {
 
 void draw_control_panel(const Ui& ui, OrderedAccess access, ExplorerState& state,
                         std::optional<ParameterId>& to_type, std::string& message) {
-    label("scene");
+    wide_label("scene");
     draw_scene_combo(ui, state);
-    label("technique");
+    wide_label("technique");
     draw_technique_combo(ui, "controls.technique", access,
                          "The technique that draws the picture and the orange curve; 1 to 9 choose one.",
                          "--technique", state.technique);
-    label("also plot");
+    wide_label("also plot");
     draw_compared_combo(ui, state);
     ImGui::Spacing();
     bool any = false;

@@ -11,10 +11,6 @@ namespace {
 constexpr float LINE_PER_EM = 1.164f;
 const ImVec2 DASH = {6, 4};
 
-ImU32 packed(const glm::vec3& color) {
-    return ImGui::ColorConvertFloat4ToU32(ImVec4(color.r, color.g, color.b, 1));
-}
-
 class Painter {
 public:
     Painter(ImDrawList& list, ImVec2 origin, float scale) : list_(list), origin_(origin), scale_(scale) {}

@@ -5,7 +5,7 @@ namespace momentscope::ui {
 
 namespace {
 
-constexpr std::size_t SAMPLES = 129;
+constexpr std::size_t BOUND_SAMPLES = 129;
 
 }  // namespace
 
@@ -29,7 +29,8 @@ void Explorer::update_sharp_bounds() {
     if (!wanted || sharp_input_ || sharp_bounds_.busy()) return;
     sharp_input_ = input;
     const auto work = [ray, input, parameters = curve.parameters](std::stop_token stop, const auto&) {
-        return sharp_bounds(ray, *input.technique, parameters, plot_depths(ray, SAMPLES, input.depths), stop);
+        return sharp_bounds(ray, *input.technique, parameters, plot_depths(ray, BOUND_SAMPLES, input.depths),
+                            stop);
     };
     sharp_bounds_.start(work);
 }

@@ -35,10 +35,6 @@ namespace {
 
 constexpr std::size_t MOST_HANDLES = 2000;  // more would cover each other
 
-ImVec4 display_color(const glm::vec3& linear) {
-    return {srgb_from_linear(linear.r), srgb_from_linear(linear.g), srgb_from_linear(linear.b), 1};
-}
-
 void place(Fragment& fragment, float depth, const DepthWarp& warp) {
     // Through the view depth, as the shaders get there, so that a saved ray comes back the same.
     fragment.view_depth = warp.has_view_depths() ? to_view_depth(depth, warp) : depth;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 
 #include "ui/plot_axes.hpp"
@@ -129,7 +130,7 @@ void draw_circle(const Ui& ui, const Steps& steps) {
         return ImVec2(middle.x + r * static_cast<float>(std::cos(phase)),
                       middle.y - r * static_cast<float>(std::sin(phase)));
     };
-    constexpr double PI = 3.14159265358979;
+    constexpr double PI = std::numbers::pi;
     const double end = 2 * PI - static_cast<double>(steps.parameters.theta);
     std::vector<ImVec2> arc;
     for (int i = 0; i <= 96; ++i) arc.push_back(at(end * i / 96, radius));

@@ -43,10 +43,6 @@ std::vector<float> column_edges(const std::vector<StressCell>& cells, const Layo
     return edges;
 }
 
-ImU32 packed(const glm::vec3& color) {
-    return ImGui::ColorConvertFloat4ToU32(ImVec4(color.r, color.g, color.b, 1));
-}
-
 void centred(ImDrawList* draw, ImVec2 low, float width, float y, ImU32 color, const std::string& text,
              float size) {
     const float taken = ImGui::GetFont()->CalcTextSizeA(size, 1e6f, 0, text.c_str()).x;

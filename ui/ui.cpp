@@ -1,5 +1,7 @@
 #include "ui/ui.hpp"
 
+#include "core/image/image.hpp"
+
 namespace momentscope::ui {
 
 void tooltip(const std::string& text, const std::string& weaker) {
@@ -10,6 +12,20 @@ void tooltip(const std::string& text, const std::string& weaker) {
     if (!weaker.empty()) ImGui::TextDisabled("%s", weaker.c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
+}
+
+void label(const char* text, float width) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(text);
+    ImGui::SameLine(width * em());
+}
+
+ImU32 packed(const glm::vec3& color) {
+    return ImGui::ColorConvertFloat4ToU32(ImVec4(color.r, color.g, color.b, 1));
+}
+
+ImVec4 display_color(const glm::vec3& linear) {
+    return {srgb_from_linear(linear.r), srgb_from_linear(linear.g), srgb_from_linear(linear.b), 1};
 }
 
 void flow(float width, float right, float gap) {

@@ -2,6 +2,7 @@
 #pragma once
 #include <imgui.h>
 
+#include <glm/glm.hpp>
 #include <map>
 #include <string>
 
@@ -33,9 +34,18 @@ inline float em() {
     return ImGui::GetFontSize();
 }
 
+/// A text before a control, which begins `width` font heights from the left.
+void label(const char* text, float width = 6.5f);
+
 /// A wrapped tooltip for the control that was drawn last: what it is, and in weaker text its shortcut or
 /// source.
 void tooltip(const std::string& text, const std::string& weaker = "");
+
+/// A colour of [0, 1], as draw lists take it.
+ImU32 packed(const glm::vec3& color);
+
+/// A linear colour as the display shows it.
+ImVec4 display_color(const glm::vec3& linear);
 
 /// Puts the next control of that width beside the last one, or into a new line where it would pass `right` (a
 /// screen coordinate).

@@ -1,11 +1,13 @@
 #include "core/chart/camera_path.hpp"
 
+#include <numbers>
+
 namespace momentscope {
 
 namespace {
 
 // As far as a camera turns in one frame when it turns once around in twelve seconds at 60 Hz.
-constexpr float STEP = 0.5f * 3.14159265f / 180.0f;
+constexpr float STEP_ANGLE = 0.5f * std::numbers::pi_v<float> / 180.0f;
 
 }  // namespace
 
@@ -13,7 +15,8 @@ std::vector<Camera> camera_path(const Camera& camera) {
     std::vector<Camera> path;
     for (int i = 0; i < PATH_FRAMES; ++i) {
         path.push_back(camera);
-        path.back().azimuth += STEP * (static_cast<float>(i) - 0.5f * static_cast<float>(PATH_FRAMES - 1));
+        path.back().azimuth +=
+            STEP_ANGLE * (static_cast<float>(i) - 0.5f * static_cast<float>(PATH_FRAMES - 1));
     }
     return path;
 }

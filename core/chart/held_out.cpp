@@ -1,6 +1,7 @@
 #include "core/chart/held_out.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 #include "core/chart/camera_path.hpp"
 
@@ -8,7 +9,7 @@ namespace momentscope {
 
 namespace {
 
-constexpr float DEGREE = 3.14159265f / 180.0f;
+constexpr float DEGREE = std::numbers::pi_v<float> / 180.0f;
 constexpr float TURN = 20 * DEGREE;
 constexpr float LIFT = 10 * DEGREE;
 constexpr float STEEPEST = 85 * DEGREE;

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 
 namespace momentscope {
 
 namespace {
 
-constexpr float PI = 3.14159265f;
+constexpr float PI = std::numbers::pi_v<float>;
 
 bool knows(const Technique& technique) {
     return technique.on_circle() || technique.on_chebyshev() || std::string_view(technique.basis) == "power";

@@ -12,7 +12,7 @@ namespace momentscope {
 
 namespace {
 
-std::vector<float> own_depths(const ViewRay& ray) {
+std::vector<float> depths_that_absorb(const ViewRay& ray) {
     std::vector<float> depths;
     for (const Fragment& fragment : ray.fragments)
         if (fragment.opacity > 0) depths.push_back(fragment.depth);
@@ -49,7 +49,7 @@ MomentOrders moment_orders(std::string_view basis) {
 }
 
 double certified_gap(const ViewRay& ray, const Technique& technique, const ParameterValues& values) {
-    const std::vector<float> depths = own_depths(ray);
+    const std::vector<float> depths = depths_that_absorb(ray);
     const Curve curve = sample_curve(ray, technique, values, depths);
     double most = 0;
     for (std::size_t i = 0; i < depths.size(); ++i) {
@@ -62,7 +62,7 @@ double certified_gap(const ViewRay& ray, const Technique& technique, const Param
 }
 
 double greatest_error(const ViewRay& ray, const Technique& technique, const ParameterValues& values) {
-    const std::vector<float> depths = own_depths(ray);
+    const std::vector<float> depths = depths_that_absorb(ray);
     const Curve curve = sample_curve(ray, technique, values, depths);
     const auto beta = static_cast<double>(curve.parameters.beta);
     double most = 0;
@@ -80,7 +80,7 @@ std::string needed_text(Needed needed) {
 }
 
 PixelNeed pixel_need(const ViewRay& ray, const MomentOrders& orders, const ParameterValues& values) {
-    if (own_depths(ray).empty()) return {};
+    if (depths_that_absorb(ray).empty()) return {};
     return {first_within(orders, values,
                          [&](const Technique& order) { return certified_gap(ray, order, values); }),
             first_within(orders, values,

@@ -5,13 +5,12 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <complex>
+#include <numbers>
 #include <string_view>
 
 namespace momentscope {
 
 namespace {
-
-constexpr double PI = 3.14159265358979;
 
 // E[u_i conj(u_j)] for the functions u_k of the basis.
 std::complex<double> matrix_entry(const Technique& technique, const MomentVector& normalised, int i, int j) {
@@ -125,7 +124,7 @@ StepText kernel_text(const Steps& s) {
 StepText roots_text(const Steps& s) {
     const bool circle = s.technique->on_circle();
     const std::string zone = fmt::format("; beyond φ = 2π − θ = {:.4f} lies the wrapping zone",
-                                         2 * PI - static_cast<double>(s.parameters.theta));
+                                         2 * std::numbers::pi - static_cast<double>(s.parameters.theta));
     std::string roots;
     for (const StepNode& node : s.nodes)
         roots += fmt::format("{}t = {:<12.5g} z = {:<10.5g}{}", roots.empty() ? "" : "\n", node.t, node.depth,
@@ -184,7 +183,7 @@ Steps reconstruction_steps(const Curve& curve, float query) {
     result.pivots.assign(steps.pivots.begin(), steps.pivots.begin() + static_cast<std::ptrdiff_t>(nodes + 1));
     result.floored_pivots = steps.floored_pivots;
     result.kernel.assign(steps.kernel.begin(), steps.kernel.begin() + static_cast<std::ptrdiff_t>(nodes + 1));
-    const double per_depth = PI - 0.5 * static_cast<double>(curve.parameters.theta);
+    const double per_depth = std::numbers::pi - 0.5 * static_cast<double>(curve.parameters.theta);
     for (std::size_t l = 0; l < nodes; ++l) {
         const float depth = node_depth(steps.t[l], query, curve);
         result.nodes.push_back({steps.t[l], depth, (static_cast<double>(depth) + 1) * per_depth,

@@ -41,12 +41,6 @@ std::vector<double> transmittances(const std::vector<double>& absorbances) {
     return t;
 }
 
-std::vector<float> own_depths(const ViewRay& ray) {
-    std::vector<float> depths;
-    for (const Fragment& fragment : ray.fragments) depths.push_back(fragment.depth);
-    return depths;
-}
-
 // Chebyshev moments hold what power moments do.
 const Technique& with_reference(const Technique& technique) {
     if (!technique.on_chebyshev()) return technique;

@@ -55,6 +55,12 @@ glm::vec3 depth_warp_factors(const DepthWarp& warp) {
     return {factors.origin, factors.scale, factors.linear ? 1.0f : 0.0f};
 }
 
+std::vector<float> own_depths(const ViewRay& ray) {
+    std::vector<float> depths;
+    for (const Fragment& fragment : ray.fragments) depths.push_back(fragment.depth);
+    return depths;
+}
+
 std::string fragment_count_text(std::size_t count) {
     return fmt::format("{} fragment{}", count, count == 1 ? "" : "s");
 }

@@ -72,6 +72,9 @@ glm::vec3 depth_warp_factors(const DepthWarp& warp);
 /// Sum of all absorbances: b0.
 double total_absorbance(const ViewRay& ray);
 
+/// The depth of each fragment, in submission order.
+std::vector<float> own_depths(const ViewRay& ray);
+
 /// "1 fragment", "5 fragments".
 std::string fragment_count_text(std::size_t count);
 

@@ -26,7 +26,7 @@ struct Object {
     glm::vec3 color = glm::vec3(1);  // linear RGB albedo, >= 0
     float opacity = 1.0f;            // alpha_l in [0, 1]; 1 without a map is drawn in the opaque pass
     std::optional<std::uint32_t> alpha_map = {};  // index into Scene::alpha_maps; opacity is multiplied by it
-    bool casts_shadow = true;  // a ground that goes on for ever only receives
+    bool casts_shadow = true;                     // a ground that goes on for ever only receives
     bool opaque() const { return opacity >= 1.0f && !alpha_map; }
 };
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <numbers>
 #include <utility>
 
 #include "core/scene/billboards.hpp"
@@ -14,7 +15,7 @@
 namespace momentscope {
 namespace {
 
-constexpr float PI = glm::pi<float>();
+constexpr float PI = std::numbers::pi_v<float>;
 constexpr float BRACED = -0.12f;  // how far the yards are turned towards the wind, radians
 constexpr int PUFFS = 170;
 constexpr int FAR_PUFFS = 50;

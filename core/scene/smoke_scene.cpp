@@ -13,7 +13,7 @@ namespace momentscope {
 namespace {
 
 constexpr int BLADES = 1300;
-constexpr int PUFFS = 72;
+constexpr int SMOKE_PUFFS = 72;
 constexpr std::array<std::uint32_t, 3> GRASS{0x7F9A4A, 0x5E7F3A, 0xA39A56};
 
 struct Bottle {
@@ -82,7 +82,7 @@ void add_blade(Mesh& mesh, RandomNumbers& random) {
 
 // A bank of smoke that drifts from the left, low in front and higher behind.
 void add_smoke(Mesh& pale, Mesh& dark, const Camera& camera, RandomNumbers& random) {
-    for (int i = 0; i < PUFFS; ++i) {
+    for (int i = 0; i < SMOKE_PUFFS; ++i) {
         const glm::vec3 place = in_unit_ball(random);
         Billboard puff;
         puff.center =

@@ -22,16 +22,4 @@ inline ViewRay random_ray(std::mt19937& random, int most_fragments = 10) {
     return ray;
 }
 
-inline std::vector<float> own_depths(const ViewRay& ray) {
-    std::vector<float> depths;
-    for (const Fragment& fragment : ray.fragments) depths.push_back(fragment.depth);
-    return depths;
-}
-
-/// How many rays the long measurements use; MOMENTSCOPE_RAYS overrides it.
-inline int ray_count(int standard) {
-    const char* text = std::getenv("MOMENTSCOPE_RAYS");
-    return text != nullptr ? std::max(std::atoi(text), 1) : standard;
-}
-
 }  // namespace momentscope::test
