@@ -11,9 +11,16 @@ namespace momentscope {
 
 HeadlessWindow::HeadlessWindow(glm::ivec2 size, const ui::ExplorerState& state, ui::ExplorerOptions options,
                                FrameLog& log)
+    : HeadlessWindow(make_gl_context("osmesa", size), std::make_shared<ProgramCache>(), size, state, options,
+                     log) {}
+
+HeadlessWindow::HeadlessWindow(std::shared_ptr<GlContext> context, std::shared_ptr<ProgramCache> programs,
+                               glm::ivec2 size, const ui::ExplorerState& state, ui::ExplorerOptions options,
+                               FrameLog& log)
     : size_(size),
       most_(size),
-      context_(make_gl_context("osmesa", size)),
+      context_(std::move(context)),
+      renderer_(std::move(programs)),
       gui_(nullptr, options.scale),
       explorer_(renderer_, state, options),
       log_(log) {}

@@ -15,6 +15,12 @@ public:
     HeadlessWindow(glm::ivec2 size, const ui::ExplorerState& state, ui::ExplorerOptions options,
                    FrameLog& log);
 
+    /// In a context that is current and at least that large, and whose programs are shared with other
+    /// renderers.
+    HeadlessWindow(std::shared_ptr<GlContext> context, std::shared_ptr<ProgramCache> programs,
+                   glm::ivec2 size, const ui::ExplorerState& state, ui::ExplorerOptions options,
+                   FrameLog& log);
+
     /// Makes one frame, a sixtieth of a second after the last one and whatever passed. It is painted when
     /// somebody asks for its pixels.
     void draw();
@@ -43,7 +49,7 @@ public:
 
 private:
     glm::ivec2 size_, most_;
-    std::unique_ptr<GlContext> context_;
+    std::shared_ptr<GlContext> context_;
     Renderer renderer_;
     GuiSession gui_;
     ui::Explorer explorer_;

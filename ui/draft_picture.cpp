@@ -19,7 +19,7 @@ void DraftPicture::set_scene(const Scene& scene) {
 
 void DraftPicture::draw(const View& view, double wanted) {
     const auto begin = std::chrono::steady_clock::now();
-    if (renderer_ == nullptr) renderer_ = std::make_unique<Renderer>();
+    if (renderer_ == nullptr) renderer_ = std::make_unique<Renderer>(programs_);
     const bool first = scene_stale_;
     if (scene_stale_) renderer_->set_scene(scene_);
     scene_stale_ = false;

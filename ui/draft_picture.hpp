@@ -10,6 +10,8 @@ namespace momentscope::ui {
 /// one alone.
 class DraftPicture {
 public:
+    explicit DraftPicture(std::shared_ptr<ProgramCache> programs) : programs_(std::move(programs)) {}
+
     /// Another scene; drawn from the next `draw` on.
     void set_scene(const Scene& scene);
 
@@ -29,6 +31,7 @@ public:
 private:
     glm::ivec2 pixel_at(glm::vec2 place) const;
 
+    std::shared_ptr<ProgramCache> programs_;
     std::unique_ptr<Renderer> renderer_;  // made when it is first asked for
     Scene scene_;
     bool scene_stale_ = true;

@@ -36,7 +36,8 @@ Explorer::Explorer(Renderer& renderer, ExplorerState state, ExplorerOptions opti
       options_(options),
       state_(std::move(state)),
       shown_state_(state_),
-      history_(state_) {}
+      history_(state_),
+      draft_(renderer.programs()) {}
 
 // What was changed last may not be a step yet.
 void Explorer::undo() {

@@ -40,7 +40,7 @@ void Explorer::update_comparison(const View& view, Stage stage) {
 
 void Explorer::render_reference(const View& view) {
     if (reference_ == nullptr) {
-        reference_ = std::make_unique<Renderer>();
+        reference_ = std::make_unique<Renderer>(renderer_.programs());
         reference_->set_scene(scene_);
     }
     const int before = reference_->pass_counts().composite;

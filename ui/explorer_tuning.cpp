@@ -18,7 +18,7 @@ void Explorer::start_tuning() try {
     if (state_.ray) {
         rays.push_back(*state_.ray);
     } else {
-        Renderer small;
+        Renderer small(renderer_.programs());
         small.set_scene(scene_);
         small.render({camera(), TUNED_SIZE, &require_technique("sorted"), state_.parameters});
         for (PixelCapture& capture : small.capture_region({0, 0}, TUNED_SIZE))

@@ -59,7 +59,7 @@ View ChartBench::view_of(const Configuration& configuration) const {
 }
 
 std::unique_ptr<Renderer> ChartBench::new_renderer() const {
-    auto renderer = std::make_unique<Renderer>();
+    auto renderer = std::make_unique<Renderer>(programs_);
     renderer->set_scene(scene_);
     return renderer;
 }

@@ -62,6 +62,7 @@ private:
 
     Scene scene_;
     ChartSettings settings_;
+    std::shared_ptr<ProgramCache> programs_ = std::make_shared<ProgramCache>();
     std::unique_ptr<Renderer> yardstick_;  // `unsorted`
     Image reference_;
     std::vector<Image> path_references_;

@@ -8,8 +8,7 @@ namespace momentscope {
 
 namespace {
 
-constexpr GLuint FIRST_STATE_UNIT = 2;  // passes/stored_state.glsl
-constexpr int SET_TEXELS = 2;           // of each of two sets of moments
+constexpr int SET_TEXELS = 2;  // of each of two sets of moments
 constexpr int TEXELS = 2 * SET_TEXELS;
 
 }  // namespace
@@ -40,11 +39,9 @@ void LowResolutionPasses::make_targets(int divisor) {
     converted_target_ = make_framebuffer({converted_[0], converted_[1], converted_[2], converted_[3]}, 0);
 }
 
-void LowResolutionPasses::draw_low_depth() {
-    if (depth_program_ == 0)
-        depth_program_ = link_program("passes/fullscreen.vert", "passes/farthest_depth.frag");
+void LowResolutionPasses::draw_low_depth(const PassInput& input) {
     glBindFramebuffer(GL_FRAMEBUFFER, depth_target_);
-    glUseProgram(depth_program_);
+    glUseProgram(input.programs.get("passes/fullscreen.vert", "passes/farthest_depth.frag"));
     glUniform2i(0, low_size_.x, low_size_.y);
     glBindTextureUnit(0, full_depth_);
     glEnable(GL_DEPTH_TEST);
@@ -63,17 +60,17 @@ void LowResolutionPasses::draw_set(const PassInput& input, bool second) {
         variant.defines["SECOND_PASS"] = "1";
         bind_states();
     }
-    glUseProgram(programs_.get("passes/scene.vert", "passes/state.frag", variant));
+    glUseProgram(input.programs.get("passes/scene.vert", "passes/state.frag", variant));
     draw_transparent(input.scene, second ? second_target_ : first_target_, Blending::add);
-    convert();
+    convert(input);
 }
 
-void LowResolutionPasses::convert() {
+void LowResolutionPasses::convert(const PassInput& input) {
     for (int i = 0; i < TEXELS; ++i)
         glBindTextureUnit(FIRST_STATE_UNIT + static_cast<GLuint>(i), sums_[static_cast<std::size_t>(i)]);
     glBindFramebuffer(GL_FRAMEBUFFER, converted_target_);
-    glUseProgram(programs_.get("passes/fullscreen.vert", "passes/state_convert.frag",
-                               state_variant(technique_, settings_)));
+    glUseProgram(input.programs.get("passes/fullscreen.vert", "passes/state_convert.frag",
+                                    state_variant(technique_, settings_)));
     draw_fullscreen();
 }
 
@@ -81,7 +78,7 @@ void LowResolutionPasses::draw_moments(const PassInput& input) {
     settings_ = input.parameters.method;
     make_targets(settings_.divisor);
     glViewport(0, 0, low_size_.x, low_size_.y);
-    if (low_depth_ != 0) draw_low_depth();
+    if (low_depth_ != 0) draw_low_depth(input);
     clear_colors(first_target_, SET_TEXELS);
     clear_colors(second_target_, SET_TEXELS);
     draw_set(input, false);

@@ -14,16 +14,15 @@ public:
 private:
     void bind_states() const override;
     void make_targets(int divisor);
-    void draw_low_depth();
+    void draw_low_depth(const PassInput& input);
     void draw_set(const PassInput& input, bool second);
-    void convert();
+    void convert(const PassInput& input);
 
     GLuint full_depth_;
     glm::ivec2 low_size_{0};
     GlTexture low_depth_;  // none at the picture's resolution
     std::vector<GlTexture> sums_, converted_;
     GlFramebuffer depth_target_, first_target_, second_target_, converted_target_;
-    GlProgram depth_program_;
 };
 
 }  // namespace momentscope

@@ -68,7 +68,6 @@ MomentPasses::MomentPasses(const Technique& technique, glm::ivec2 size, GLuint d
     moment_target_ = make_framebuffer(targets, floats > 4 ? 3 : 2, depth);
     depth_target_ = make_framebuffer({}, depth);
     color_target_ = make_framebuffer({weighted_color_}, depth);
-    composite_program_ = link_program("passes/fullscreen.vert", "passes/composite.frag");
 }
 
 void MomentPasses::draw_moments(const PassInput& input) {
@@ -87,7 +86,7 @@ void MomentPasses::draw_moments(const PassInput& input) {
             glBindImageTexture(2, moments_5_to_8_, 0, GL_FALSE, 0, GL_READ_WRITE,
                                two ? formats.two_moments : formats.four_moments);
     }
-    glUseProgram(programs_.get(SCENE, MOMENTS, accumulation_variant(technique_, ordered, access_)));
+    glUseProgram(input.programs.get(SCENE, MOMENTS, accumulation_variant(technique_, ordered, access_)));
     draw_transparent(input.scene, by_images ? depth_target_ : moment_target_,
                      ordered ? Blending::none : Blending::add);
     if (by_images) glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
@@ -108,7 +107,7 @@ void MomentPasses::draw_factors(const PassInput& input) {
     if (factors_.empty()) make_factors();
     bind_stored();
     glBindFramebuffer(GL_FRAMEBUFFER, factor_target_);
-    glUseProgram(programs_.get("passes/fullscreen.vert", FACTOR, moment_variant(technique_)));
+    glUseProgram(input.programs.get("passes/fullscreen.vert", FACTOR, moment_variant(technique_)));
     draw_fullscreen();
     factored_bias_ = input.parameters.alpha;
 }
@@ -117,13 +116,13 @@ void MomentPasses::draw_color(const PassInput& input) {
     if (input.parameters.factored_once) draw_factors(input);
     clear_colors(color_target_, 1);
     glUseProgram(
-        programs_.get(SCENE, COLOR, input.lit(reconstruction_variant(technique_, input.parameters))));
+        input.programs.get(SCENE, COLOR, input.lit(reconstruction_variant(technique_, input.parameters))));
     bind_stored();
     draw_transparent(input.scene, color_target_, Blending::add);
 }
 
 void MomentPasses::draw_composite(const PassInput& input) {
-    glUseProgram(composite_program_);
+    glUseProgram(input.programs.get("passes/fullscreen.vert", "passes/composite.frag"));
     glBindTextureUnit(0, input.opaque_color);
     glBindTextureUnit(1, weighted_color_);
     glBindTextureUnit(2, total_absorbance_);
@@ -135,7 +134,7 @@ bool MomentPasses::draw_failures(const PassInput& input) {
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
     ResolvedParameters parameters = input.parameters;
     parameters.factored_once = false;  // stored factors forget which pivots were raised
-    glUseProgram(programs_.get(SCENE, FAILURES, reconstruction_variant(technique_, parameters)));
+    glUseProgram(input.programs.get(SCENE, FAILURES, reconstruction_variant(technique_, parameters)));
     bind_stored();
     draw_transparent(input.scene, static_cast<GLuint>(target), Blending::add);
     return true;

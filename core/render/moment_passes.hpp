@@ -39,8 +39,6 @@ private:
     GlFramebuffer factor_target_;
     glm::ivec2 size_;
     std::optional<float> factored_bias_;  // of what factors_ hold; nothing when moments are newer
-    ProgramCache programs_;
-    GlProgram composite_program_;
 };
 
 }  // namespace momentscope

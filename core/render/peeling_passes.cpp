@@ -18,9 +18,7 @@ constexpr int MOST_LAYERS = 4096;
 PeelingPasses::PeelingPasses(glm::ivec2 size, GLuint /*depth: copied for every layer*/)
     : layer_(make_texture(GL_RGBA32F, size)),
       sum_(make_texture(GL_RGBA32F, size)),
-      sum_target_(make_framebuffer({sum_}, 0)),
-      add_program_(link_program("passes/fullscreen.vert", "passes/copy.frag")),
-      composite_program_(link_program("passes/fullscreen.vert", "passes/peel_composite.frag")) {
+      sum_target_(make_framebuffer({sum_}, 0)) {
     for (int i = 0; i < 2; ++i) {
         depths_[i] = make_texture(GL_DEPTH_COMPONENT32F, size);
         layer_targets_[i] = make_framebuffer({layer_}, depths_[i]);
@@ -40,7 +38,7 @@ bool PeelingPasses::draw_layer(const PassInput& input, int layer) {
     glClearNamedFramebufferfv(layer_targets_[now], GL_COLOR, 0, zero);
     glBindFramebuffer(GL_FRAMEBUFFER, layer_targets_[now]);
     glEnable(GL_DEPTH_TEST);
-    glUseProgram(programs_.get("passes/scene.vert", "passes/peel.frag", input.lit({})));
+    glUseProgram(input.programs.get("passes/scene.vert", "passes/peel.frag", input.lit({})));
     glBindTextureUnit(0, depths_[1 - now]);
     glBeginQuery(GL_ANY_SAMPLES_PASSED, any_fragment_);
     input.scene.draw(Surfaces::transparent);
@@ -52,11 +50,11 @@ bool PeelingPasses::draw_layer(const PassInput& input, int layer) {
 }
 
 // sum += T layer, T *= 1 - opacity, with T in the target's alpha.
-void PeelingPasses::add_layer() {
+void PeelingPasses::add_layer(const PassInput& input) {
     glBindFramebuffer(GL_FRAMEBUFFER, sum_target_);
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
-    glUseProgram(add_program_);
+    glUseProgram(input.programs.get("passes/fullscreen.vert", "passes/copy.frag"));
     glBindTextureUnit(0, layer_);
     draw_fullscreen();
     glDisable(GL_BLEND);
@@ -69,12 +67,12 @@ void PeelingPasses::draw_color(const PassInput& input) {
         if (layer == MOST_LAYERS)
             throw Error(fmt::format(
                 "The picture has more than {} layers of transparent surfaces; use sorted.", MOST_LAYERS));
-        add_layer();
+        add_layer(input);
     }
 }
 
 void PeelingPasses::draw_composite(const PassInput& input) {
-    glUseProgram(composite_program_);
+    glUseProgram(input.programs.get("passes/fullscreen.vert", "passes/peel_composite.frag"));
     glBindTextureUnit(0, input.opaque_color);
     glBindTextureUnit(1, sum_);
     draw_fullscreen();

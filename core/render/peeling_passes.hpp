@@ -17,13 +17,11 @@ public:
 
 private:
     bool draw_layer(const PassInput& input, int layer);  // false when it is empty
-    void add_layer();
+    void add_layer(const PassInput& input);
 
     GlTexture depths_[2];  // of this layer and of the one before, in turn
     GlTexture layer_, sum_;
     GlFramebuffer layer_targets_[2], sum_target_;
-    ProgramCache programs_;
-    GlProgram add_program_, composite_program_;
     GlQuery any_fragment_;
 };
 

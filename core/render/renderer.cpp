@@ -31,16 +31,17 @@ void require_gl_4_5() {
 
 }  // namespace
 
-Renderer::Renderer() : Renderer(momentscope::ordered_access()) {}
+Renderer::Renderer(std::shared_ptr<ProgramCache> programs)
+    : Renderer(momentscope::ordered_access(), std::move(programs)) {}
 
-Renderer::Renderer(OrderedAccess access) : access_(access) {
+Renderer::Renderer(OrderedAccess access, std::shared_ptr<ProgramCache> programs)
+    : access_(access), programs_(std::move(programs)) {
     require_gl_4_5();
     timing_ = reliable_timing(gl_info());
     GLuint name = 0;
     glCreateBuffers(1, &name);
     frame_block_ = GlBuffer(name);
     glNamedBufferStorage(frame_block_, sizeof(FrameBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
-    display_program_ = link_program("passes/fullscreen.vert", "passes/display.frag");
     glCreateQueries(GL_TIME_ELAPSED, 1, &name);
     timer_ = GlQuery(name);
 }
@@ -125,13 +126,18 @@ bool Renderer::lit() const {
 }
 
 PassInput Renderer::pass_input() const {
-    return {*buffers_, view_.size,  opaque_color_,
-            depth_,    parameters_, lit() ? &shadow_maps_->lighting() : nullptr};
+    return {*programs_,
+            *buffers_,
+            view_.size,
+            opaque_color_,
+            depth_,
+            parameters_,
+            lit() ? &shadow_maps_->lighting() : nullptr};
 }
 
 void Renderer::update_shadows(const View& view) {
     if (!has_shadows(view.parameters)) return;
-    if (shadow_maps_ == nullptr) shadow_maps_ = std::make_unique<ShadowMaps>(timing_);
+    if (shadow_maps_ == nullptr) shadow_maps_ = std::make_unique<ShadowMaps>(timing_, programs_);
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
     glDisable(GL_SCISSOR_TEST);
@@ -145,7 +151,7 @@ void Renderer::draw_opaque() {
     glClearNamedFramebufferfv(opaque_target_, GL_DEPTH, 0, &far);
     glBindFramebuffer(GL_FRAMEBUFFER, opaque_target_);
     glEnable(GL_DEPTH_TEST);
-    glUseProgram(opaque_programs_.get("passes/scene.vert", "passes/opaque.frag", pass_input().lit({})));
+    glUseProgram(programs_->get("passes/scene.vert", "passes/opaque.frag", pass_input().lit({})));
     buffers_->draw(Surfaces::opaque);
     glDisable(GL_DEPTH_TEST);
 }
@@ -191,7 +197,7 @@ void Renderer::run_from(Stage stage) {
         ++counts_.composite;
     }
     glBindFramebuffer(GL_FRAMEBUFFER, display_target_);
-    glUseProgram(display_program_);
+    glUseProgram(programs_->get("passes/fullscreen.vert", "passes/display.frag"));
     glUniform1i(TONE_MAP_LOCATION, static_cast<GLint>(tone_map_of(view_.parameters)));
     glBindTextureUnit(0, picture_);
     draw_fullscreen();
@@ -224,8 +230,6 @@ std::optional<FailureCounts> Renderer::draw_failures() {
         failure_target_ = make_framebuffer({failure_counts_}, depth_);
         failure_color_target_ = make_framebuffer({failure_color_}, 0);
     }
-    if (failure_color_program_ == 0)
-        failure_color_program_ = link_program("passes/fullscreen.vert", "passes/failure_colors.frag");
     const float zero[4] = {0, 0, 0, 0};
     glClearNamedFramebufferfv(failure_target_, GL_COLOR, 0, zero);
     glViewport(0, 0, view_.size.x, view_.size.y);
@@ -233,7 +237,7 @@ std::optional<FailureCounts> Renderer::draw_failures() {
     glBindFramebuffer(GL_FRAMEBUFFER, failure_target_);
     if (!transparency_->draw_failures(pass_input())) return std::nullopt;
     glBindFramebuffer(GL_FRAMEBUFFER, failure_color_target_);
-    glUseProgram(failure_color_program_);
+    glUseProgram(programs_->get("passes/fullscreen.vert", "passes/failure_colors.frag"));
     glBindTextureUnit(0, failure_counts_);
     draw_fullscreen();
     leave_nothing_bound();

@@ -42,11 +42,13 @@ struct PixelCapture {
 /// upper left corner.
 class Renderer {
 public:
-    /// Throws Error when the GL is older than 4.5.
-    Renderer();
+    /// Renderers of one GL context may share their programs, which takes seconds to link. Throws Error when
+    /// the GL is older than 4.5.
+    explicit Renderer(std::shared_ptr<ProgramCache> programs = std::make_shared<ProgramCache>());
 
     /// The same as if the GL had that ordered access: to see what is said where there is none.
-    explicit Renderer(OrderedAccess access);
+    explicit Renderer(OrderedAccess access,
+                      std::shared_ptr<ProgramCache> programs = std::make_shared<ProgramCache>());
     ~Renderer();
 
     void set_scene(const Scene& scene);
@@ -104,6 +106,7 @@ public:
     /// sRGB with alpha, to be laid over display_texture(); valid after draw_failures().
     GLuint failure_texture() const { return failure_color_; }
 
+    const std::shared_ptr<ProgramCache>& programs() const { return programs_; }
     OrderedAccess ordered_access() const { return access_; }
     const PassCounts& pass_counts() const { return counts_; }
     const PassTimes& pass_times() const { return times_; }
@@ -143,12 +146,10 @@ private:
     GlBuffer frame_block_;
     GlTexture opaque_color_, depth_, picture_, display_color_;
     GlFramebuffer opaque_target_, picture_target_, display_target_;
-    ProgramCache opaque_programs_;
-    GlProgram display_program_;
+    std::shared_ptr<ProgramCache> programs_;
     std::unique_ptr<Transparency> transparency_;
     const Technique* transparency_of_ = nullptr;
     std::unique_ptr<FragmentList> pixel_list_;
-    ProgramCache capture_programs_;
 
     GlQuery timer_;
     std::unique_ptr<ShadowMaps> shadow_maps_;  // made when they are first needed
@@ -158,7 +159,6 @@ private:
 
     GlTexture failure_counts_, failure_color_;  // made when they are first asked for
     GlFramebuffer failure_target_, failure_color_target_;
-    GlProgram failure_color_program_;
 };
 
 }  // namespace momentscope

@@ -19,7 +19,7 @@ GLuint Renderer::capture_program(bool& has_transmittance) {
     has_transmittance = reconstructing.has_value();
     ShaderVariant variant = reconstructing.value_or(ShaderVariant());
     if (has_transmittance) variant.defines["WITH_TRANSMITTANCE"] = "1";
-    return capture_programs_.get("passes/scene.vert", "passes/capture.frag", pass_input().lit(variant));
+    return programs_->get("passes/scene.vert", "passes/capture.frag", pass_input().lit(variant));
 }
 
 PixelCapture Renderer::capture_pixel(glm::ivec2 pixel) {
@@ -57,7 +57,7 @@ void Renderer::add_shares(std::vector<PixelCapture>& captures, const Transparenc
     const LowFootprint footprint(view_.size, low.size, lower_left, extent);
     FragmentList list(low.size, PIXEL_LIST_CAPACITY, low.depth);
     glViewport(0, 0, low.size.x, low.size.y);
-    const GLuint program = capture_programs_.get("passes/scene.vert", "passes/capture.frag");
+    const GLuint program = programs_->get("passes/scene.vert", "passes/capture.frag");
     std::vector<std::vector<Fragment>> of_pixel;
     for (int y = 0; y < footprint.extent().y; ++y) {  // row by row, so that the list holds them
         const std::size_t count = list.capture(pass_input(), program, footprint.corner() + glm::ivec2(0, y),

@@ -37,7 +37,7 @@ void Renderer::draw_probe() {
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_block_);
     shadow_maps_->bind(view_matrix(view_.camera));
     glBindFramebuffer(GL_FRAMEBUFFER, probe_target_);
-    glUseProgram(opaque_programs_.get("passes/scene.vert", "passes/light_probe.frag", pass_input().lit({})));
+    glUseProgram(programs_->get("passes/scene.vert", "passes/light_probe.frag", pass_input().lit({})));
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_EQUAL);
     glDepthMask(GL_FALSE);
@@ -68,7 +68,7 @@ std::vector<float> Renderer::fragment_lights(glm::ivec2 pixel) {
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_block_);
     shadow_maps_->bind(view_matrix(view_.camera));
     const glm::ivec2 lower_left(pixel.x, view_.size.y - 1 - pixel.y);
-    const GLuint program = capture_programs_.get("passes/scene.vert", "passes/capture.frag", variant);
+    const GLuint program = programs_->get("passes/scene.vert", "passes/capture.frag", variant);
     const std::size_t count = pixel_list_->capture(pass_input(), program, lower_left, {1, 1});
     const std::vector<PixelCapture> captures =
         sort_captures(pixel_list_->read(count), lower_left, {1, 1}, true);

@@ -19,8 +19,8 @@ std::optional<std::vector<FragmentNode>> ShadowMaps::capture_texels(const SceneB
     glViewport(0, 0, settings_->size, settings_->size);
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_block_);
     static const ResolvedParameters NONE;
-    const PassInput input = {scene, glm::ivec2(settings_->size), 0, no_depth_, NONE};
-    const GLuint program = programs_.get("passes/scene.vert", "passes/capture.frag");
+    const PassInput input = {*programs_, scene, glm::ivec2(settings_->size), 0, no_depth_, NONE};
+    const GLuint program = programs_->get("passes/scene.vert", "passes/capture.frag");
     const std::size_t count = list_->capture(input, program, corner, extent);
     if (count > list_->capacity()) return std::nullopt;
     return list_->read(count);

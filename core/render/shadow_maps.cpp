@@ -14,7 +14,7 @@ namespace momentscope {
 
 namespace {
 
-constexpr const char* SCENE = "passes/scene.vert";
+constexpr const char* CASTERS = "passes/scene.vert";
 constexpr const char* FULLSCREEN = "passes/fullscreen.vert";
 constexpr const char* FILTER = "passes/shadow_filter.frag";
 constexpr GLuint LIGHT_BLOCK = 2;  // passes/light_block.glsl, light.glsl
@@ -68,10 +68,11 @@ bool same_sums(const ShadowSettings& a, const ShadowSettings& b) {
 
 }  // namespace
 
-ShadowMaps::ShadowMaps(PassTiming timing)
+ShadowMaps::ShadowMaps(PassTiming timing, std::shared_ptr<ProgramCache> programs)
     : timing_(timing),
       frame_block_(make_uniform_buffer(sizeof(FrameBlock))),
-      light_block_(make_uniform_buffer(sizeof(LightBlock))) {
+      light_block_(make_uniform_buffer(sizeof(LightBlock))),
+      programs_(std::move(programs)) {
     GLuint name = 0;
     glCreateQueries(GL_TIME_ELAPSED, 1, &name);
     timer_ = GlQuery(name);
@@ -190,7 +191,7 @@ void ShadowMaps::draw_opaque(const SceneBuffers& scene) {
     glClearNamedFramebufferfv(nearest_target_, GL_DEPTH, 0, far);
     glBindFramebuffer(GL_FRAMEBUFFER, nearest_target_);
     glEnable(GL_DEPTH_TEST);
-    glUseProgram(programs_.get(SCENE, "passes/caster_depth.frag"));
+    glUseProgram(programs_->get(CASTERS, "passes/caster_depth.frag"));
     scene.draw(Surfaces::opaque_casters);
     glDisable(GL_DEPTH_TEST);
 }
@@ -202,7 +203,7 @@ void ShadowMaps::draw_sums(const SceneBuffers& scene) {
     ShaderVariant variant;
     add_lighting(variant, lighting_);
     clear_colors(sums_target_, layers);
-    glUseProgram(programs_.get(SCENE, "passes/caster.frag", variant));
+    glUseProgram(programs_->get(CASTERS, "passes/caster.frag", variant));
     draw_transparent(scene, sums_target_, Blending::add);
 }
 
@@ -212,12 +213,12 @@ void ShadowMaps::filter_opaque() {
     add_lighting(of_depths, lighting_);
     of_depths.defines["OPAQUE_DEPTHS"] = "1";
     glBindFramebuffer(GL_FRAMEBUFFER, opaque_halfway_target_);
-    glUseProgram(programs_.get(FULLSCREEN, FILTER, of_depths));
+    glUseProgram(programs_->get(FULLSCREEN, FILTER, of_depths));
     glUniform2i(DIRECTION, 1, 0);
     glBindTextureUnit(0, nearest_);
     draw_fullscreen();
     glBindFramebuffer(GL_FRAMEBUFFER, opaque_target_);
-    glUseProgram(programs_.get(FULLSCREEN, FILTER));
+    glUseProgram(programs_->get(FULLSCREEN, FILTER));
     glUniform2i(DIRECTION, 0, 1);
     glUniform1i(LAYER, 0);
     glBindTextureUnit(0, opaque_halfway_);
@@ -226,7 +227,7 @@ void ShadowMaps::filter_opaque() {
 
 void ShadowMaps::filter_sums() {
     if (filtered_targets_.empty()) return;
-    glUseProgram(programs_.get(FULLSCREEN, FILTER));
+    glUseProgram(programs_->get(FULLSCREEN, FILTER));
     for (std::size_t layer = 0; layer < filtered_targets_.size(); ++layer) {
         glBindFramebuffer(GL_FRAMEBUFFER, halfway_target_);
         glUniform2i(DIRECTION, 1, 0);

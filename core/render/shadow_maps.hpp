@@ -25,7 +25,7 @@ struct ShadowStages {
 
 class ShadowMaps {
 public:
-    explicit ShadowMaps(PassTiming timing);
+    ShadowMaps(PassTiming timing, std::shared_ptr<ProgramCache> programs);
 
     /// Draws and filters what the change since the last call made stale: the light's place and the size both
     /// maps, a technique its own, the radius their filtering, beta and alpha nothing. Scene and casters are
@@ -74,7 +74,7 @@ private:
     LightFrame frame_;
     ShaderLighting lighting_;
     ShadowStages stages_;
-    ProgramCache programs_;
+    std::shared_ptr<ProgramCache> programs_;
 
     GlTexture nearest_, nearest_depth_;           // depths of opaque casters, and what tests them
     GlTexture opaque_filtered_, opaque_halfway_;  // halfway: filtered in one direction

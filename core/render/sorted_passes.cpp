@@ -16,14 +16,13 @@ std::size_t megabytes(std::size_t fragments) {
 
 }  // namespace
 
-SortedPasses::SortedPasses(glm::ivec2 size, GLuint depth)
-    : list_(size, LIST_CAPACITY, depth),
-      sort_program_(link_program("passes/fullscreen.vert", "passes/sorted.frag")) {}
+SortedPasses::SortedPasses(glm::ivec2 size, GLuint depth) : list_(size, LIST_CAPACITY, depth) {}
 
 void SortedPasses::draw_composite(const PassInput& input) {
     GLint target = 0;
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
-    const GLuint capture_program = programs_.get("passes/scene.vert", "passes/capture.frag", input.lit({}));
+    const GLuint capture_program =
+        input.programs.get("passes/scene.vert", "passes/capture.frag", input.lit({}));
     int rows = input.size.y;
     for (int y = 0; y < input.size.y;) {
         rows = std::min(rows, input.size.y - y);
@@ -40,7 +39,7 @@ void SortedPasses::draw_composite(const PassInput& input) {
         glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(target));
         glEnable(GL_SCISSOR_TEST);
         glScissor(0, y, input.size.x, rows);
-        glUseProgram(sort_program_);
+        glUseProgram(input.programs.get("passes/fullscreen.vert", "passes/sorted.frag"));
         glBindTextureUnit(0, input.opaque_color);
         list_.bind();
         draw_fullscreen();

@@ -16,8 +16,6 @@ public:
 
 private:
     FragmentList list_;
-    ProgramCache programs_;
-    GlProgram sort_program_;
 };
 
 }  // namespace momentscope

@@ -14,7 +14,6 @@ namespace momentscope {
 namespace {
 
 // passes/stored_state.glsl and state_composite.frag
-constexpr GLuint FIRST_STATE_UNIT = 2;
 constexpr GLuint SAMPLES_UNIT = 3;
 constexpr GLuint OWN_ABSORBANCE_UNIT = 10;
 constexpr GLuint OPAQUE_DEPTH_UNIT = 11;  // state.frag
@@ -108,8 +107,8 @@ void StatePasses::clear_states() const {
 void StatePasses::draw_moments(const PassInput& input) {
     make_states(input.parameters.method);
     clear_states();
-    glUseProgram(programs_.get("passes/scene.vert", "passes/state.frag",
-                               input.lit(state_building_variant(technique_, settings_, access_))));
+    glUseProgram(input.programs.get("passes/scene.vert", "passes/state.frag",
+                                    input.lit(state_building_variant(technique_, settings_, access_))));
     draw_states(input);
 }
 
@@ -134,16 +133,16 @@ void StatePasses::draw_color(const PassInput& input) {
     settings_ = input.parameters.method;  // an option may have changed that stores nothing
     if (technique_.method->holds_colors) return;
     clear_colors(color_target_, own_absorbance_ != 0 ? 2 : 1);
-    glUseProgram(programs_.get("passes/scene.vert", "passes/state_color.frag",
-                               input.lit(state_variant(technique_, settings_))));
+    glUseProgram(input.programs.get("passes/scene.vert", "passes/state_color.frag",
+                                    input.lit(state_variant(technique_, settings_))));
     bind_states();
     draw_transparent(input.scene, color_target_, Blending::add);
 }
 
 void StatePasses::draw_composite(const PassInput& input) {
     settings_ = input.parameters.method;  // or one that weighs nothing
-    glUseProgram(programs_.get("passes/fullscreen.vert", "passes/state_composite.frag",
-                               state_variant(technique_, settings_)));
+    glUseProgram(input.programs.get("passes/fullscreen.vert", "passes/state_composite.frag",
+                                    state_variant(technique_, settings_)));
     glBindTextureUnit(0, input.opaque_color);
     glBindTextureUnit(1, weighted_color_);
     glBindTextureUnit(OWN_ABSORBANCE_UNIT, own_absorbance_);

@@ -26,12 +26,13 @@ public:
     std::optional<ShaderVariant> bind_for_capture(const ResolvedParameters& parameters) const override;
 
 protected:
+    static constexpr unsigned FIRST_STATE_UNIT = 2;  // of textures: passes/stored_state.glsl
+
     virtual void bind_states() const;
 
     const Technique& technique_;
     glm::ivec2 size_;
     MethodSettings settings_;
-    ProgramCache programs_;
 
 private:
     void make_states(const MethodSettings& settings);

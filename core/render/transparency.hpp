@@ -18,6 +18,7 @@ namespace momentscope {
 /// What all passes of one picture share. The Frame block is bound, the viewport covers the size, and so are
 /// the light's maps where there are shadows.
 struct PassInput {
+    ProgramCache& programs;
     const SceneBuffers& scene;
     glm::ivec2 size;
     GLuint opaque_color;
