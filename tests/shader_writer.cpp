@@ -16,10 +16,10 @@ namespace {
 using namespace momentscope;
 
 constexpr const char* PLAIN[] = {
-    "passes/scene.vert",     "passes/fullscreen.vert",     "passes/opaque.frag",
-    "passes/composite.frag", "passes/display.frag",        "passes/capture.frag",
-    "passes/sorted.frag",    "passes/peel.frag",           "passes/peel_composite.frag",
-    "passes/copy.frag",      "passes/failure_colors.frag", "passes/farthest_depth.frag",
+    "passes/scene.vert",        "passes/fullscreen.vert",     "passes/opaque.frag",
+    "passes/composite.frag",    "passes/display.frag",        "passes/capture.frag",
+    "passes/sorted.frag",       "passes/peel.frag",           "passes/peel_composite.frag",
+    "passes/copy.frag",         "passes/failure_colors.frag", "passes/farthest_depth.frag",
     "passes/caster_depth.frag", "passes/shadow_filter.frag"};
 constexpr const char* RECONSTRUCTING[] = {"passes/color.frag", "passes/capture.frag", "passes/failures.frag"};
 
@@ -88,7 +88,8 @@ void write_shadows(const std::filesystem::path& folder, ParameterId id) {
         write(folder, name, "passes/color.frag",
               lit(reconstruction_variant(require_technique("trig3-32"), {.factored_once = true})));
         if (caster_layers(settings) > 0) write(folder, name, "passes/caster.frag", lit({}));
-        write(folder, name + ".depths", "passes/shadow_filter.frag", lit({.defines = {{"OPAQUE_DEPTHS", "1"}}}));
+        write(folder, name + ".depths", "passes/shadow_filter.frag",
+              lit({.defines = {{"OPAQUE_DEPTHS", "1"}}}));
     }
 }
 

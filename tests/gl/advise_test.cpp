@@ -11,7 +11,7 @@
 namespace momentscope::test {
 namespace {
 
-constexpr glm::ivec2 SIZE(96, 54);
+constexpr glm::ivec2 ADVICE_SIZE(96, 54);
 
 class AdviseTest : public GlTest<> {
 protected:
@@ -19,7 +19,7 @@ protected:
         scene_ = load_scene("spheres", 0.4f);
         for (const char* text : configurations) configurations_.push_back(parse_configuration(text));
         ChartSettings settings;
-        settings.size = SIZE;
+        settings.size = ADVICE_SIZE;
         settings.repeat = 1;
         ChartBench bench(scene_, settings);
         rows_ = bench.measure(configurations_, {}, [] {});
@@ -29,7 +29,7 @@ protected:
     Advice advice_for(double max_error) {
         AdviceBounds bounds;
         bounds.max_error = max_error;
-        HeldOutViews views(scene_, SIZE, {});
+        HeldOutViews views(scene_, ADVICE_SIZE, {});
         return *checked_advice(rows_, bounds, held_out_, [&](std::size_t row) {
             double worst = 0;
             for (std::size_t view = 0; view < views.count(); ++view)
@@ -39,9 +39,9 @@ protected:
     }
 
     Image drawn(const Camera& camera, const Configuration& configuration) const {
-        Renderer renderer;
+        Renderer renderer(shared_programs());
         renderer.set_scene(scene_);
-        renderer.render({camera, SIZE, configuration.technique, configuration.values});
+        renderer.render({camera, ADVICE_SIZE, configuration.technique, configuration.values});
         return renderer.read_picture();
     }
 
@@ -75,7 +75,7 @@ TEST_F(AdviseTest, WhatFailsAtHeldOutViewsIsNotAdvised) {
     for (std::size_t i = 0; i < 2; ++i) rows_[i].numbers->rmse = 0;
     for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i].numbers->total = {static_cast<double>(i + 1), 0};
     rows_[2].numbers->rmse = 0;
-    HeldOutViews views(scene_, SIZE, {});
+    HeldOutViews views(scene_, ADVICE_SIZE, {});
     std::vector<double> worst(rows_.size(), 0);
     for (std::size_t i = 0; i < rows_.size(); ++i)
         for (std::size_t view = 0; view < views.count(); ++view)

@@ -8,7 +8,7 @@
 namespace momentscope::test {
 namespace {
 
-constexpr glm::ivec2 SIZE(96, 54);
+constexpr glm::ivec2 ALPHA_MAP_SIZE(96, 54);
 constexpr float OPACITY = 0.8f;
 
 class AlphaMapTest : public GlTest<> {};
@@ -51,22 +51,24 @@ float sampled(const AlphaMap& map, glm::vec2 place) {
 
 /// Where the sheet is seen through the middle of a pixel, as a texture coordinate.
 glm::vec2 place_of(const Camera& camera, glm::ivec2 pixel) {
-    const glm::vec2 ndc = (glm::vec2(pixel) + 0.5f) / glm::vec2(SIZE) * 2.0f - 1.0f;
+    const glm::vec2 ndc = (glm::vec2(pixel) + 0.5f) / glm::vec2(ALPHA_MAP_SIZE) * 2.0f - 1.0f;
     const float half_height = camera.distance * std::tan(0.5f * camera.field_of_view);
-    const glm::vec2 at(ndc.x * half_height * float(SIZE.x) / float(SIZE.y), -ndc.y * half_height);
+    const glm::vec2 at(ndc.x * half_height * float(ALPHA_MAP_SIZE.x) / float(ALPHA_MAP_SIZE.y),
+                       -ndc.y * half_height);
     return at / glm::vec2(3.0f, 2.0f) + 0.5f;
 }
 
 TEST_F(AlphaMapTest, FragmentsHaveTheOpacityOfTheirPlaceOnTheMap) {
     const Scene scene = mapped_sheet();
-    Renderer renderer;
+    Renderer renderer(shared_programs());
     renderer.set_scene(scene);
-    renderer.render(view_of(scene, "sorted", SIZE));
-    const auto captures = renderer.capture_region({0, 0}, SIZE);
+    renderer.render(view_of(scene, "sorted", ALPHA_MAP_SIZE));
+    const auto captures = renderer.capture_region({0, 0}, ALPHA_MAP_SIZE);
     int on_sheet = 0;
-    for (int y = 0; y < SIZE.y; ++y) {
-        for (int x = 0; x < SIZE.x; ++x) {
-            const auto& fragments = captures[static_cast<std::size_t>(y * SIZE.x + x)].ray.fragments;
+    for (int y = 0; y < ALPHA_MAP_SIZE.y; ++y) {
+        for (int x = 0; x < ALPHA_MAP_SIZE.x; ++x) {
+            const auto& fragments =
+                captures[static_cast<std::size_t>(y * ALPHA_MAP_SIZE.x + x)].ray.fragments;
             if (fragments.size() != 2) continue;
             ++on_sheet;
             const float expected = OPACITY * sampled(small_map(), place_of(scene.camera, {x, y}));
@@ -84,18 +86,19 @@ TEST_F(AlphaMapTest, OpacityZeroChangesNoTechnique) {
     const Scene scene = mapped_sheet();
     Scene without = scene;
     without.objects.erase(without.objects.begin() + 1);
-    const glm::ivec2 inside(SIZE.x / 2 - 12, SIZE.y / 2 + 10);  // u about 0.26, v about 0.17
+    const glm::ivec2 inside(ALPHA_MAP_SIZE.x / 2 - 12,
+                            ALPHA_MAP_SIZE.y / 2 + 10);  // u about 0.26, v about 0.17
     ASSERT_EQ(sampled(small_map(), place_of(scene.camera, inside)), 0.0f);
-    const glm::ivec2 solid(SIZE.x / 2 + 8, SIZE.y / 2 - 5);
+    const glm::ivec2 solid(ALPHA_MAP_SIZE.x / 2 + 8, ALPHA_MAP_SIZE.y / 2 - 5);
     ASSERT_GT(sampled(small_map(), place_of(scene.camera, solid)), 0.7f);
     for (const Technique& technique : techniques()) {
         SCOPED_TRACE(technique.id);
-        Renderer with_sheet, bare;
+        Renderer with_sheet(shared_programs()), bare(shared_programs());
         if (!why_unavailable(technique, bare.ordered_access()).empty()) continue;
         with_sheet.set_scene(scene);
         bare.set_scene(without);
-        with_sheet.render(view_of(scene, technique.id, SIZE));
-        bare.render(view_of(without, technique.id, SIZE));
+        with_sheet.render(view_of(scene, technique.id, ALPHA_MAP_SIZE));
+        bare.render(view_of(without, technique.id, ALPHA_MAP_SIZE));
         const PixelCapture capture = with_sheet.capture_pixel(inside);
         ASSERT_EQ(capture.ray.fragments.size(), 2u);
         EXPECT_EQ(capture.ray.fragments[0].opacity, 0.0f);

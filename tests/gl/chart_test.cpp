@@ -1,4 +1,6 @@
 // chart_test.cpp -- charts of real pictures: what must repeat does, what was ended goes on, times are taken.
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include "core/chart/camera_path.hpp"
@@ -117,7 +119,7 @@ TEST_F(ChartTest, StoppedBeforeItBeganIsEmpty) {
 
 TEST_F(ChartTest, RedrawingRunsEveryStageButTheOpaqueOneAndChangesNothing) {
     const Scene scene = load_scene("planes", 0.4f);
-    Renderer renderer;
+    Renderer renderer(shared_programs());
     renderer.set_scene(scene);
     renderer.render(view_of(scene, "power4-32", {48, 27}));
     const Image picture = renderer.read_picture();
@@ -147,7 +149,7 @@ TEST(CameraPath, TurnsEvenlyAboutTheCamera) {
     ASSERT_EQ(path.size(), static_cast<std::size_t>(PATH_FRAMES));
     EXPECT_NEAR(0.5f * (path.front().azimuth + path.back().azimuth), camera.azimuth, 1e-6f);
     for (std::size_t i = 1; i < path.size(); ++i)
-        EXPECT_NEAR(path[i].azimuth - path[i - 1].azimuth, 0.5f * 3.14159265f / 180, 1e-6f);
+        EXPECT_NEAR(path[i].azimuth - path[i - 1].azimuth, 0.5f * std::numbers::pi_v<float> / 180, 1e-6f);
 }
 
 }  // namespace

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/effort.hpp"
 #include "tests/gl/gl_fixture.hpp"
 #include "tests/property/moment_rows.hpp"
 
 namespace momentscope::test {
 namespace {
 
-constexpr glm::ivec2 SIZE(640, 360);
+// What cannot be drawn or is no number does not wait for a large picture.
+const glm::ivec2 PICTURE_SIZE = effort(1, 4) * glm::ivec2(160, 90);
 
 std::vector<const Technique*> all_techniques() {
     std::vector<const Technique*> rows;
@@ -18,7 +20,7 @@ std::vector<const Technique*> all_techniques() {
 }
 
 // Every choice; of ranges the ends and two between.
-std::vector<ParameterValues> choices_of(const Technique& technique) {
+std::vector<ParameterValues> few_choices_of(const Technique& technique) {
     std::vector<ParameterValues> all;
     for (const ParameterId id : technique.parameters) {
         const Parameter& row = parameter(id);
@@ -55,20 +57,20 @@ protected:
 
 TEST_P(EveryTechniqueTest, DrawsEveryScene) {
     const Technique& technique = *GetParam();
-    Renderer renderer;
+    Renderer renderer(shared_programs());
     if (const std::string why = why_unavailable(technique, renderer.ordered_access()); !why.empty())
         GTEST_SKIP() << why;
-    std::vector<ParameterValues> choices = choices_of(technique);
+    std::vector<ParameterValues> choices = few_choices_of(technique);
     std::size_t next = 0;
     const std::size_t scenes = scene_entries().size();
     for (std::size_t i = 0; i < scenes; ++i) {
         const SceneEntry& entry = scene_entries()[i];
         const Scene scene = load_scene(entry.id, 0.4f);
         renderer.set_scene(scene);
-        expect_picture(renderer, view_of(scene, technique.id, SIZE), entry.id);
+        expect_picture(renderer, view_of(scene, technique.id, PICTURE_SIZE), entry.id);
         // Choices in turns over the scenes; states_test.cpp draws each on every scene, in small.
         for (const std::size_t end = choices.size() * (i + 1) / scenes; next < end; ++next) {
-            View view = view_of(scene, technique.id, SIZE);
+            View view = view_of(scene, technique.id, PICTURE_SIZE);
             view.parameters = choices[next];
             expect_picture(renderer, view, entry.id);
         }
@@ -81,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(Techniques, EveryTechniqueTest, ::testing::ValuesIn(all
 using Refusals = GlTest<>;
 
 TEST_F(Refusals, NonlinearMomentsAtLowResolution) {
-    Renderer renderer;
+    Renderer renderer(shared_programs());
     const Scene scene = load_scene("planes", 0.4f);
     renderer.set_scene(scene);
     View view = view_of(scene, "mt", {32, 18});

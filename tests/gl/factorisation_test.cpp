@@ -13,7 +13,7 @@
 namespace momentscope::test {
 namespace {
 
-constexpr glm::ivec2 SIZE{96, 54};
+constexpr glm::ivec2 FACTORISATION_SIZE{96, 54};
 
 ParameterValues values_for(bool once, float alpha_scale, const Technique& technique) {
     ParameterValues values;
@@ -24,7 +24,7 @@ ParameterValues values_for(bool once, float alpha_scale, const Technique& techni
 
 std::vector<float> transmittances(Renderer& renderer) {
     std::vector<float> all;
-    for (const PixelCapture& capture : renderer.capture_region({0, 0}, SIZE))
+    for (const PixelCapture& capture : renderer.capture_region({0, 0}, FACTORISATION_SIZE))
         all.insert(all.end(), capture.transmittance.begin(), capture.transmittance.end());
     return all;
 }
@@ -35,7 +35,7 @@ TEST_P(FactorisationTest, OncePerPixelGivesTheSameTransmittance) {
     const Technique& technique = *GetParam();
     for (const char* id : {"teapots", "ship"}) {
         const Scene scene = load_scene(id, 0.4f);
-        Renderer renderer;
+        Renderer renderer(shared_programs());
         renderer.set_scene(scene);
         // Bias, then the camera change, so that stored factors are stale twice.
         for (const auto& [alpha_scale, turn] :
@@ -44,7 +44,8 @@ TEST_P(FactorisationTest, OncePerPixelGivesTheSameTransmittance) {
             camera.azimuth += turn;
             std::vector<float> found[2];
             for (const bool once : {true, false}) {
-                renderer.render({camera, SIZE, &technique, values_for(once, alpha_scale, technique)});
+                renderer.render(
+                    {camera, FACTORISATION_SIZE, &technique, values_for(once, alpha_scale, technique)});
                 found[once] = transmittances(renderer);
             }
             ASSERT_EQ(found[0].size(), found[1].size());
@@ -77,13 +78,13 @@ class NeededMapTest : public GlTest<testing::Test> {};
 
 TEST_F(NeededMapTest, OfPlanesIsWhatTheNumberOfSheetsSays) {
     const Scene scene = load_scene("planes", 0.4f);
-    Renderer renderer;
+    Renderer renderer(shared_programs());
     renderer.set_scene(scene);
-    renderer.render(view_of(scene, "sorted", SIZE));
+    renderer.render(view_of(scene, "sorted", FACTORISATION_SIZE));
     constexpr std::array WANTED = {Needed::nothing, Needed::four, Needed::four, Needed::four, Needed::six};
     std::map<std::size_t, long> pixels;
     for (const char* basis : {"power", "chebyshev"})
-        for (const PixelCapture& capture : renderer.capture_region({0, 0}, SIZE)) {
+        for (const PixelCapture& capture : renderer.capture_region({0, 0}, FACTORISATION_SIZE)) {
             const std::size_t sheets = capture.ray.fragments.size();
             ++pixels[sheets];
             EXPECT_EQ(pixel_need(capture.ray, moment_orders(basis), {}).by_certificate, WANTED.at(sheets))

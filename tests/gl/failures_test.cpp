@@ -16,7 +16,7 @@ class Failures : public GlTest<testing::TestWithParam<const Technique*>> {
 protected:
     FailureCounts count(const char* scene_id, const ParameterValues& values) {
         const Scene scene = load_scene(scene_id, 0.4f);
-        Renderer renderer;
+        Renderer renderer(shared_programs());
         renderer.set_scene(scene);
         View view = view_of(scene, GetParam()->id, {320, 180});
         view.parameters = values;
@@ -34,7 +34,7 @@ TEST_P(Failures, AreNextToNoneOnTheScenesWithTheRobustBias) {
     long fragments = 0, outside = 0, off = 0;
     for (const char* id : {"planes", "spheres", "teapots"}) {
         const Scene scene = load_scene(id, 0.4f);
-        Renderer renderer;
+        Renderer renderer(shared_programs());
         renderer.set_scene(scene);
         View view = view_of(scene, technique.id, {96, 54});
         view.parameters = values;
@@ -62,8 +62,10 @@ TEST_P(Failures, AreNextToNoneOnTheScenesWithTheRobustBias) {
     EXPECT_LE(off, fragments / 500);
 }
 
-TEST_P(Failures, OfTheTextbookWithoutBiasAreSeen) {
-    if (!GetParam()->uses(ParameterId::solver) || GetParam()->order_dependent) return;
+// With a textbook solver, and in floats: rounding to 16 bits alone keeps matrices from being singular.
+class TextbookFailures : public Failures {};
+
+TEST_P(TextbookFailures, WithoutBiasAreSeen) {
     ParameterValues values;
     values.set(ParameterId::solver, 1.0f);
     values.set(ParameterId::alpha, 0.0f);
@@ -71,6 +73,12 @@ TEST_P(Failures, OfTheTextbookWithoutBiasAreSeen) {
     values.set(ParameterId::alpha, 0.01f);
     EXPECT_EQ(count("planes", values).failed, 0) << GetParam()->id << ": that is what bias is for";
 }
+
+INSTANTIATE_TEST_SUITE_P(Techniques, TextbookFailures,
+                         testing::ValuesIn(moment_techniques_where([](const Technique& row) {
+                             return row.kernel->has_textbook && row.kernel->bits == 32;
+                         })),
+                         [](const auto& row) { return test_name(*row.param); });
 
 INSTANTIATE_TEST_SUITE_P(Techniques, Failures, testing::ValuesIn(moment_based_techniques()),
                          [](const auto& row) { return test_name(*row.param); });

@@ -15,6 +15,13 @@ inline GlContext& shared_context() {
     return *context;
 }
 
+/// The programs of all renderers of the context: linking them takes longer than the pictures of most tests.
+inline const std::shared_ptr<ProgramCache>& shared_programs() {
+    shared_context();  // outlives them
+    static const auto programs = std::make_shared<ProgramCache>();
+    return programs;
+}
+
 /// A fixture whose tests may call GL.
 template <typename Base = testing::Test>
 class GlTest : public Base {

@@ -18,7 +18,7 @@ class OrderTest : public GlTest<::testing::TestWithParam<const Technique*>> {};
 TEST_P(OrderTest, MattersWhereItIsSaid) {
     const Technique& technique = *GetParam();
     const Scene scene = load_scene("cloud", 0.4f);
-    Renderer renderer;
+    Renderer renderer(shared_programs());
     renderer.set_scene(scene);
     if (const std::string why = why_unavailable(technique, renderer.ordered_access()); !why.empty())
         GTEST_SKIP() << why;
@@ -52,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(Techniques, OrderTest, ::testing::ValuesIn(drawn_techni
 TEST(SubmissionOrderTest, CapturedFragmentsComeInIt) {
     shared_context();
     const Scene scene = load_scene("teapots", 0.4f);
-    Renderer renderer;
+    Renderer renderer(shared_programs());
     renderer.set_scene(scene);
     View view = view_of(scene, "sorted", {96, 54});
     renderer.render(view);

@@ -12,7 +12,7 @@ class PeelingTest : public GlTest<> {};
 
 /// Rendered by one technique, as 8-bit sRGB.
 Image picture(const Scene& scene, const char* technique, glm::ivec2 size) {
-    Renderer renderer;
+    Renderer renderer(shared_programs());
     renderer.set_scene(scene);
     renderer.render(view_of(scene, technique, size));
     return renderer.read_picture();
@@ -63,7 +63,7 @@ TEST_F(PeelingTest, AgreesWithSortedWhereNoDepthsTie) {
     for (const char* id : {"foliage", "ship", "smoke"}) {
         const Scene scene = load_scene(id, 0.4f);
         const glm::ivec2 size(240, 135);
-        Renderer renderer;
+        Renderer renderer(shared_programs());
         renderer.set_scene(scene);
         renderer.render(view_of(scene, "sorted", size));
         const auto pixels = differing_pixels(renderer.read_picture(), picture(scene, "peeling", size));
@@ -93,7 +93,7 @@ TEST_F(PeelingTest, WithoutTransparencyItIsTheOpaquePicture) {
 
 TEST_F(PeelingTest, FailuresAppearWithoutBiasAndOnlyThen) {
     const Scene scene = load_scene("spheres", 0.4f);
-    Renderer renderer;
+    Renderer renderer(shared_programs());
     renderer.set_scene(scene);
     View view = view_of(scene, "power8-32", {160, 90});
     renderer.render(view);
@@ -112,7 +112,7 @@ TEST_F(PeelingTest, FailuresAppearWithoutBiasAndOnlyThen) {
 
 TEST_F(PeelingTest, ARegionIsCutOutOfThePicture) {
     const Scene scene = load_scene("spheres", 0.4f);
-    Renderer renderer;
+    Renderer renderer(shared_programs());
     renderer.set_scene(scene);
     renderer.render(view_of(scene, "power4-32", {64, 48}));
     const Image whole = renderer.read_picture();
@@ -127,7 +127,7 @@ TEST_F(PeelingTest, ARegionIsCutOutOfThePicture) {
 TEST_F(PeelingTest, MomentsCompositeByHand) {
     const Scene scene = load_scene("planes", 0.4f);
     for (const float renormalize : {0.0f, 1.0f}) {
-        Renderer renderer;
+        Renderer renderer(shared_programs());
         renderer.set_scene(scene);
         View view = view_of(scene, "power4-32", {64, 36});
         view.parameters.set(ParameterId::renormalize, renormalize);

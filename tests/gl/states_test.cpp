@@ -12,7 +12,7 @@
 namespace momentscope::test {
 namespace {
 
-constexpr glm::ivec2 SIZE(160, 90);
+constexpr glm::ivec2 STATES_SIZE(160, 90);
 constexpr std::size_t PIXELS = 200;
 
 std::vector<const Technique*> method_techniques() {
@@ -111,9 +111,9 @@ TEST_P(StatesTest, EveryPixelIsWhatCppComposes) {
     const Technique& technique = *GetParam();
     for (const SceneEntry& entry : scene_entries()) {
         const Scene scene = load_scene(entry.id, 0.4f);
-        Renderer renderer;
+        Renderer renderer(shared_programs());
         renderer.set_scene(scene);
-        View view = view_of(scene, technique.id, SIZE);
+        View view = view_of(scene, technique.id, STATES_SIZE);
         if (const std::string why = why_unavailable(technique, renderer.ordered_access()); !why.empty())
             GTEST_SKIP() << why;
         const std::vector<ParameterValues> choices =
@@ -121,7 +121,7 @@ TEST_P(StatesTest, EveryPixelIsWhatCppComposes) {
         for (const ParameterValues& values : choices) {
             view.parameters = values;
             renderer.render(view);
-            const auto captures = renderer.capture_region({0, 0}, SIZE);
+            const auto captures = renderer.capture_region({0, 0}, STATES_SIZE);
             expect_composed(technique, values, some_covered(renderer.read_picture(), captures), entry.id);
         }
     }
@@ -132,12 +132,12 @@ TEST(CapturesTest, KnowWhatLiesBehind) {
     shared_context();
     for (const SceneEntry& entry : scene_entries()) {
         const Scene scene = load_scene(entry.id, 0.4f);
-        Renderer renderer, opaque;
+        Renderer renderer(shared_programs()), opaque(shared_programs());
         renderer.set_scene(scene);
-        renderer.render(view_of(scene, "unsorted", SIZE));
+        renderer.render(view_of(scene, "unsorted", STATES_SIZE));
         opaque.set_scene(opaque_part(scene));
-        opaque.render(view_of(scene, "sorted", SIZE));
-        const auto captures = renderer.capture_region({0, 0}, SIZE);
+        opaque.render(view_of(scene, "sorted", STATES_SIZE));
+        const auto captures = renderer.capture_region({0, 0}, STATES_SIZE);
         const Image behind = opaque.read_picture();
         for (std::size_t i = 0; i < captures.size(); ++i)
             ASSERT_EQ(captures[i].behind, glm::vec3(behind.pixels[i])) << entry.id << ", pixel " << i;
@@ -160,13 +160,13 @@ TEST_P(WithMomentsTest, EveryPixelIsWhatCppComposes) {
     const Technique& technique = *GetParam();
     for (const SceneEntry& entry : scene_entries()) {
         const Scene scene = load_scene(entry.id, 0.4f);
-        Renderer renderer;
+        Renderer renderer(shared_programs());
         renderer.set_scene(scene);
-        const View view = view_of(scene, technique.id, SIZE);
+        const View view = view_of(scene, technique.id, STATES_SIZE);
         if (const std::string why = why_unavailable(technique, renderer.ordered_access()); !why.empty())
             GTEST_SKIP() << why;
         renderer.render(view);
-        const auto captures = renderer.capture_region({0, 0}, SIZE);
+        const auto captures = renderer.capture_region({0, 0}, STATES_SIZE);
         float worst = 0;
         for (const auto& [shown, capture] : some_covered(renderer.read_picture(), captures)) {
             const auto rows = pixel_history(capture.ray, {}, technique, view.parameters);

@@ -38,10 +38,12 @@ TEST_P(ParameterTest, EveryOneMovesItsControlAndChangesWhatIsShown) {
         EXPECT_NE(state().parameters[id], ParameterValues()[id]);
         EXPECT_TRUE(explorer().message().empty()) << explorer().message();
         EXPECT_GT(changed(fmt::format("parameter.{}", row.key), before, after), 0);
-        // These are made to agree on such a scene; other tests tell them apart.
-        const bool alike = id == ParameterId::preset || id == ParameterId::solver ||
-                           id == ParameterId::factorisation || id == ParameterId::accumulation;
-        EXPECT_GT(changed("scene", before, after), alike ? -1 : 50);
+        // These change what is computed and leave what is seen: less bias than can be seen on such a scene,
+        // and three ways to the same bits. RobustBias, Textbook, FactorisationTest and Storage tell them
+        // apart.
+        const bool seen = id != ParameterId::preset && id != ParameterId::solver &&
+                          id != ParameterId::factorisation && id != ParameterId::accumulation;
+        EXPECT_EQ(changed("scene", before, after) > 50, seen);
     }
 }
 
@@ -163,7 +165,14 @@ TEST_F(ExplorerTest, AMissingMeshKeepsTheLastGoodScene) {
 
 TEST_F(ExplorerTest, AnEmptyPixelSaysSo) {
     open("planes", "trig2-32");
-    play("click " + on_scene({2, 2}) + "\nkey Ctrl+2");
+    play("key Ctrl+2");
+    EXPECT_FALSE(explorer().anchors().contains("plot.empty") ||
+                 explorer().anchors().contains("fragments.empty"));
+    play("click " + on_scene({2, 2}));
+    EXPECT_TRUE(explorer().anchors().contains("plot.empty") &&
+                explorer().anchors().contains("fragments.empty"));
+    EXPECT_NE(ui::empty_ray_text(measurement()).find("Click one in the scene"), std::string::npos)
+        << "what to do";
     EXPECT_TRUE(measurement().capture.ray.fragments.empty());
     EXPECT_EQ(measurement().curve.total_absorbance, 0);
 }
@@ -238,13 +247,16 @@ TEST_F(ExplorerTest, TheLensShowsThePickedPixelsValue) {
 
 TEST_F(ExplorerTest, FailuresAreMarkedWithoutBias) {
     open("spheres", "power8-32");
-    const auto biased = screen();
     play("click @scene.failures\nmove 5 790");
     const auto marked = screen();
-    EXPECT_LT(changed("scene", biased, marked), 12'000) << "with Table 1's bias only the label appears";
+    ASSERT_TRUE(explorer().failures());
+    EXPECT_EQ(explorer().failures()->failed, 0) << "Table 1's bias suffices";
     play("key Ctrl+1\nclick @parameter.alpha 0.01 0.5\nmove 5 790");
     EXPECT_EQ(state().parameters[ParameterId::alpha], std::optional(0.0f));
-    EXPECT_GT(changed("scene", marked, screen()), 20'000);
+    ASSERT_TRUE(explorer().failures());
+    const long failed = explorer().failures()->failed;
+    EXPECT_GT(failed, 0);
+    EXPECT_GE(changed("scene", marked, screen()), failed) << "each is marked";
 }
 
 TEST_F(ExplorerTest, PinsKeepSmallPlots) {

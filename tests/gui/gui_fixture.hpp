@@ -11,6 +11,18 @@
 
 namespace momentscope::test {
 
+/// The GL of all windows of the process: making it and linking its programs takes longer than most tests.
+struct SharedGl {
+    static constexpr glm::ivec2 SIZE{1280, 800};
+    std::shared_ptr<GlContext> context = make_gl_context("osmesa", SIZE);
+    std::shared_ptr<ProgramCache> programs = std::make_shared<ProgramCache>();
+};
+
+inline const SharedGl& shared_gl() {
+    static const SharedGl gl;
+    return gl;
+}
+
 class GuiTest : public testing::Test {
 protected:
     explicit GuiTest(glm::ivec2 size = {1280, 800}) : size_(size) {}
@@ -24,7 +36,7 @@ protected:
     }
     ui::Explorer& open(const ui::ExplorerState& state) {
         window_.reset();  // its ImGui context goes before the next one comes
-        window_ = std::make_unique<HeadlessWindow>(size_, state,
+        window_ = std::make_unique<HeadlessWindow>(shared_gl().context, shared_gl().programs, size_, state,
                                                    ui::ExplorerOptions{1, false, most_milliseconds_}, log_);
         window_->settle();
         return window_->explorer();

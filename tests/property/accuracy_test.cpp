@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "core/ray/ray_json.hpp"
+#include "tests/effort.hpp"
 #include "tests/property/moment_rows.hpp"
 #include "tests/property/random_rays.hpp"
 
@@ -159,7 +160,7 @@ protected:
 };
 
 TEST_P(Accuracy, AtOwnDepthsAgainstExactArithmetic) {
-    Measurement measured = measure(*GetParam(), {}, ray_count(100'000));
+    Measurement measured = measure(*GetParam(), {}, effort(10'000, 1'000'000));
     fmt::print("{}: {} rays; without exact result from the float moments: {}; pivots floored: {}\n",
                GetParam()->id, measured.rays, measured.without_exact_result, measured.floored_pivots);
     for (std::size_t k = 0; k < BETAS.size(); ++k)
@@ -167,17 +168,23 @@ TEST_P(Accuracy, AtOwnDepthsAgainstExactArithmetic) {
 }
 
 // With the bias that power moments of the same count have, Chebyshev moments must be as accurate as these.
-TEST_P(Accuracy, OfChebyshevMomentsAtTable1sBias) {
+class ChebyshevAccuracy : public Accuracy {};
+
+TEST_P(ChebyshevAccuracy, IsThatOfPowerMomentsAtTable1sBias) {
     const Technique& technique = *GetParam();
-    if (!technique.on_chebyshev() || technique.uses(ParameterId::tolerance)) return;
     const Technique& power = require_technique(fmt::format("power{}-32", technique.moment_count));
     ParameterValues values;
     values.set(ParameterId::alpha, power.recommended_bias);
-    Measurement measured = measure(technique, values, ray_count(100'000));
+    Measurement measured = measure(technique, values, effort(10'000, 1'000'000));
     for (std::size_t k = 0; k < BETAS.size(); ++k)
         check(technique, BETAS[k], AT_TABLE_1, measured.by_beta[k]);
 }
 
+INSTANTIATE_TEST_SUITE_P(Techniques, ChebyshevAccuracy,
+                         testing::ValuesIn(moment_techniques_where([](const Technique& row) {
+                             return row.on_chebyshev() && !row.uses(ParameterId::tolerance);  // fixed counts
+                         })),
+                         [](const auto& row) { return test_name(*row.param); });
 INSTANTIATE_TEST_SUITE_P(Techniques, Accuracy, testing::ValuesIn(moment_based_techniques()),
                          [](const auto& row) { return test_name(*row.param); });
 

@@ -15,4 +15,11 @@ inline std::string test_name(const Technique& technique) {
     return name;
 }
 
+/// Those techniques with moments for which `holds`.
+inline std::vector<const Technique*> moment_techniques_where(bool (*holds)(const Technique&)) {
+    std::vector<const Technique*> rows = moment_based_techniques();
+    std::erase_if(rows, [holds](const Technique* row) { return !holds(*row); });
+    return rows;
+}
+
 }  // namespace momentscope::test

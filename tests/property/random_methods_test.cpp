@@ -19,12 +19,12 @@ namespace momentscope::glsl::threshold_parts {
 namespace momentscope::test {
 namespace {
 
-constexpr int RAYS = 300;
+constexpr int FOLLOWED_RAYS = 300;
 
 TEST(Stochastic, CountsTheSamplesThatSeeADepth) {
     const Technique& technique = require_technique("stochastic");
     RandomNumbers random(27);
-    for (int i = 0; i < RAYS; ++i) {
+    for (int i = 0; i < FOLLOWED_RAYS; ++i) {
         const ViewRay ray = reseeded(random_ray(random, 1 + i % 12), static_cast<std::uint32_t>(i));
         const int samples = 1 + i % 64;
         const ParameterValues values = values_with({{ParameterId::samples, static_cast<float>(samples)},

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <sstream>
 #include <string>
 
@@ -11,8 +12,6 @@ using namespace momentscope;
 using nlohmann::ordered_json;
 
 namespace {
-
-constexpr double PI = 3.14159265358979323846;
 
 /// Fragments of opacity one half at -.5 and three quarters at .5.
 ViewRay two_fragments() {
@@ -118,7 +117,7 @@ TEST(CurveJson, ListsTrigonometricMomentsAsRealAndImaginaryParts) {
         ASSERT_EQ(moments.size(), 2 * count + 1);
         EXPECT_NEAR(moments[0].get<double>(), 3 * std::log(2), 6e-7);
         for (std::size_t k = 1; k <= count; ++k) {
-            const double near = static_cast<double>(k) * 0.5 * (PI - PI / 20);  // theta is pi / 10
+            const double near = static_cast<double>(k) * 0.475 * std::numbers::pi;  // theta is pi / 10
             const double re = std::log(2) * (std::cos(near) + 2 * std::cos(3 * near));
             const double im = std::log(2) * (std::sin(near) + 2 * std::sin(3 * near));
             // sincos errs by 2.1e-7, twice that for its square, k times for its power, times the 2.1 of
@@ -142,12 +141,12 @@ TEST(CurveJson, OfAnEmptyRayIsAllZeros) {
 TEST(CurveJson, KeepsTheOrderOfCurvesAndEveryDigitOfAFloat) {
     const ViewRay ray = two_fragments();
     const std::vector<Curve> curves = {curve_of(ray, "trig2-32", 33), curve_of(ray, "power8-32", 33)};
-    const ordered_json json = json_of(ray, curves)["curves"];
-    ASSERT_EQ(json.size(), 2u);
+    const ordered_json rows = json_of(ray, curves)["curves"];
+    ASSERT_EQ(rows.size(), 2u);
     for (std::size_t c = 0; c < 2; ++c) {
-        EXPECT_EQ(json[c]["technique"], curves[c].technique->id);
-        EXPECT_EQ(json[c]["reconstructed"].get<std::vector<float>>(), curves[c].reconstructed);
-        EXPECT_EQ(json[c]["true"].get<std::vector<double>>(), curves[c].truth);
+        EXPECT_EQ(rows[c]["technique"], curves[c].technique->id);
+        EXPECT_EQ(rows[c]["reconstructed"].get<std::vector<float>>(), curves[c].reconstructed);
+        EXPECT_EQ(rows[c]["true"].get<std::vector<double>>(), curves[c].truth);
     }
 }
 

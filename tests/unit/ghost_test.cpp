@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "core/inspect/canonical.hpp"
@@ -119,7 +120,7 @@ TEST(CanonicalRepresentation, OfTwoSheetsIsTheTwoSheets) {
         EXPECT_EQ(canonical.nodes[1].value, 0) << "behind it";
     }
     EXPECT_NEAR(end_of_circle(0), 1, 1e-6);
-    EXPECT_NEAR(end_of_circle(3.14159265f), 3, 1e-6);
+    EXPECT_NEAR(end_of_circle(std::numbers::pi_v<float>), 3, 1e-6);
 }
 
 TEST(PixelHistory, FollowsCompositingByHand) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "core/inspect/exact.hpp"
@@ -120,7 +121,7 @@ TEST(Quantisation, OneFragmentComesBack) {
                 double exact = std::pow(static_cast<double>(z), k + 1);
                 if (technique->on_circle()) {
                     const double phase =
-                        (static_cast<double>(z) + 1) * (3.14159265358979 - 0.15) * (k / 2 + 1);
+                        (static_cast<double>(z) + 1) * (std::numbers::pi - 0.15) * (k / 2 + 1);
                     exact = k % 2 == 0 ? std::cos(phase) : std::sin(phase);
                 }
                 worst = std::max(worst,

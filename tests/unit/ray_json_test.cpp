@@ -70,10 +70,10 @@ TEST(RayJson, ComesBackTheSameWithALogarithmicWarp) {
         ray.fragments.push_back(fragment_at(view_depth, 0.3f, {0.2f, 0.4f, 0.8f}));
         ray.fragments.back().depth = to_depth(view_depth, ray.warp);
     }
-    const auto json = ray_to_json(ray);
-    EXPECT_EQ(json["warp"]["kind"], "log");
-    EXPECT_EQ(json["fragments"][1]["depth"], 7.7f);  // linear, not warped
-    expect_same(ray_from_json(json.dump()), ray);
+    const auto root = ray_to_json(ray);
+    EXPECT_EQ(root["warp"]["kind"], "log");
+    EXPECT_EQ(root["fragments"][1]["depth"], 7.7f);  // linear, not warped
+    expect_same(ray_from_json(root.dump()), ray);
 }
 
 TEST(RayJson, ComesBackTheSameWithTheLinearWarpOfALight) {
@@ -85,9 +85,9 @@ TEST(RayJson, ComesBackTheSameWithTheLinearWarpOfALight) {
     }
     EXPECT_EQ(ray.fragments[1].depth, -0.5f);
     EXPECT_EQ(to_view_depth(-0.5f, ray.warp), 8.0f);
-    const auto json = ray_to_json(ray);
-    EXPECT_EQ(json["warp"]["kind"], "linear");
-    expect_same(ray_from_json(json.dump()), ray);
+    const auto root = ray_to_json(ray);
+    EXPECT_EQ(root["warp"]["kind"], "linear");
+    expect_same(ray_from_json(root.dump()), ray);
 }
 
 TEST(RayJson, NumbersFragmentsByTheirOrderAndFillsInWhatIsOptional) {

@@ -1,0 +1,53 @@
+"""Which test a worker runs next."""
+
+import threading
+
+from testing.suites import Program, Suite
+
+SECONDS_OF_AN_UNKNOWN_TEST = 0.3
+
+
+class Schedule:
+    """Hands out tests one by one. A worker keeps to a suite, then to a program, whose process has loaded and
+    compiled what they need; when all suites are taken, it helps where most is left. Longest first, by the times
+    of the last run."""
+
+    def __init__(self, suites: list[Suite], seconds: dict[str, float]):
+        self.seconds = seconds
+        self.lock = threading.Lock()
+        self.waiting = sorted(suites, key=self.left, reverse=True)  # no worker has them
+        self.taken: list[Suite] = []
+
+    def left(self, suite: Suite) -> float:
+        return sum(self.seconds.get(test, SECONDS_OF_AN_UNKNOWN_TEST) for test in suite.tests)
+
+    def take(self, last: Suite | None) -> tuple[Suite, str] | None:
+        """The next test for a worker whose last one was of suite `last`; None when there are no more."""
+        with self.lock:
+            suite = self.choose(last)
+            if suite is None:
+                return None
+            if suite in self.waiting:
+                self.waiting.remove(suite)
+                self.taken.append(suite)
+            test = suite.tests.pop(0)
+            if not suite.tests:
+                self.taken.remove(suite)
+            return suite, test
+
+    def choose(self, last: Suite | None) -> Suite | None:
+        if last is not None:
+            if last.tests:
+                return last
+            for suite in self.waiting:
+                if suite.program is last.program:
+                    return suite
+        if self.waiting:
+            program = max((suite.program for suite in self.waiting), key=self.left_of)
+            return next(suite for suite in self.waiting if suite.program is program)
+        return max(self.taken, key=self.left, default=None)
+
+    def left_of(self, program: Program) -> tuple[bool, float]:
+        """Programs without a worker come first."""
+        busy = any(suite.program is program for suite in self.taken)
+        return not busy, sum(self.left(suite) for suite in self.waiting if suite.program is program)

@@ -1,0 +1,41 @@
+// serve_main.cpp -- main of every test program. With --serve it runs the tests whose names come in on
+// standard input, one a line, so that scripts/run-tests can share tests out between processes that live long
+// enough to load their libraries and compile their shaders once.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <iostream>
+#include <string>
+#include <string_view>
+
+namespace {
+
+constexpr char END_OF_TEST = '\x1e';  // begins the line that says how a test ended
+
+const char* outcome(const testing::UnitTest& run, int code) {
+    if (code != 0) return "failed";
+    if (run.test_to_run_count() == 0) return "unknown";
+    return run.skipped_test_count() > 0 ? "skipped" : "passed";
+}
+
+void serve() {
+    std::string name;
+    while (std::getline(std::cin, name)) {
+        GTEST_FLAG_SET(filter, name);
+        const int code = RUN_ALL_TESTS();
+        std::cout.flush();
+        std::printf("\n%c%s\n", END_OF_TEST, outcome(*testing::UnitTest::GetInstance(), code));
+        std::fflush(stdout);
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    testing::InitGoogleTest(&argc, argv);
+    if (argc == 2 && std::string_view(argv[1]) == "--serve") {
+        serve();
+        return 0;
+    }
+    return RUN_ALL_TESTS();
+}
