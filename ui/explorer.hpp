@@ -104,6 +104,8 @@ public:
     const ChartPanel& chart_panel() const { return chart_panel_; }
     const FrameReport& report() const { return report_; }
     const std::string& message() const { return message_; }
+    /// How many fragments of the picture fail, while they are marked.
+    const std::optional<FailureCounts>& failures() const { return picture_.failures; }
 
     /// What the scene is shown without, which is also its first message; empty when nothing is missing.
     std::string warning() const;

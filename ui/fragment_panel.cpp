@@ -31,19 +31,12 @@ std::string submitted_place(const PixelHistoryRow& row) {
     return fmt::format("{}", row.fragment + 1);
 }
 
-ImU32 display_color(const glm::vec3& linear) {
-    const auto byte = [](float value) {
-        return static_cast<int>(std::lround(255 * srgb_from_linear(value)));
-    };
-    return IM_COL32(byte(linear.r), byte(linear.g), byte(linear.b), 255);
-}
-
 void swatch(const glm::vec3& linear) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float height = ImGui::GetTextLineHeight();
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled({low.x, low.y + 2}, {low.x + 1.5f * em(), low.y + height - 1}, display_color(linear),
-                       2);
+    list.AddRectFilled({low.x, low.y + 2}, {low.x + 1.5f * em(), low.y + height - 1},
+                       ImGui::ColorConvertFloat4ToU32(display_color(linear)), 2);
     list.AddRect({low.x, low.y + 2}, {low.x + 1.5f * em(), low.y + height - 1},
                  ImGui::GetColorU32(ImGuiCol_Border), 2);
     ImGui::Dummy({1.5f * em(), height});
@@ -153,9 +146,8 @@ std::string light_summary(const LightView& light) {
 
 void draw_fragment_panel(const Ui& ui, const Measurement& m, ExplorerState& state) {
     if (m.history.empty()) {
-        ImGui::TextWrapped("%s", m.light
-                                     ? "The light's map has no such caster there."
-                                     : "No transparent surface covers this pixel. Click one in the scene.");
+        ImGui::TextWrapped("%s", empty_ray_text(m).c_str());
+        ui.mark("fragments.empty");
         return;
     }
     if (m.light) {

@@ -137,4 +137,9 @@ void measure_query(Measurement& m, const ExplorerState& state) {
     m.steps = reconstruction_steps(m.curve, query);
 }
 
+std::string empty_ray_text(const Measurement& measurement) {
+    return measurement.light ? "The light's map has no such caster there."
+                             : "No transparent surface covers this pixel. Click one in the scene.";
+}
+
 }  // namespace momentscope::ui

@@ -73,6 +73,9 @@ BandExit band_exit(const Curve& curve);
 /// Where the curve's solver fails; evaluates it once more per depth if it is the textbook's.
 SolverFailure solver_failure(const Curve& curve);
 
+/// What panels say in place of a ray without fragments.
+std::string empty_ray_text(const Measurement& measurement);
+
 /// Do two states have the same curves over one capture?
 bool same_curves(const ExplorerState& a, const ExplorerState& b);
 

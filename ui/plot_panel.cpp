@@ -286,13 +286,12 @@ void PlotPanel::draw(const Ui& ui, const Measurement& m, ExplorerState& state, I
     list.PushClipRect(axes.area.low, axes.area.high, true);
     draw_layers(list, axes, ui.colors, {m, state, hovered});
     list.PopClipRect();
-    if (m.capture.ray.fragments.empty())
+    if (m.capture.ray.fragments.empty()) {
         draw_text(list,
                   {0.5f * (axes.area.low.x + axes.area.high.x), 0.5f * (axes.area.low.y + axes.area.high.y)},
-                  {0.5f, 0.5f},
-                  m.light ? "The light's map has no such caster there."
-                          : "No transparent surface covers this pixel. Click one in the scene.",
-                  ui.colors.text);
+                  {0.5f, 0.5f}, empty_ray_text(m).c_str(), ui.colors.text);
+        ui.anchors["plot.empty"] = axes.area;
+    }
     list.PopClipRect();
     if (ImGui::IsItemHovered() && contains(axes.area, ImGui::GetIO().MousePos) && grip_ != Grip::pan)
         draw_crosshair(ui, axes, m, state);
