@@ -19,6 +19,7 @@ const char* outcome(const testing::UnitTest& run, int code) {
 }
 
 void serve() {
+    GTEST_FLAG_SET(brief, true);
     std::string name;
     while (std::getline(std::cin, name)) {
         GTEST_FLAG_SET(filter, name);

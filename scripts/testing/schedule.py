@@ -47,7 +47,7 @@ class Schedule:
             return next(suite for suite in self.waiting if suite.program is program)
         return max(self.taken, key=self.left, default=None)
 
-    def left_of(self, program: Program) -> tuple[bool, float]:
-        """Programs without a worker come first."""
+    def left_of(self, program: Program) -> tuple[bool, bool, float]:
+        """Commands come first, since they cannot be shared out, then programs without a worker."""
         busy = any(suite.program is program for suite in self.taken)
-        return not busy, sum(self.left(suite) for suite in self.waiting if suite.program is program)
+        return program.is_command, not busy, sum(self.left(suite) for suite in self.waiting if suite.program is program)

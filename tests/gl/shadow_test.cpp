@@ -137,7 +137,7 @@ TEST_F(ShadowTest, EveryOpaqueMapIsWhatCppComputes) {
 // Of receivers in shadow. With a filter of no radius a deep shadow map is off from rays only where a texel's
 // middle sees something else than the receiver.
 TEST_F(ShadowTest, DeepMapsAgreeWithRays) {
-    const auto enough = static_cast<std::size_t>(effort(60, 100));
+    constexpr std::size_t RECEIVERS = 100;
     for (const char* id : {"cloud", "ship", "teapots"}) {
         show(id, shadows_with({{ParameterId::shadow_technique, choice(ParameterId::shadow_technique, "deep")},
                                {ParameterId::shadow_radius, 0},
@@ -146,7 +146,7 @@ TEST_F(ShadowTest, DeepMapsAgreeWithRays) {
         const LightFrame& frame = renderer_->shadow_maps()->frame();
         std::vector<double> off;
         RandomNumbers random(4);
-        for (int tries = 0; off.size() < enough && tries < 4000; ++tries) {
+        for (int tries = 0; off.size() < RECEIVERS && tries < 4000; ++tries) {
             const glm::ivec2 pixel(random.whole(0, SHADOW_SIZE.x - 1), random.whole(0, SHADOW_SIZE.y - 1));
             const auto surface = renderer_->lit_surface(pixel);
             if (!surface) continue;
@@ -159,12 +159,12 @@ TEST_F(ShadowTest, DeepMapsAgreeWithRays) {
             if (std::min(truth, shown) > 0.95) continue;  // lit: says little
             off.push_back(std::abs(truth - shown));
         }
-        ASSERT_EQ(off.size(), enough) << id;
+        ASSERT_EQ(off.size(), RECEIVERS) << id;
         std::ranges::sort(off);
-        fmt::print("{}: median {:.1e}, 75 % {:.1e}, worst {:.1e}\n", id, off[enough / 2], off[enough * 3 / 4],
-                   off.back());
-        EXPECT_LT(off[enough / 2], 5e-3) << id;
-        EXPECT_LT(off[enough * 3 / 4], 0.1) << id;
+        fmt::print("{}: median {:.1e}, 75 % {:.1e}, worst {:.1e}\n", id, off[RECEIVERS / 2],
+                   off[RECEIVERS * 3 / 4], off.back());
+        EXPECT_LT(off[RECEIVERS / 2], 5e-3) << id;
+        EXPECT_LT(off[RECEIVERS * 3 / 4], 0.1) << id;
     }
 }
 
