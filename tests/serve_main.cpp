@@ -19,7 +19,6 @@ const char* outcome(const testing::UnitTest& run, int code) {
 }
 
 void serve() {
-    GTEST_FLAG_SET(brief, true);
     std::string name;
     while (std::getline(std::cin, name)) {
         GTEST_FLAG_SET(filter, name);
@@ -33,10 +32,10 @@ void serve() {
 }  // namespace
 
 int main(int argc, char** argv) {
+    const bool serving = argc == 2 && std::string_view(argv[1]) == "--serve";
+    GTEST_FLAG_SET(brief, serving);
     testing::InitGoogleTest(&argc, argv);
-    if (argc == 2 && std::string_view(argv[1]) == "--serve") {
-        serve();
-        return 0;
-    }
-    return RUN_ALL_TESTS();
+    if (!serving) return RUN_ALL_TESTS();
+    serve();
+    return 0;
 }

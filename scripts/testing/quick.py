@@ -1,7 +1,8 @@
-"""What `./test --quick` runs: of the tests that concern what changed, as many as fit into the time.
+"""What `./test --quick` runs: what failed last time, and of the tests that concern what changed as many as fit into the
+time.
 
-A test concerns a changed file if its source is that file, includes it (or the header beside it), has a word of its
-name, or is of a technique whose kernel is compiled from it."""
+A test concerns a changed file if its source is that file, is compiled with it, or has a word of its name; if its technique's
+kernel is compiled from it; or if it has the label that belongs to the file's folder."""
 
 import re
 import subprocess
@@ -9,25 +10,32 @@ from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
 
+from testing.schedule import SECONDS_OF_AN_UNKNOWN_TEST
 from testing.suites import Program, Suite
 
-# Which tests see a change of these folders, whatever they include.
-LABELS_OF_FOLDERS = (("shaders/shared/", ("property", "golden")), ("shaders/", ("golden",)), ("core/render/", ("golden",)),
-                     ("core/gl/", ("golden",)), ("core/", ("unit",)), ("ui/", ("gui",)), ("app/", ("gui",)),
-                     ("scripts/", ("lint",)), ("tests/", ("lint",)))
+ALL_LABELS = ("unit", "property", "golden", "gui", "bench", "lint")
+LABELS_OF_FOLDERS = (("shaders/shared/", ("property", "golden", "lint")), ("shaders/", ("golden", "lint")),
+                     ("core/render/", ("golden",)), ("core/gl/", ("golden",)), ("core/", ("unit",)), ("ui/", ("gui",)),
+                     ("app/", ("unit", "gui")), ("docs/", ("unit", "gui")), ("scripts/", ("lint",)), ("tests/", ("lint",)))
 # Words of file names that say nothing of what a file is about.
 COMMON_WORDS = frozenset("test cpp explorer panel core ui app moments".split())
 
 
+def git_files(project: Path, *options: str) -> list[str]:
+    listing = subprocess.run(["git", "ls-files", "-z", *options], cwd=project, capture_output=True, text=True)
+    if listing.returncode != 0:
+        raise SystemExit(f"--quick asks git what changed, and git says: {listing.stderr.strip()}")
+    return [path for path in listing.stdout.split("\0") if path]
+
+
 def changed_files(project: Path, since: float) -> list[str]:
-    """Files of the project that were written since then, without those that git ignores."""
-    listing = subprocess.run(["git", "ls-files", "-co", "--exclude-standard"], cwd=project, capture_output=True, text=True)
-    paths = listing.stdout.splitlines()
-    return [path for path in paths if (project / path).is_file() and (project / path).stat().st_mtime > since]
-
-
-def words_of(path: str) -> frozenset[str]:
-    return frozenset(re.split(r"[_\W]+", Path(path).stem)) - COMMON_WORDS
+    """Files of the project that were written, renamed or deleted since then, without those that git ignores."""
+    changed = git_files(project, "--deleted")
+    for path in git_files(project, "--cached", "--others", "--exclude-standard"):
+        file = project / path
+        if file.is_file() and max(file.stat().st_mtime, file.stat().st_ctime) > since:
+            changed.append(path)
+    return changed
 
 
 def read_dependencies(build: Path, project: Path) -> dict[str, set[str]]:
@@ -38,22 +46,35 @@ def read_dependencies(build: Path, project: Path) -> dict[str, set[str]]:
     for line in log.splitlines():
         if line and not line.startswith(" "):
             of = line.split(":")[0]
-        elif line.strip().startswith(str(project)):
-            users.setdefault(str(Path(line.strip()).relative_to(project)), set()).add(of)
+        elif line.strip().startswith(f"{project}/"):
+            users.setdefault(line.strip().removeprefix(f"{project}/"), set()).add(of)
     return users
+
+
+def words_of(path: str) -> frozenset[str]:
+    return frozenset(re.split(r"[_\W]+", Path(path).stem)) - COMMON_WORDS
 
 
 @dataclass(frozen=True)
 class Change:
-    """One changed file, and what was compiled from it."""
+    """One changed file, and what was compiled from it or from the header beside it."""
     path: str
     objects: frozenset[str]
 
+    @property
     def labels(self) -> tuple[str, ...]:
-        return next((labels for folder, labels in LABELS_OF_FOLDERS if self.path.startswith(folder)), ())
+        """Of the tests that see such a change, whatever they include."""
+        if self.path.endswith(".md") and "/" not in self.path:
+            return ("unit",)
+        return next((labels for folder, labels in LABELS_OF_FOLDERS if self.path.startswith(folder)), ALL_LABELS)
 
+    @property
+    def test_objects(self) -> frozenset[str]:
+        return frozenset(name for name in self.objects if name.startswith("tests/"))
+
+    @property
     def kernels(self) -> frozenset[str]:
-        """Techniques whose kernel was, named as in tests: power4_32."""
+        """Techniques whose kernels were compiled from it, as tests name them: power4_32."""
         return frozenset(Path(name).name.removesuffix(".cpp.o") for name in self.objects if "/kernels/" in name)
 
 
@@ -64,58 +85,60 @@ def changes_of(paths: list[str], users: dict[str, set[str]]) -> list[Change]:
     return [Change(path, objects(path)) for path in paths]
 
 
+def programs_to_build(changes: list[Change], programs: list[Program]) -> list[Program]:
+    """Programs in which a test may concern the changes."""
+    labels = {label for change in changes for label in change.labels}
+    compiled = {name.split("/")[2].removesuffix(".dir") for change in changes for name in change.test_objects}
+    return [program for program in programs if program.label in labels or program.name in compiled]
+
+
 class Relevance:
     """How much tests concern the changes."""
 
-    def __init__(self, changes: list[Change], project: Path):
+    def __init__(self, changes: list[Change], users: dict[str, set[str]], project: Path):
         self.changes = changes
+        self.users = users
         self.source_of_suite = {}  # "ShadowTest": tests/gl/shadow_test.cpp
         for source in project.glob("tests/*/*.cpp"):
-            for suite in re.findall(r"^TEST(?:_[FP])?\((\w+),", source.read_text(), re.MULTILINE):
+            for suite in re.findall(r"^(?:TYPED_)?TEST(?:_[FP])?\((\w+),", source.read_text(), re.MULTILINE):
                 self.source_of_suite[suite] = str(source.relative_to(project))
-
-    def of_source(self, source: str, change: Change) -> float:
-        score = 16 if source == change.path else 0
-        score += 8 if words_of(source) & words_of(change.path) else 0
-        tests = [name for name in change.objects if name.startswith("tests/")]
-        includes = any(name.endswith(source.removeprefix("tests/") + ".o") for name in tests)
-        return score + (1 + 4 / len(tests) if includes else 0)  # less where every test includes it
 
     def of(self, suite: Suite, test: str) -> float:
         return max((self.of_change(suite, test, change) for change in self.changes), default=0)
 
     def of_change(self, suite: Suite, test: str, change: Change) -> float:
-        score = 1 if suite.program.label in change.labels() else 0
+        score = 1.0 if suite.program.label in change.labels else 0.0
         if suite.program.is_command:
             return score
-        source = self.source_of_suite.get(suite.name.split("/")[-1], "")
+        source = next((self.source_of_suite[part] for part in suite.name.split("/") if part in self.source_of_suite), "")
         parameter = test.split("/")[-1]
-        return score + self.of_source(source, change) + (2 if parameter in change.kernels() else 0)
+        score += 16 if source == change.path else 0
+        score += 8 if words_of(source) & words_of(change.path) else 0
+        score += 2 if any(f"{parameter}_".startswith(f"{kernel}_") for kernel in change.kernels) else 0
+        if self.users.get(source, set()) & change.test_objects:
+            score += 1 + 4 / len(change.test_objects)  # less where every test includes it
+        return score
 
 
-def programs_to_build(changes: list[Change], programs: list[Program]) -> list[Program]:
-    """Programs in which a test may concern the changes."""
-    labels = {label for change in changes for label in change.labels()}
-    folders = {name.split("/")[2].removesuffix(".dir") for change in changes for name in change.objects
-               if name.startswith("tests/")}
-    return [program for program in programs if program.label in labels or program.name in folders]
-
-
-def choose(suites: list[Suite], relevance: Relevance, seconds: dict[str, float], budget: float) -> list[Suite]:
-    """The most relevant tests within a budget of seconds; of a parametrised test one technique first, then the
-    next, so that many kinds of tests are among them."""
+def choose(suites: list[Suite], relevance: Relevance, failed: set[str], seconds: dict[str, float], wall: float,
+           jobs: int) -> tuple[list[Suite], int]:
+    """The most relevant tests that `jobs` workers run in `wall` seconds, and how many were left out. Of a parametrised
+    test comes one technique, then the next, so that many kinds of tests are among them."""
     rank: Counter[str] = Counter()
     candidates = []
     for suite in suites:
         for test in suite.tests:
-            score = relevance.of(suite, test)
+            name = suite.full_name(test)
+            score = 1000 if name in failed else relevance.of(suite, test)
             if score > 0:
-                kind = test.rsplit("/", 1)[0] if "/" in suite.name else test
+                kind = f"{suite.program.name}.{test.rsplit('/', 1)[0]}" if "/" in suite.name else name
                 rank[kind] += 1
-                candidates.append((-score / rank[kind], seconds.get(test, 1.0), suite, test))
+                candidates.append((-score / rank[kind], seconds.get(name, SECONDS_OF_AN_UNKNOWN_TEST), suite, test))
+    budget = jobs * wall
     chosen: dict[int, Suite] = {}
     for _, needed, suite, test in sorted(candidates, key=lambda candidate: candidate[:2]):
-        if needed <= budget:
+        if needed <= min(budget, wall):
             budget -= needed
             chosen.setdefault(id(suite), Suite(suite.program, suite.name)).tests.append(test)
-    return list(chosen.values())
+    suites = list(chosen.values())
+    return suites, len(candidates) - sum(len(suite.tests) for suite in suites)

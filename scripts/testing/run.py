@@ -1,11 +1,12 @@
 """Runs suites on several workers at once."""
 
 import threading
+import time
 from pathlib import Path
 
 from testing.report import Report
 from testing.schedule import Schedule
-from testing.sessions import Session, run_command
+from testing.sessions import Outcome, Session
 from testing.suites import Suite
 
 
@@ -13,7 +14,7 @@ class Worker(threading.Thread):
     """Runs tests until the schedule has no more, in one process as long as they are of one program."""
 
     def __init__(self, project: Path, schedule: Schedule, report: Report, stop: threading.Event, seconds: float):
-        super().__init__()
+        super().__init__(daemon=True)
         self.project = project
         self.schedule = schedule
         self.report = report
@@ -25,48 +26,58 @@ class Worker(threading.Thread):
         suite = None
         while not self.stop.is_set() and (task := self.schedule.take(suite)) is not None:
             suite, test = task
-            if suite.program.is_command:
-                self.report.add(suite, test, run_command(suite.program, self.project, self.seconds))
-            else:
-                self.run_test(suite, test)
+            try:
+                outcome, note = self.run_test(suite, test)
+            except OSError as error:  # a program that cannot be started
+                outcome, note = Outcome("failed", str(error), 0), ""
+            if not self.stop.is_set():
+                self.report.add(suite, test, outcome, note)
         self.close()
 
-    def run_test(self, suite: Suite, test: str) -> None:
+    def run_test(self, suite: Suite, test: str) -> tuple[Outcome, str]:
         if self.session is None or self.session.program is not suite.program:
             self.close()
             self.session = Session(suite.program, self.project)
         outcome = self.session.run(test, self.seconds)
-        note = self.note_on_failure(suite, test) if outcome.status == "failed" else ""
-        self.report.add(suite, test, outcome, note)
+        if not outcome.is_fault or suite.program.is_command or self.stop.is_set():
+            return outcome, ""
+        return outcome, self.note_on_failure(suite, test)
 
     def note_on_failure(self, suite: Suite, test: str) -> str:
         """Tells a test that fails from one that its neighbours make fail."""
-        alone = Session(suite.program, self.project)
-        passes = alone.run(test, self.seconds).status == "passed"
-        alone.end()
-        return "In a process of its own it passes: look at what ran before it, or at chance.\n" if passes else ""
+        self.close()
+        self.session = Session(suite.program, self.project)
+        passes = self.session.run(test, self.seconds).status == "passed"
+        return "It passes alone: a test before it, or chance, made it fail.\n" if passes else ""
 
     def close(self) -> None:
         if self.session is not None:
             if self.stop.is_set():
-                self.session.end()
+                self.session.kill()
             elif (outcome := self.session.close()).is_fault:
                 self.report.add_end_of_process(self.session.program, outcome)
             self.session = None
 
+    def kill(self) -> None:
+        """At once, from another thread."""
+        if (session := self.session) is not None:
+            session.kill()
+
 
 def run_suites(suites: list[Suite], project: Path, times: dict[str, float], report: Report, jobs: int,
                seconds: float) -> None:
-    """Returns when all tests are done, or after Ctrl+C the tests that were running."""
+    """Returns when all tests are done. Ctrl+C ends those that run and leaves out the rest."""
     schedule = Schedule(suites, times)
     stop = threading.Event()
     workers = [Worker(project, schedule, report, stop, seconds) for _ in range(max(jobs, 1))]
     for worker in workers:
         worker.start()
-    while any(worker.is_alive() for worker in workers):
-        try:
-            for worker in workers:
-                worker.join()
-        except KeyboardInterrupt:
-            print("Stopping after the tests that run now.", flush=True)
-            stop.set()
+    try:
+        while any(worker.is_alive() for worker in workers):
+            time.sleep(0.05)
+    except KeyboardInterrupt:
+        stop.set()
+        for worker in workers:
+            worker.kill()
+        for worker in workers:
+            worker.join(10)

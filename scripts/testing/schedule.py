@@ -4,7 +4,7 @@ import threading
 
 from testing.suites import Program, Suite
 
-SECONDS_OF_AN_UNKNOWN_TEST = 0.3
+SECONDS_OF_AN_UNKNOWN_TEST = 0.5
 
 
 class Schedule:
@@ -19,7 +19,7 @@ class Schedule:
         self.taken: list[Suite] = []
 
     def left(self, suite: Suite) -> float:
-        return sum(self.seconds.get(test, SECONDS_OF_AN_UNKNOWN_TEST) for test in suite.tests)
+        return sum(self.seconds.get(suite.full_name(test), SECONDS_OF_AN_UNKNOWN_TEST) for test in suite.tests)
 
     def take(self, last: Suite | None) -> tuple[Suite, str] | None:
         """The next test for a worker whose last one was of suite `last`; None when there are no more."""
@@ -43,11 +43,11 @@ class Schedule:
                 if suite.program is last.program:
                     return suite
         if self.waiting:
-            program = max((suite.program for suite in self.waiting), key=self.left_of)
+            program = max((suite.program for suite in self.waiting), key=self.urgency)
             return next(suite for suite in self.waiting if suite.program is program)
         return max(self.taken, key=self.left, default=None)
 
-    def left_of(self, program: Program) -> tuple[bool, bool, float]:
+    def urgency(self, program: Program) -> tuple[bool, bool, float]:
         """Commands come first, since they cannot be shared out, then programs without a worker."""
         busy = any(suite.program is program for suite in self.taken)
         return program.is_command, not busy, sum(self.left(suite) for suite in self.waiting if suite.program is program)

@@ -1,5 +1,6 @@
 """Runs single tests: in a process that serves one after another (tests/serve_main.cpp), or as a command."""
 
+import contextlib
 import os
 import re
 import select
@@ -16,7 +17,7 @@ END_OF_TEST = re.compile(rb"\n\x1e(\w+)\n")
 
 @dataclass(frozen=True)
 class Outcome:
-    status: str  # passed, failed, skipped; crashed, timed out
+    status: str  # passed, skipped; failed, crashed, timed out
     output: str
     seconds: float
 
@@ -24,96 +25,114 @@ class Outcome:
     def is_fault(self) -> bool:
         return self.status not in ("passed", "skipped")
 
-    @property
-    def ended_its_process(self) -> bool:
-        return self.status.startswith(("crashed", "timed out"))
-
 
 def how_it_ended(code: int) -> str:
-    return f"crashed ({signal.Signals(-code).name})" if code < 0 else f"crashed (exit code {code})"
+    return f"crashed (signal {-code})" if code < 0 else f"crashed (exit code {code})"
 
 
 class Session:
-    """A process of a test program. `run` starts it again where the last test ended it."""
+    """A process of a program, or of a command. It has a group of its own, so that it ends with all that it started."""
 
     def __init__(self, program: Program, project: Path):
         self.program = program
         self.project = project
         self.process: subprocess.Popen | None = None
 
-    def start(self) -> subprocess.Popen:
-        # A session of its own, so that a test that hangs is ended with whatever it started.
-        return subprocess.Popen([*self.program.command, "--serve"], cwd=self.project, stdin=subprocess.PIPE,
+    def start(self, *arguments: str) -> subprocess.Popen:
+        return subprocess.Popen([*self.program.command, *arguments], cwd=self.project, stdin=subprocess.PIPE,
                                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True)
 
     def run(self, test: str, seconds: float) -> Outcome:
+        """Runs one test; after a test that ended the process, in a new one."""
         started = time.monotonic()
         if self.process is None:
-            self.process = self.start()
+            self.process = self.start() if self.program.is_command else self.start("--serve")
+        if self.program.is_command:
+            status, output = self.read_to_end(started + seconds)
+        else:
+            self.ask_for(test)
+            status, output = self.read_answer(started + seconds)
+        return Outcome(status, output.decode(errors="replace"), time.monotonic() - started)
+
+    def ask_for(self, test: str) -> None:
         try:
             self.process.stdin.write(test.encode() + b"\n")
             self.process.stdin.flush()
         except BrokenPipeError:
             pass  # it has ended, which reading tells
-        status, output = self.read_outcome(started + seconds)
-        text = output.decode(errors="replace")
-        return Outcome(status, text, time.monotonic() - started)
 
-    def read_outcome(self, deadline: float) -> tuple[str, bytes]:
-        pipe = self.process.stdout.fileno()
+    def read_answer(self, deadline: float) -> tuple[str, bytes]:
         output = b""
-        while True:
-            if end := END_OF_TEST.search(output):
-                return end[1].decode(), output[:end.start()]
-            if not select.select([pipe], [], [], max(deadline - time.monotonic(), 0))[0]:
+        while not (end := END_OF_TEST.search(output)):
+            chunk = self.read_chunk(deadline)
+            if chunk is None:
                 self.end()
                 return "timed out", output
-            chunk = os.read(pipe, 1 << 16)
             if not chunk:
-                status = how_it_ended(self.process.wait())
-                self.end()
-                return status, output
+                return how_it_ended(self.end()), output
             output += chunk
+        return end[1].decode(), output[:end.start()]
 
-    def end(self) -> None:
-        """At once, with whatever the process started."""
-        if self.process is not None:
-            end_group(self.process)
-            self.process = None
+    def read_to_end(self, deadline: float) -> tuple[str, bytes]:
+        output = b""
+        while chunk := self.read_chunk(deadline):
+            output += chunk
+        code = self.end()
+        if chunk is None:
+            return "timed out", output
+        return "passed" if code == 0 else f"failed (exit code {code})", output
+
+    def read_chunk(self, deadline: float) -> bytes | None:
+        """What the process prints next: nothing when it has ended, None when time is over."""
+        process = self.process
+        while time.monotonic() < deadline:
+            if select.select([process.stdout], [], [], 0.5)[0]:
+                return os.read(process.stdout.fileno(), 1 << 16)
+            if process.poll() is not None:
+                return b""  # something that it started still holds its output
+        return None
+
+    def end(self) -> int:
+        """Ends the process and whatever it started; its exit code. A process that has closed its output gets a moment."""
+        process, self.process = self.process, None
+        if process is None:
+            return 0
+        try:
+            process.wait(timeout=5 if has_ended_output(process) else 0)
+        except subprocess.TimeoutExpired:
+            pass
+        kill_group(process)
+        with contextlib.suppress(BrokenPipeError):
+            process.stdin.close()
+        process.stdout.close()
+        return process.wait()
+
+    def kill(self) -> None:
+        """At once, from another thread."""
+        if (process := self.process) is not None:
+            kill_group(process)
 
     def close(self) -> Outcome:
         """Lets the process end by itself, which is when sanitizers report leaks."""
         if self.process is None:
             return Outcome("passed", "", 0)
         started = time.monotonic()
-        try:
-            output, _ = self.process.communicate(timeout=120)
-            code = self.process.returncode
-            self.process = None
-        except subprocess.TimeoutExpired:
-            self.end()
-            return Outcome("timed out", "The process did not end after its last test.", 120)
-        status = "passed" if code == 0 else how_it_ended(code)
+        self.process.stdin.close()
+        output = b""
+        while chunk := self.read_chunk(started + 120):
+            output += chunk
+        code = self.end()
+        status = "timed out" if chunk is None else "passed" if code == 0 else how_it_ended(code)
         return Outcome(status, output.decode(errors="replace"), time.monotonic() - started)
 
 
-def run_command(program: Program, project: Path, seconds: float) -> Outcome:
-    started = time.monotonic()
-    process = subprocess.Popen(program.command, cwd=project, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                               stderr=subprocess.STDOUT, start_new_session=True)
-    try:
-        output, _ = process.communicate(timeout=seconds)
-        status = "passed" if process.returncode == 0 else f"failed (exit code {process.returncode})"
-    except subprocess.TimeoutExpired:
-        end_group(process)
-        output, _ = process.communicate()
-        status = "timed out"
-    return Outcome(status, output.decode(errors="replace"), time.monotonic() - started)
+def has_ended_output(process: subprocess.Popen) -> bool:
+    """Is reading at the end, rather than waiting for more?"""
+    return bool(select.select([process.stdout], [], [], 0)[0])
 
 
-def end_group(process: subprocess.Popen) -> None:
+def kill_group(process: subprocess.Popen) -> None:
     try:
         os.killpg(process.pid, signal.SIGKILL)
     except ProcessLookupError:
         pass  # it has ended
-    process.wait()

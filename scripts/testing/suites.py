@@ -25,43 +25,44 @@ class Suite:
     name: str
     tests: list[str] = field(default_factory=list)
 
+    def full_name(self, test: str) -> str:
+        """Two programs may have tests of the same name."""
+        return test if self.program.is_command else f"{self.program.name}.{test}"
+
 
 def read_programs(build: Path) -> list[Program]:
-    """Reads the list that CMake writes (tests/CMakeLists.txt); empty before the first configuration."""
-    path = build / "tests.json"
-    if not path.exists():
-        return []
+    """The list that CMake writes (tests/CMakeLists.txt)."""
     return [Program(row["name"], row["label"], tuple(row["command"]), tuple(row["targets"]), row["is_command"])
-            for row in json.loads(path.read_text())]
+            for row in json.loads((build / "tests.json").read_text())]
 
 
 def parse_list(text: str) -> dict[str, list[str]]:
-    """The tests of each suite, from what --gtest_list_tests prints."""
+    """The tests of each suite, from what --gtest_list_tests prints. Other lines, such as warnings of a library, are left
+    out."""
     suites: dict[str, list[str]] = {}
     suite = ""
     for line in text.splitlines():
-        name = line.split("#")[0].rstrip()
-        if not name.startswith(" "):
-            suite = name
-        elif not re.search(r"(^|\.|/)DISABLED_", suite + name.strip()):
-            suites.setdefault(suite.rstrip("."), []).append(suite + name.strip())
+        if match := re.match(r"([\w/]+\.)(\s+# .*)?$", line):
+            suite = match[1]
+        elif (match := re.match(r"  ([\w/]+)(\s+# .*)?$", line)) and suite:
+            if not re.search(r"(^|[./])DISABLED_", suite + match[1]):
+                suites.setdefault(suite.removesuffix("."), []).append(suite + match[1])
     return suites
 
 
 def suites_of(program: Program, project: Path) -> list[Suite]:
+    """A program that cannot list its tests is one test, which fails when it is run."""
     if program.is_command:
         return [Suite(program, program.name, [program.name])]
     listing = subprocess.run([*program.command, "--gtest_list_tests"], cwd=project, capture_output=True, text=True)
-    if listing.returncode != 0:
-        raise SystemExit(f"{program.name} does not list its tests:\n{listing.stdout}{listing.stderr}")
-    # Lines that are not part of the list, such as those of a library that warns, hold no suite's name.
-    return [Suite(program, name, tests) for name, tests in parse_list(listing.stdout).items()]
+    suites = [Suite(program, name, tests) for name, tests in parse_list(listing.stdout).items()]
+    return suites if listing.returncode == 0 and suites else [Suite(program, program.name, ["lists its tests"])]
 
 
 def list_suites(programs: list[Program], project: Path, name: re.Pattern | None) -> list[Suite]:
-    """All suites, with the tests whose name matches (None: all); suites without any are left out."""
+    """All suites, with the tests whose full name matches (None: all); suites without any are left out."""
     with ThreadPoolExecutor() as pool:
         suites = [suite for part in pool.map(lambda program: suites_of(program, project), programs) for suite in part]
     for suite in suites:
-        suite.tests = [test for test in suite.tests if name is None or name.search(test)]
+        suite.tests = [test for test in suite.tests if name is None or name.search(suite.full_name(test))]
     return [suite for suite in suites if suite.tests]

@@ -5,6 +5,7 @@
 
 #include "core/inspect/curve_output.hpp"
 #include "core/scene/camera.hpp"
+#include "tests/effort.hpp"
 #include "tests/gui/gui_fixture.hpp"
 
 namespace momentscope::test {
@@ -177,9 +178,11 @@ TEST_F(ExplorerTest, AnEmptyPixelSaysSo) {
     EXPECT_EQ(measurement().curve.total_absorbance, 0);
 }
 
-TEST_F(ExplorerTest, EveryTechniqueAndSceneCanBeChosen) {
+// Some techniques of every family; EveryTechniqueTest draws them all.
+TEST_F(ExplorerTest, TechniquesAndScenesCanBeChosen) {
     open();
-    for (const Technique& technique : techniques()) {
+    for (std::size_t i = 0; i < techniques().size(); i += static_cast<std::size_t>(effort(4, 1))) {
+        const Technique& technique = techniques()[i];
         play(fmt::format("click @controls.technique\nclick @controls.technique.{}", technique.id));
         EXPECT_EQ(state().technique, &technique);
         EXPECT_TRUE(explorer().message().empty()) << technique.id << ": " << explorer().message();

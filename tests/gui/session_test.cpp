@@ -11,8 +11,9 @@ namespace {
 
 class SessionTest : public FolderTest {};
 
-/// Changes as much as events can.
-constexpr const char* EVENTFUL = R"(click @controls.technique
+/// Changes as much as events can; what every picture waits for, such as shadows and a reference, comes last.
+constexpr const char* EVENTFUL = R"(drag @split.scene to 600 400
+click @controls.technique
 click @controls.technique.trig3-32
 drag @parameter.beta 0.25 0.5 to @parameter.beta 0.7 0.5
 drag @parameter.theta 0.1 0.5 to @parameter.theta 0.4 0.5
@@ -26,20 +27,19 @@ key P
 click @scene 0.35 0.5
 key P
 key N
-key V
 key L
 key Shift+L
-key O
-key W
-key Shift+W
 key X
 key C
+key V
 move @plot 0.4 0.4
 wheel 2
 drag @plot 0.5 0.5 to @plot 0.55 0.45 right
-drag @split.scene to 600 400
 key Ctrl+2
 key Ctrl+T
+key O
+key W
+key Shift+W
 move -10 -10
 )";
 

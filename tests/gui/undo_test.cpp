@@ -1,6 +1,7 @@
 // undo_test.cpp -- every change can be taken back, and what failed is no change.
 #include <random>
 
+#include "tests/effort.hpp"
 #include "tests/gui/folder_fixture.hpp"
 #include "ui/commands.hpp"
 
@@ -91,12 +92,8 @@ TEST_F(UndoTest, TakesBackOneStepEvenWhileAFieldIsOpen) {
 
 // Undo brings the first state back whatever was done, and nothing that is done crashes.
 TEST_F(UndoTest, AfterRandomEventsRestoresTheFirstState) {
-#ifdef MOMENTSCOPE_SANITIZE
-    constexpr int SEQUENCES = 2;
-#else
-    constexpr int SEQUENCES = 3;
-#endif
-    for (int sequence = 0; sequence < SEQUENCES; ++sequence) {
+    const int sequences = effort(2, 10);
+    for (int sequence = 0; sequence < sequences; ++sequence) {
         SCOPED_TRACE(fmt::format("sequence {}", sequence));
         random_.seed(static_cast<unsigned>(7919 * sequence + 1));
         open("planes", "power4-32");
