@@ -55,6 +55,12 @@ def words_of(path: str) -> frozenset[str]:
     return frozenset(re.split(r"[_\W]+", Path(path).stem)) - COMMON_WORDS
 
 
+def share_a_word(a: str, b: str) -> bool:
+    """Also "peel" and "peeling"."""
+    return any(one == other or (min(len(one), len(other)) >= 4 and (one.startswith(other) or other.startswith(one)))
+               for one in words_of(a) for other in words_of(b))
+
+
 @dataclass(frozen=True)
 class Change:
     """One changed file, and what was compiled from it or from the header beside it."""
@@ -113,7 +119,7 @@ class Relevance:
         source = next((self.source_of_suite[part] for part in suite.name.split("/") if part in self.source_of_suite), "")
         parameter = test.split("/")[-1]
         score += 16 if source == change.path else 0
-        score += 8 if words_of(source) & words_of(change.path) else 0
+        score += 8 if share_a_word(source, change.path) else 0
         score += 2 if any(f"{parameter}_".startswith(f"{kernel}_") for kernel in change.kernels) else 0
         if self.users.get(source, set()) & change.test_objects:
             score += 1 + 4 / len(change.test_objects)  # less where every test includes it

@@ -304,9 +304,16 @@ TEST_F(ExplorerTest, TheTableHasTheGlsTransmittance) {
         ASSERT_TRUE(row.gl_transmittance);
         EXPECT_EQ(*row.gl_transmittance, row.transmittance) << "GL and C++ from the same source";
     }
+    const auto expect_same = [&](const char* why) {
+        for (const PixelHistoryRow& row : measurement().history)
+            EXPECT_EQ(row.gl_transmittance, row.transmittance) << "captured again after a change of " << why;
+    };
+    const auto before = measurement().history.front().transmittance;
+    play("key Ctrl+1\ndrag @parameter.beta 0.25 0.5 to @parameter.beta 0.9 0.5\nkey Ctrl+2");
+    EXPECT_NE(measurement().history.front().transmittance, before);
+    expect_same("beta, which leaves the fragments as they are");
     play("key 1");
-    for (const PixelHistoryRow& row : measurement().history)
-        EXPECT_EQ(row.gl_transmittance, row.transmittance) << "captured again after a change of technique";
+    expect_same("technique");
 }
 
 class TinyWindow : public GuiTest {};
