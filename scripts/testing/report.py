@@ -58,7 +58,7 @@ class Report:
     def failed(self) -> list[str]:
         return [result.name for result in self.results if result.outcome.is_fault]
 
-    def print_end(self, seconds: float, built: float) -> bool:
+    def print_end(self, seconds: float, built: float, has_deadline: bool = False) -> bool:
         """The slowest tests, the faults again, the times, and the counts as the last line; True if all is well."""
         faults = [result for result in self.results if result.outcome.is_fault]
         skipped = [result for result in self.results if result.outcome.status == "skipped"]
@@ -74,11 +74,11 @@ class Report:
             for result in faults:
                 print(f"  {result.name} {result.outcome.status}")
         if self.missing:
-            print(f"{count(len(self.missing), 'test')} did not run.")
+            print(f"{count(len(self.missing), 'test')} did not {'fit into the time' if has_deadline else 'run'}.")
         print(f"{built:.0f} s of building and {seconds:.0f} s of testing: {minutes(built + seconds)} in all.")
         passed = len(self.results) - len(faults) - len(skipped)
         print(f"{passed} passed, {len(faults)} failed, {len(skipped)} skipped", flush=True)
-        return not faults and not self.missing
+        return not faults and (has_deadline or not self.missing)
 
 
 def how_to_repeat(program: Program, test: str) -> str:

@@ -1,5 +1,6 @@
 """Runs suites on several workers at once."""
 
+import math
 import threading
 import time
 from pathlib import Path
@@ -65,9 +66,10 @@ class Worker(threading.Thread):
 
 
 def run_suites(suites: list[Suite], project: Path, times: dict[str, float], report: Report, jobs: int,
-               seconds: float) -> None:
-    """Returns when all tests are done. Ctrl+C ends those that run and leaves out the rest."""
-    schedule = Schedule(suites, times)
+               seconds: float, deadline: float = math.inf) -> None:
+    """Returns when all tests are done, or those that began before the deadline. Ctrl+C ends those that run and leaves out
+    the rest."""
+    schedule = Schedule(suites, times, deadline)
     stop = threading.Event()
     workers = [Worker(project, schedule, report, stop, seconds) for _ in range(max(jobs, 1))]
     for worker in workers:

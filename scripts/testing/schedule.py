@@ -1,6 +1,7 @@
 """Which test a worker runs next."""
 
 import threading
+import time
 
 from testing.suites import Program, Suite
 
@@ -10,9 +11,10 @@ SECONDS_OF_AN_UNKNOWN_TEST = 0.5
 class Schedule:
     """Hands out tests one by one. A worker keeps to a suite, then to a program, whose process has loaded and
     compiled what they need; when all suites are taken, it helps where most is left. Longest first, by the times
-    of the last run."""
+    of the last run. After the deadline, a time of time.monotonic(), no test begins."""
 
-    def __init__(self, suites: list[Suite], seconds: dict[str, float]):
+    def __init__(self, suites: list[Suite], seconds: dict[str, float], deadline: float):
+        self.deadline = deadline
         self.seconds = seconds
         self.lock = threading.Lock()
         self.waiting = sorted(suites, key=self.left, reverse=True)  # no worker has them
@@ -25,7 +27,7 @@ class Schedule:
         """The next test for a worker whose last one was of suite `last`; None when there are no more."""
         with self.lock:
             suite = self.choose(last)
-            if suite is None:
+            if suite is None or time.monotonic() > self.deadline:
                 return None
             if suite in self.waiting:
                 self.waiting.remove(suite)
