@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <regex>
@@ -58,6 +60,35 @@ private:
     std::unique_ptr<Renderer> renderer_;  // after the context that it needs
 };
 
+// Metrics of numbers that are none would be none.
+void require_finite(const Image& image, const std::string& name) {
+    std::size_t count = 0, first = 0;
+    for (std::size_t i = image.pixels.size(); i-- > 0;) {
+        const glm::vec4& pixel = image.pixels[i];
+        if (std::isfinite(pixel.r) && std::isfinite(pixel.g) && std::isfinite(pixel.b)) continue;
+        ++count;
+        first = i;
+    }
+    if (count == 0) return;
+    const auto width = static_cast<std::size_t>(image.width);
+    throw Error(fmt::format("{} of the {} pixels of '{}' are infinite or no numbers, the first at {},{}; such pictures "
+                            "cannot be compared.",
+                            count, image.pixels.size(), name, first % width, first / width));
+}
+
+// What the metrics, which look at colours alone, leave out.
+std::string note_on_alpha(const Image& reference, const Image& test) {
+    float most = 0, least = 1;
+    for (std::size_t i = 0; i < reference.pixels.size(); ++i) {
+        most = std::max(most, std::abs(reference.pixels[i].a - test.pixels[i].a));
+        least = std::min({least, reference.pixels[i].a, test.pixels[i].a});
+    }
+    if (least >= 1 && most == 0) return "";
+    return fmt::format("alpha: colours are compared as they are stored, whatever their alpha, which differs by {:.6g} at "
+                       "most.",
+                       most);
+}
+
 }  // namespace
 
 void run_compare(const Options& options) {
@@ -74,6 +105,8 @@ void run_compare(const Options& options) {
     if (reference.width != test.width || reference.height != test.height)
         throw Error(fmt::format("Pictures of {}x{} and of {}x{} cannot be compared; make them the same size.",
                                 reference.width, reference.height, test.width, test.height));
+    require_finite(reference, options.pictures.at(0));
+    require_finite(test, options.pictures.at(1));
     const PixelRegion region = parse_region(options.region, reference);
     for (const MetricRow& row : metrics()) {
         if (only != nullptr && only != &row) continue;
@@ -84,6 +117,7 @@ void run_compare(const Options& options) {
         write_image(false_color(map, reference.width, reference.height, row.full_scale), options.output);
         std::puts(fmt::format("map: black is 0, the brightest {:g} and more", row.full_scale).c_str());
     }
+    if (const std::string note = note_on_alpha(reference, test); !note.empty()) std::puts(note.c_str());
 }
 
 }  // namespace momentscope

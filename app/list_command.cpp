@@ -6,6 +6,7 @@
 #include "app/commands.hpp"
 #include "core/error.hpp"
 #include "core/figures/figure.hpp"
+#include "core/markup.hpp"
 #include "core/stress/condition.hpp"
 #include "core/techniques/techniques_page.hpp"
 #include "ui/commands.hpp"
@@ -98,6 +99,18 @@ void print_table(const json& rows, const std::vector<std::string>& columns) {
     }
 }
 
+void print_markdown(const json& rows, const std::vector<std::string>& columns) {
+    const auto print_row = [&](auto cell_of) {
+        std::string line = "|";
+        for (const std::string& column : columns) line += fmt::format(" {} |", cell_of(column));
+        std::puts(line.c_str());
+    };
+    print_row([](const std::string& column) { return column; });
+    print_row([](const std::string&) { return "---"; });
+    for (const json& row : rows)
+        print_row([&](const std::string& column) { return markdown_cell(cell(row[column])); });
+}
+
 }  // namespace
 
 void run_list(const std::string& what, const std::string& format) {
@@ -105,9 +118,8 @@ void run_list(const std::string& what, const std::string& format) {
         std::fputs(techniques_page().c_str(), stdout);
         return;
     }
-    if (format != "table" && format != "json")
-        throw Error(
-            fmt::format("There is no format '{}'; use table or json, or for techniques markdown.", format));
+    if (format != "table" && format != "json" && format != "markdown")
+        throw Error(fmt::format("There is no format '{}'; use table, json or markdown.", format));
     json rows;
     std::vector<std::string> columns;
     if (what == "techniques") {
@@ -140,6 +152,8 @@ void run_list(const std::string& what, const std::string& format) {
     }
     if (format == "json")
         std::puts(rows.dump(2).c_str());
+    else if (format == "markdown")
+        print_markdown(rows, columns);
     else
         print_table(rows, columns);
 }

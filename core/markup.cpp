@@ -19,6 +19,15 @@ std::string markup_escaped(std::string_view text) {
     return result;
 }
 
+std::string markdown_cell(std::string_view text) {
+    std::string result;
+    for (const char letter : text) {
+        if (letter == '|' || letter == '`' || letter == '\\') result += '\\';
+        result += letter == '\n' || letter == '\r' ? ' ' : letter;
+    }
+    return result;
+}
+
 std::string css_color(const glm::vec3& color) {
     const glm::ivec3 c = glm::ivec3(color * 255.0f + 0.5f);
     return fmt::format("#{:02x}{:02x}{:02x}", c.x, c.y, c.z);

@@ -10,6 +10,9 @@ namespace momentscope {
 /// With the signs that HTML, SVG and their attributes give a meaning replaced.
 std::string markup_escaped(std::string_view text);
 
+/// As a cell of a Markdown table.
+std::string markdown_cell(std::string_view text);
+
 /// "#rrggbb" of a colour in sRGB, each channel in [0, 1].
 std::string css_color(const glm::vec3& color);
 

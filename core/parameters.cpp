@@ -192,7 +192,7 @@ const std::array<Parameter, PARAMETER_COUNT> ROWS = {{
 }};
 
 bool is_whole(const Parameter& row) {
-    return row.scale == Scale::choice || row.scale == Scale::whole;
+    return row.scale == Scale::choice || row.scale == Scale::whole || row.scale == Scale::toggle;
 }
 
 }  // namespace

@@ -43,7 +43,9 @@ float linear_from_srgb(float srgb) {
 
 Image read_image(const std::filesystem::path& path) {
     constexpr int MOST_SIDE = 16384;
-    const auto file = OIIO::ImageInput::open(path.string());
+    OIIO::ImageSpec as_stored;
+    as_stored.attribute("oiio:UnassociatedAlpha", 1);
+    const auto file = OIIO::ImageInput::open(path.string(), &as_stored);
     if (!file)
         throw Error(fmt::format("'{}' is no picture that can be read ({}).", path.string(),
                                 first_line(OIIO::geterror())));
@@ -64,7 +66,7 @@ Image read_image(const std::filesystem::path& path) {
             const float value = values[i * channels + (channels >= 3 ? c : 0)];
             image.pixels[i][static_cast<int>(c)] = linear ? value : linear_from_srgb(value);
         }
-        image.pixels[i].a = 1;
+        image.pixels[i].a = channels % 2 == 0 ? values[i * channels + channels - 1] : 1;  // grey or RGB, and alpha
     }
     return image;
 }

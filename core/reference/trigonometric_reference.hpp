@@ -137,7 +137,9 @@ struct FrontFraction {
     Real operator()(const Real& place, const Complex<Real>& x) const {
         if (place >= wrap) return Real(1);
         if (place <= zone) return Real(0);
-        return std::clamp(Real((psi(x) - psi_of_far) / (Real(7) - psi_of_far)), Real(0), Real(1));
+        const Real order = psi(x);
+        if (order < Real(1)) return Real(1);  // at 2 pi, rounded beyond it: within the zone psi is at least 3
+        return std::clamp(Real((order - psi_of_far) / (Real(7) - psi_of_far)), Real(0), Real(1));
     }
 };
 

@@ -54,14 +54,17 @@ FN Composited transparent(float transmittance)
     return result;
 }
 
-/// Depth of the depth buffer of a perspective projection; view_depth in [near, far].
+/// Depth of the depth buffer of a perspective projection, in [0, 1]: 0 at the near plane and nearer, 1 at the far plane and
+/// farther. Quotients of depths, unlike their products, stay finite for all floats; 0 < near < far.
 FN float window_depth_of(float view_depth, float near, float far)
 {
-    return far * (view_depth - near) / (view_depth * (far - near));
+    float depth = clamp(view_depth, near, far);
+    return (1.0f - near / depth) / (1.0f - near / far);
 }
 
 /// The logarithm of the depth from the near plane, 0, to the far plane, 1 (Sharpe 2018, Equation 6).
 FN float plane_depth_of(float view_depth, float near, float far)
 {
-    return clamp(portable_log(view_depth / near) / portable_log(far / near), 0.0f, 1.0f);
+    float near_log = portable_log(near);
+    return clamp((portable_log(view_depth) - near_log) / (portable_log(far) - near_log), 0.0f, 1.0f);
 }

@@ -165,5 +165,8 @@ FN float node_value(float t, IN(Query) query, IN(Basis) basis)
     Complex x = product(half_x, half_x);
     PRECISE float order = phase_order(make_complex(x.re / length2, x.im / length2));
     float ramp = clamp(order * basis.ramp_scale + basis.ramp_offset, 0.0f, 1.0f);
+    // The zone ends at depth -1, where the phase is 2 pi. Rounding takes a node there a hair further, and phase_order, at
+    // least 3 within the zone, begins again at -1.
+    ramp = order < 1.0f ? 1.0f : ramp;
     return front_gap < 0.0f ? 1.0f : (zone_gap > 0.0f ? 0.0f : ramp);
 }

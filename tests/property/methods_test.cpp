@@ -247,5 +247,23 @@ TEST(Unsorted, IsExactFromBackToFrontAndTellsWhatIsSeen) {
     EXPECT_FALSE(has_function(technique));
 }
 
+// Whatever the depths: quotients of them stay finite.
+TEST(Weighted, IsANumberOnEveryWarp) {
+    const Technique& technique = require_technique("wboit");
+    for (const auto& [near, far] : {std::pair(1e-30f, 1e38f), std::pair(1e-30f, 1.1e-30f), std::pair(1e37f, 1e38f)})
+        for (int weight = 0; weight < 3; ++weight) {
+            ViewRay ray;
+            ray.warp = {DepthWarp::Kind::logarithmic, near, far};
+            ray.near_plane = near;
+            ray.far_plane = far;
+            for (const float view_depth : {near, std::sqrt(near) * std::sqrt(far), far})
+                ray.fragments.push_back({to_depth(view_depth, ray.warp), view_depth, 0.5f, glm::vec3(0.5f)});
+            const ParameterValues values = values_with({{ParameterId::weight, static_cast<float>(weight)}});
+            const glm::vec4 color = color_of(ray, technique, values);
+            for (int c = 0; c < 4; ++c) EXPECT_TRUE(std::isfinite(color[c])) << near << ' ' << far << ' ' << weight;
+            EXPECT_NEAR(color.a, 0.125f, 1e-6f);
+        }
+}
+
 }  // namespace
 }  // namespace momentscope::test

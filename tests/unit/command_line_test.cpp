@@ -1,6 +1,7 @@
 // command_line_test.cpp -- the program itself: each wrong input fails with one line, each right one prints or
 // writes. It runs in a forked process, which spares it the dynamic loader's quarter of a second.
 #include "app/command_line.hpp"
+#include "core/image/image.hpp"
 #include "core/techniques/technique.hpp"
 #include "tests/unit/expect_error.hpp"
 
@@ -137,7 +138,8 @@ TEST_F(CommandLine, RefusesUnknownScenesTechniquesOptionsAndFormats) {
     expect_all_refused("inspect --ray ray.json --technique ", {"''"}, "has no value");
     expect_refused("inspect --ray ray.json --format xml -o out/x", "json, csv or table");
     expect_refused("list nonsense", "no list 'nonsense'");
-    expect_refused("list techniques --format csv", "table or json");
+    expect_refused("list techniques --format csv", "table, json or markdown");
+    expect_refused("inspect --ray ray.json --technique fourier --lanczos 0.5 -o out/x", "--lanczos");
     expect_refused("render --scene planes", "--help");
 }
 
@@ -306,6 +308,21 @@ TEST_F(CommandLine, AnUnfinishedChartOfOtherSettingsIsKept) {
     EXPECT_FALSE(fs::exists(folder_ / "x.csv"));
 }
 
+TEST_F(CommandLine, CompareTellsOfAlphaAndRefusesWhatIsNoNumber) {
+    Image picture(4, 3);
+    for (glm::vec4& pixel : picture.pixels) pixel = {0.25f, 0.5f, 0.75f, 1};
+    write_image(picture, folder_ / "a.exr");
+    EXPECT_EQ(expect_success("compare a.exr a.exr").output.find("alpha"), std::string::npos);
+    picture.at(2, 1).a = 0.25f;
+    write_image(picture, folder_ / "alpha.exr");
+    EXPECT_NE(expect_success("compare a.exr alpha.exr").output.find("differs by 0.75 at most"), std::string::npos);
+    picture.at(1, 2).g = std::nanf("");
+    picture.at(3, 2).b = INFINITY;
+    write_image(picture, folder_ / "nan.exr");
+    expect_refused("compare a.exr nan.exr", "2 of the 12 pixels of 'nan.exr' are infinite or no numbers, the first at 1,2");
+    expect_refused("compare nan.exr nan.exr --metric rmse", "nan.exr");
+}
+
 TEST_F(CommandLine, ALineBreakInAnArgumentStaysOnOneLine) {
     expect_refused("inspect --ray ray.json --technique 'a\nb' -o out/x", "a");
     expect_refused("inspect --ray 'a\nb' -o out/x", "a");
@@ -321,6 +338,11 @@ TEST_F(CommandLine, ListsTheRegistries) {
     EXPECT_EQ(json::parse(expect_success("list parameters --format json").output).size(), PARAMETER_COUNT);
     EXPECT_GE(json::parse(expect_success("list scenes --format json").output).size(), 3u);
     EXPECT_TRUE(expect_success("list techniques").output.starts_with("power4-32   160 "));
+    for (const char* list : {"scenes", "parameters", "conditions", "figures", "commands"}) {
+        const std::string text = expect_success(std::string("list ") + list + " --format markdown").output;
+        EXPECT_TRUE(text.starts_with("| ")) << text;
+        EXPECT_NE(text.find("\n| --- |"), std::string::npos) << text;
+    }
 }
 
 TEST_F(CommandLine, InspectPrintsTheTruthAsJsonCsvAndTable) {

@@ -104,6 +104,17 @@ TEST(Compare, FalseColorsGoFromBlackToBright) {
     EXPECT_EQ(image.at(3, 0), image.at(2, 0)) << "what is beyond the scale has its end's colour";
 }
 
+// Straight alpha stays beside its colours: half of the red is not lost.
+TEST(ReadImage, KeepsColoursAndAlphaAsTheyAreStored) {
+    const std::filesystem::path path = std::filesystem::temp_directory_path() / "momentscope_straight_alpha.png";
+    write_png({255, 0, 0, 128, 0, 0, 255, 255}, 2, 1, path);
+    const Image image = read_image(path);
+    EXPECT_EQ(image.at(0, 0).r, 1.0f);
+    EXPECT_NEAR(image.at(0, 0).a, 128.0f / 255, 1e-6f);
+    EXPECT_EQ(image.at(1, 0), glm::vec4(0, 0, 1, 1));
+    std::filesystem::remove(path);
+}
+
 TEST(ReadImage, GivesBackWhatWasWritten) {
     const std::filesystem::path folder = std::filesystem::temp_directory_path() / "momentscope_read_image";
     std::filesystem::create_directories(folder);
