@@ -71,9 +71,10 @@ void require_finite(const Image& image, const std::string& name) {
     }
     if (count == 0) return;
     const auto width = static_cast<std::size_t>(image.width);
-    throw Error(fmt::format("{} of the {} pixels of '{}' are infinite or no numbers, the first at {},{}; such pictures "
-                            "cannot be compared.",
-                            count, image.pixels.size(), name, first % width, first / width));
+    throw Error(fmt::format(
+        "{} of the {} pixels of '{}' are infinite or no numbers, the first at {},{}; such pictures "
+        "cannot be compared.",
+        count, image.pixels.size(), name, first % width, first / width));
 }
 
 // What the metrics, which look at colours alone, leave out.
@@ -84,9 +85,10 @@ std::string note_on_alpha(const Image& reference, const Image& test) {
         least = std::min({least, reference.pixels[i].a, test.pixels[i].a});
     }
     if (least >= 1 && most == 0) return "";
-    return fmt::format("alpha: colours are compared as they are stored, whatever their alpha, which differs by {:.6g} at "
-                       "most.",
-                       most);
+    return fmt::format(
+        "alpha: colours are compared as they are stored, whatever their alpha, which differs by {:.6g} at "
+        "most.",
+        most);
 }
 
 }  // namespace

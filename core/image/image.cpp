@@ -66,7 +66,8 @@ Image read_image(const std::filesystem::path& path) {
             const float value = values[i * channels + (channels >= 3 ? c : 0)];
             image.pixels[i][static_cast<int>(c)] = linear ? value : linear_from_srgb(value);
         }
-        image.pixels[i].a = channels % 2 == 0 ? values[i * channels + channels - 1] : 1;  // grey or RGB, and alpha
+        image.pixels[i].a =
+            channels % 2 == 0 ? values[i * channels + channels - 1] : 1;  // grey or RGB, and alpha
     }
     return image;
 }

@@ -36,8 +36,8 @@ float srgb_from_linear(float linear);
 /// Linear value of an sRGB one in [0, 1].
 float linear_from_srgb(float srgb);
 
-/// Reads any picture that OpenImageIO knows: whole numbers as sRGB, floats as linear. Colours come as the file holds
-/// them, not multiplied by alpha, which is 1 where the file has none. Throws Error.
+/// Reads any picture that OpenImageIO knows: whole numbers as sRGB, floats as linear. Colours come as the
+/// file holds them, not multiplied by alpha, which is 1 where the file has none. Throws Error.
 Image read_image(const std::filesystem::path& path);
 
 /// Writes .exr (linear floats) or .png (8-bit sRGB of what the tone map makes of them), to a temporary file

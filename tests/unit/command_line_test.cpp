@@ -315,11 +315,13 @@ TEST_F(CommandLine, CompareTellsOfAlphaAndRefusesWhatIsNoNumber) {
     EXPECT_EQ(expect_success("compare a.exr a.exr").output.find("alpha"), std::string::npos);
     picture.at(2, 1).a = 0.25f;
     write_image(picture, folder_ / "alpha.exr");
-    EXPECT_NE(expect_success("compare a.exr alpha.exr").output.find("differs by 0.75 at most"), std::string::npos);
+    EXPECT_NE(expect_success("compare a.exr alpha.exr").output.find("differs by 0.75 at most"),
+              std::string::npos);
     picture.at(1, 2).g = std::nanf("");
     picture.at(3, 2).b = INFINITY;
     write_image(picture, folder_ / "nan.exr");
-    expect_refused("compare a.exr nan.exr", "2 of the 12 pixels of 'nan.exr' are infinite or no numbers, the first at 1,2");
+    expect_refused("compare a.exr nan.exr",
+                   "2 of the 12 pixels of 'nan.exr' are infinite or no numbers, the first at 1,2");
     expect_refused("compare nan.exr nan.exr --metric rmse", "nan.exr");
 }
 

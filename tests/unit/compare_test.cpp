@@ -106,7 +106,8 @@ TEST(Compare, FalseColorsGoFromBlackToBright) {
 
 // Straight alpha stays beside its colours: half of the red is not lost.
 TEST(ReadImage, KeepsColoursAndAlphaAsTheyAreStored) {
-    const std::filesystem::path path = std::filesystem::temp_directory_path() / "momentscope_straight_alpha.png";
+    const std::filesystem::path path =
+        std::filesystem::temp_directory_path() / "momentscope_straight_alpha.png";
     write_png({255, 0, 0, 128, 0, 0, 255, 255}, 2, 1, path);
     const Image image = read_image(path);
     EXPECT_EQ(image.at(0, 0).r, 1.0f);
