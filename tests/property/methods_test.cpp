@@ -250,7 +250,8 @@ TEST(Unsorted, IsExactFromBackToFrontAndTellsWhatIsSeen) {
 // Whatever the depths: quotients of them stay finite.
 TEST(Weighted, IsANumberOnEveryWarp) {
     const Technique& technique = require_technique("wboit");
-    for (const auto& [near, far] : {std::pair(1e-30f, 1e38f), std::pair(1e-30f, 1.1e-30f), std::pair(1e37f, 1e38f)})
+    for (const auto& [near, far] :
+         {std::pair(1e-30f, 1e38f), std::pair(1e-30f, 1.1e-30f), std::pair(1e37f, 1e38f)})
         for (int weight = 0; weight < 3; ++weight) {
             ViewRay ray;
             ray.warp = {DepthWarp::Kind::logarithmic, near, far};
@@ -260,7 +261,8 @@ TEST(Weighted, IsANumberOnEveryWarp) {
                 ray.fragments.push_back({to_depth(view_depth, ray.warp), view_depth, 0.5f, glm::vec3(0.5f)});
             const ParameterValues values = values_with({{ParameterId::weight, static_cast<float>(weight)}});
             const glm::vec4 color = color_of(ray, technique, values);
-            for (int c = 0; c < 4; ++c) EXPECT_TRUE(std::isfinite(color[c])) << near << ' ' << far << ' ' << weight;
+            for (int c = 0; c < 4; ++c)
+                EXPECT_TRUE(std::isfinite(color[c])) << near << ' ' << far << ' ' << weight;
             EXPECT_NEAR(color.a, 0.125f, 1e-6f);
         }
 }
