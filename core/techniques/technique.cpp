@@ -171,9 +171,12 @@ float automatic_bias(const ParameterValues& values, const Technique& technique) 
 }
 
 ResolvedParameters resolve(const ParameterValues& values, const Technique& technique) {
+    // Without a wrapping zone depths -1 and 1 are one point of the circle, and rounding alone decides at which of
+    // them a surface is. A zone 1/125 as long as the depth range tells them apart (docs/stability.md).
+    constexpr float LEAST_WRAPPING_ZONE = 0.05f;
     const auto on = [&](ParameterId id) { return technique.uses(id) && values[id].value_or(0.0f) >= 0.5f; };
     return {.beta = values[ParameterId::beta].value_or(0.0f),
-            .theta = values[ParameterId::theta].value_or(0.0f),
+            .theta = std::max(values[ParameterId::theta].value_or(0.0f), LEAST_WRAPPING_ZONE),
             .alpha = values[ParameterId::alpha].value_or(automatic_bias(values, technique)),
             .textbook = on(ParameterId::solver),
             .factored_once = technique.uses(ParameterId::factorisation) && !on(ParameterId::factorisation) &&

@@ -24,3 +24,12 @@ FN Complex conjugate(IN(Complex) a)
     result.im = -a.im;
     return result;
 }
+
+/// x, whose length is 1 but for rounding, with half that rounding or less: one step of Newton's method for 1 / |x|.
+FN Complex on_unit_circle(IN(Complex) x)
+{
+    PRECISE float excess = (x.re * x.re - 1.0f) + x.im * x.im;
+    PRECISE float re = x.re - 0.5f * excess * x.re;
+    PRECISE float im = x.im - 0.5f * excess * x.im;
+    return make_complex(re, im);
+}

@@ -30,14 +30,14 @@ FN Moments fragment_moments(float depth, float absorbance, IN(Basis) basis)
     Moments moments;
     moments.b0 = absorbance;
     Complex half_x = half_phase(depth, basis);
-    Complex x = product(half_x, half_x);
-    Complex power = make_complex(absorbance, 0.0f);
+    Complex x = on_unit_circle(product(half_x, half_x));
+    Complex power = x;
     UNROLL
     for (int i = 0; i < MOMENT_COUNT; ++i)
     {
-        power = product(power, x);
-        moments.b[2 * i] = power.re;
-        moments.b[2 * i + 1] = power.im;
+        moments.b[2 * i] = absorbance * power.re;
+        moments.b[2 * i + 1] = absorbance * power.im;
+        power = on_unit_circle(product(power, x));
     }
     return moments;
 }

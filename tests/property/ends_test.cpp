@@ -15,13 +15,14 @@
 namespace momentscope::test {
 namespace {
 
-// Without a zone depths -1 and 1 are one point, and no solver can tell on which side of it a surface is.
-constexpr float THETAS[] = {0.1f, std::numbers::pi_v<float> / 10, 1.0f};
+// resolve() makes a zone of 0 the least that tells depths -1 and 1 apart.
+constexpr float THETAS[] = {0.0f, 0.1f, std::numbers::pi_v<float> / 10, 1.0f};
+
+enum class Also { nothing, other_end, anywhere };  // besides a surface at an end or within 1e-6 of one
 
 class EndsOfTheDepthRange : public testing::TestWithParam<const Technique*> {
 protected:
-    // A surface at an end or within 1e-6 of one; every third time a second one anywhere.
-    ViewRay ray_at_an_end(int i) {
+    ViewRay ray_at_an_end(int i, Also also) {
         std::uniform_real_distribution<float> unit(0.0f, 1.0f), opacity(0.05f, 0.95f);
         const float end = i % 2 == 0 ? -1.0f : 1.0f;
         ViewRay ray;
@@ -29,12 +30,13 @@ protected:
             ray.fragments.push_back({.depth = depth, .view_depth = depth, .opacity = opacity(random_)});
         };
         add(i % 6 < 2 ? end : end - std::copysign(1e-6f * unit(random_), end));
-        if (i % 3 == 0) add(2 * unit(random_) - 1);
+        if (also == Also::other_end) add(-end);
+        if (also == Also::anywhere) add(2 * unit(random_) - 1);
         return ray;
     }
 
     /// How many queries fail as stress counts it, at own depths, at the ends and at random depths.
-    long failures(const ViewRay& ray, const ParameterValues& values, long& queries) {
+    long failures(const ViewRay& ray, const ParameterValues& values) {
         const Technique& technique = *GetParam();
         const ResolvedParameters parameters = resolve(values, technique);
         const MomentVector stored = sum_moments(ray, technique, parameters);
@@ -47,35 +49,43 @@ protected:
         for (std::size_t k = 0; k < depths.size(); ++k) {
             const float fraction = technique.kernel->fraction(stored, settings_of(parameters), depths[k]);
             const double t = transmittance_of_fraction(fraction, stored.b0);
-            const bool fine = judge(fraction, t, std::exp(-exactly[k])) == Outcome::fine;
-            if (!fine && failed == 0 && printed_++ < 3)
-                fmt::print("{} theta {}: depth {:.9g} of fragments at {:.9g}: T {:.4f}, exactly {:.4f}\n",
-                           technique.id, parameters.theta, depths[k], ray.fragments.front().depth, t,
-                           std::exp(-exactly[k]));
-            failed += fine ? 0 : 1;
-            ++queries;
+            if (judge(fraction, t, std::exp(-exactly[k])) != Outcome::fine) ++failed;
         }
         return failed;
     }
 
-    std::mt19937 random_{17};
-    int printed_ = 0;
+    /// Failures of all rays of a kind, the same ones for every solver.
+    long count(float theta, Also also, bool textbook, int rays) {
+        ParameterValues values;
+        values.set(ParameterId::theta, theta);
+        values.set(ParameterId::solver, textbook ? 1.0f : 0.0f);
+        random_.seed(17);
+        long failed = 0;
+        for (int i = rays; i > 0; --i) failed += failures(ray_at_an_end(i, also), values);
+        fmt::print("{} theta {:.2f}{}{}: {} of {} rays\n", GetParam()->id, theta,
+                   also == Also::nothing     ? ""
+                   : also == Also::other_end ? ", a surface at each end"
+                                             : ", another surface anywhere",
+                   textbook ? ", textbook" : "", failed, rays);
+        return failed;
+    }
+
+    std::mt19937 random_;
 };
 
 TEST_P(EndsOfTheDepthRange, HoldNoSurprise) {
+    const int rays = effort(1'000, 100'000);
+    const bool floats = GetParam()->kernel->bits == 32;
     for (const float theta : THETAS) {
         if (!GetParam()->uses(ParameterId::theta) && theta != THETAS[0]) break;
-        ParameterValues values;
-        values.set(ParameterId::theta, theta);
-        long queries = 0, failed = 0;
-        printed_ = 0;
-        for (int i = effort(2'000, 100'000); i > 0; --i)
-            failed += failures(ray_at_an_end(i), values, queries);
-        fmt::print("{} theta {}: {} of {} queries fail\n", GetParam()->id, theta, failed, queries);
-        // Before the seam was closed 50 to 70 queries failed. What is left are float moments of a
-        // surface and a query that are a zone of .1 apart, off by .023 at most.
-        if (GetParam()->kernel->bits == 32) {
-            EXPECT_LE(failed, queries / 5000) << "theta " << theta;
+        for (const Also also : {Also::nothing, Also::other_end, Also::anywhere}) {
+            const long failed = count(theta, also, false, rays);
+            // Two surfaces with only a narrow zone between them are told apart by the last digits: .4 % of
+            // these rays. In 16 bits both solvers have the same rounded moments, and an error of .02 is a
+            // matter of luck.
+            const long allowed = floats ? (also == Also::nothing ? 0 : rays / 100)
+                                        : count(theta, also, true, rays) + 1 + rays / 20'000;
+            EXPECT_LE(failed, allowed) << "theta " << theta;
         }
     }
 }
