@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/series.hpp"
+
 namespace momentscope::ui {
 
 namespace {
@@ -109,9 +111,11 @@ void draw_errors(ImDrawList& list, const PlotAxes& axes, const Palette& colors, 
     const float scale = em() / 15;
     for (const PixelHistoryRow& row : input.measurement.history) {
         const float x = axes.x(input.measurement.capture.ray.fragments[row.fragment].depth);
-        const auto truth = static_cast<float>(-std::log(std::max(row.true_transmittance, 1e-30)));
-        const float from = axes.y(truth);
-        const float to = axes.y(-std::log(std::max(row.transmittance, 1e-30f)));
+        const auto y = [&](double t) {
+            return axes.y(static_cast<float>(shown_absorbance(t, input.measurement.curve.total_absorbance)));
+        };
+        const float from = y(row.true_transmittance);
+        const float to = y(static_cast<double>(row.transmittance));
         list.AddLine({x, from}, {x, to}, tint, width_of(input, Series::errors, 2));
         list.AddCircleFilled({x, to}, 3.2f * scale, tint);
     }
@@ -252,7 +256,8 @@ void draw_layers(ImDrawList& list, const PlotAxes& axes, const Palette& colors, 
         draw_line(list, points_of(axes, curve.depth, curve.reconstructed),
                   tint_of(input, Series::reconstruction, colors.reconstruction),
                   width_of(input, Series::reconstruction, 2.2f));
-    if (shows(input, Series::errors) && !curve.technique->is_truth()) draw_errors(list, axes, colors, input);
+    if (shows(input, Series::errors) && has_series(Series::errors, *curve.technique))
+        draw_errors(list, axes, colors, input);
     if (shows(input, Series::reconstruction)) draw_failure(list, axes, colors, m);
     if (shows(input, Series::stems)) draw_stems(list, axes, colors, input);
     draw_query(list, axes, colors, input);

@@ -48,7 +48,7 @@ std::span<const SeriesRow> series_rows() {
 bool has_series(Series series, const Technique& technique) {
     if (series == Series::truth) return true;
     if (series == Series::wrapping_zone) return technique.uses(ParameterId::theta);
-    if (series == Series::errors) return !technique.is_truth();
+    if (series == Series::errors) return technique.path != RenderPath::sorted;
     return series == Series::reconstruction ? has_function(technique) : technique.kernel != nullptr;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/inspect/drawn_fragments.hpp"
 #include "core/inspect/method_pixel.hpp"
 
 namespace momentscope {
@@ -12,6 +13,11 @@ std::vector<float> even_depths(std::size_t samples) {
     for (std::size_t i = 0; i < samples; ++i)
         depths[i] = 2.0f * static_cast<float>(i) / static_cast<float>(samples - 1) - 1.0f;
     return depths;
+}
+
+double shown_absorbance(double t, double total) {
+    const auto opaque = static_cast<double>(fragment_absorbance(1.0f));
+    return t > 0 ? -std::log(t) : std::max(opaque, total);
 }
 
 MomentVector sum_moments(const ViewRay& ray, const Technique& technique,
@@ -37,13 +43,14 @@ Curve sample_curve(const ViewRay& ray, const Technique& technique, const Paramet
         // A pixel of a scene without its neighbours' fragments: captured for a technique without low
         // resolution.
         if (curve.parameters.method.divisor > 1 && ray.shares.empty() && ray.far_plane > 0) return curve;
-        constexpr float LEAST_T = 1e-30f;
         for (const float t : method_transmittance(ray, technique, curve.parameters.method, depths))
-            curve.reconstructed.push_back(0.0f - std::log(std::max(t, LEAST_T)));
+            curve.reconstructed.push_back(
+                static_cast<float>(shown_absorbance(static_cast<double>(t), curve.total_absorbance)));
         return curve;
     }
-    if (technique.kernel == nullptr) {  // the ground truth reconstructs itself
-        curve.reconstructed.assign(curve.truth.begin(), curve.truth.end());
+    if (technique.kernel == nullptr) {  // a ground truth reconstructs the fragments that it draws
+        const std::vector<double> drawn = true_absorbance(drawn_fragments(ray, technique), depths);
+        curve.reconstructed.assign(drawn.begin(), drawn.end());
         return curve;
     }
     curve.moments = sum_moments(ray, technique, curve.parameters);

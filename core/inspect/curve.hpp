@@ -28,6 +28,10 @@ struct Curve {
 /// `samples` depths, evenly from -1 to 1. samples >= 2.
 std::vector<float> even_depths(std::size_t samples);
 
+/// The absorbance that a transmittance shows: -ln T. Where T is 0 that of an opaque fragment, or `total`, the
+/// ray's absorbance, if it is more.
+double shown_absorbance(double t, double total);
+
 /// The moments that the first pass sums up for this ray, in submission order, in floats.
 MomentVector sum_moments(const ViewRay& ray, const Technique& technique,
                          const ResolvedParameters& parameters);

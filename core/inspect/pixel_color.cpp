@@ -2,26 +2,42 @@
 
 #include <cmath>
 
+#include "core/inspect/drawn_fragments.hpp"
 #include "core/inspect/method_pixel.hpp"
 
 namespace momentscope {
+
+namespace {
+
+// Front to back, so that ties are composited one after the other.
+glm::vec3 sorted_color(const ViewRay& ray, const glm::vec3& background) {
+    glm::vec3 color(0);
+    float transmittance = 1;
+    for (const std::size_t i : front_to_back(ray)) {
+        const Fragment& fragment = ray.fragments[i];
+        color += transmittance * fragment.opacity * fragment.color;
+        transmittance *= 1 - fragment.opacity;
+    }
+    return color + transmittance * background;
+}
+
+}  // namespace
 
 PixelColors pixel_colors(const ViewRay& ray, const std::vector<PixelHistoryRow>& rows,
                          const Technique& technique, const ResolvedParameters& parameters,
                          const glm::vec3& background) {
     PixelColors colors;
-    float transmittance = 1;
+    colors.truth = sorted_color(ray, background);
+    if (technique.is_truth()) {
+        colors.technique = sorted_color(drawn_fragments(ray, technique), background);
+        return colors;
+    }
     float absorbance = 0;
     glm::vec4 weighted(0);
-    for (const PixelHistoryRow& row :
-         rows) {  // front to back, so that ties are composited one after the other
-        const Fragment& fragment = ray.fragments[row.fragment];
-        colors.truth += transmittance * fragment.opacity * fragment.color;
-        transmittance *= 1 - fragment.opacity;
+    for (const PixelHistoryRow& row : rows) {
         absorbance += row.absorbance;
         weighted += row.source;
     }
-    colors.truth += transmittance * background;
     if (technique.method != nullptr) {
         colors.technique = method_color(ray, technique, parameters, background);
         return colors;

@@ -15,7 +15,7 @@ struct PixelHistoryRow {
     double true_transmittance;              // of all that lies strictly in front
     float transmittance;                    // reconstructed in C++; the truth for techniques without moments
     std::optional<float> gl_transmittance;  // by the GL's second pass, where there is one
-    glm::vec4 source;                       // what blending adds: T alpha_l (colour, 1)
+    glm::vec4 source;                       // what blending adds: T alpha_l (colour, 1); 0 if it is not drawn
     glm::vec4 sum;                          // what stood there before, with all submitted earlier
 
     /// Reconstructed minus true: positive where the fragment shines through too much.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "core/inspect/drawn_fragments.hpp"
 #include "core/inspect/exact.hpp"
 #include "core/inspect/method_pixel.hpp"
 #include "core/inspect/pixel_color.hpp"
@@ -41,6 +42,19 @@ std::vector<double> transmittances(const std::vector<double>& absorbances) {
     return t;
 }
 
+const char* basis_name(const Technique& technique) {
+    return technique.on_circle() ? "trigonometric" : technique.on_chebyshev() ? "Chebyshev" : "power";
+}
+
+// No function of depth tells which of two surfaces at one depth lies in front, so that they see each other
+// alike.
+void add_step_of_ties(std::vector<Step>& steps, const ViewRay& ray, bool renormalized,
+                      const glm::vec3& behind) {
+    if (!has_ties(ray)) return;
+    const std::vector<double> t = transmittances(true_absorbance(ray, own_depths(ray)));
+    steps.push_back({"surfaces at the same depth", weighted_color(ray, t, renormalized, behind)});
+}
+
 // Chebyshev moments hold what power moments do.
 const Technique& with_reference(const Technique& technique) {
     if (!technique.on_chebyshev()) return technique;
@@ -60,10 +74,10 @@ std::vector<Step> moment_steps(const ViewRay& ray, const Technique& technique, c
         return weighted_color(ray, transmittances(absorbances), parameters.renormalize, behind);
     };
     std::vector<Step> steps;
+    add_step_of_ties(steps, ray, parameters.renormalize, behind);
     steps.push_back({fmt::format("the moment count ({} {} moments for {})", technique.moment_count,
-                                 technique.on_circle() ? "trigonometric" : "power",
-                                 fragment_count_text(ray.fragments.size())),
-                     exact_color(technique.on_circle() ? 0 : parameters.theta, 0, 0)});
+                                 basis_name(technique), fragment_count_text(ray.fragments.size())),
+                     exact_color(technique.on_circle() ? LEAST_WRAPPING_ZONE : parameters.theta, 0, 0)});
     if (technique.on_circle()) steps.push_back({"the wrapping zone", exact_color(parameters.theta, 0, 0)});
     steps.push_back({"the overestimation weight", exact_color(parameters.theta, parameters.beta, 0)});
     if (&reference == &technique)
@@ -97,6 +111,8 @@ std::vector<Step> method_steps(const ViewRay& ray, const Technique& technique, c
         technique.order_dependent ? best_ordered(ray, technique.method->accumulation) : ray;
     ParameterValues ideal = values;
     std::vector<Step> steps;
+    if (!technique.method->holds_colors && technique.method->has_depths())
+        add_step_of_ties(steps, ray, resolve(values, technique).renormalize, behind);
     const auto add = [&](const char* cause, const ViewRay& of) {
         const ResolvedParameters parameters = resolve(ideal, technique);
         steps.push_back({cause, glm::dvec3(method_color(of, technique, parameters, behind))});
@@ -119,6 +135,32 @@ std::vector<Step> method_steps(const ViewRay& ray, const Technique& technique, c
     }
     if (technique.order_dependent) add("the order of submission", ray);
     return steps;
+}
+
+Verdict verdict_of_truth(const ViewRay& ray, const Technique& technique, const glm::vec3& behind) {
+    const std::size_t lost = ray.fragments.size() - drawn_fragments(ray, technique).fragments.size();
+    if (lost == 0) return {.error = 0, .contributions = {}, .sentence = "This technique is the truth."};
+    const PixelColors colors = pixel_colors(ray, {}, technique, {}, behind);
+    const double error = glm::length(glm::dvec3(colors.technique) - glm::dvec3(colors.truth));
+    return {.error = error,
+            .contributions = {{"surfaces at the same depth", error}},
+            .sentence =
+                fmt::format("Off by {:.3f} in linear colour: of surfaces at the same depth only the first "
+                            "that is drawn survives, so {} of {} is lost.",
+                            error, lost, fragment_count_text(ray.fragments.size()))};
+}
+
+// What a half float loses of the total, or nothing.
+std::string drift_text(const ViewRay& ray, const Technique& technique, const ParameterValues& values) {
+    constexpr double DRIFT = 0.01;
+    if (technique.kernel == nullptr || technique.kernel->bits != 16) return {};
+    const double total = total_absorbance(ray);
+    const auto stored = static_cast<double>(sum_moments(ray, technique, resolve(values, technique)).b0);
+    if (std::abs(stored - total) <= DRIFT * total) return {};
+    return fmt::format(
+        " 16 bits hold b₀ = {:.4g} of {:.4g}: a fragment adds less than half of a half float's last "
+        "digit; use moments in 32 bits.",
+        stored, total);
 }
 
 std::string sentence_of(const Verdict& verdict) {
@@ -153,13 +195,12 @@ bool harmful_renormalization(const ViewRay& ray, const Technique& technique, con
 
 Verdict pixel_verdict(const ViewRay& ray, const Technique& technique, const ParameterValues& values,
                       const glm::vec3& behind) {
-    if (technique.is_truth())
-        return {.error = 0, .contributions = {}, .sentence = "This technique is the truth."};
+    if (technique.is_truth()) return verdict_of_truth(ray, technique, behind);
     if (ray.fragments.size() > MOST_FRAGMENTS)
-        return {
-            .error = 0,
-            .contributions = {},
-            .sentence = fmt::format("More than {} fragments are too many for a verdict.", MOST_FRAGMENTS)};
+        return {.error = 0,
+                .contributions = {},
+                .sentence = fmt::format("More than {} fragments are too many for a verdict.{}",
+                                        MOST_FRAGMENTS, drift_text(ray, technique, values))};
     const PixelColors colors = colors_of(ray, technique, values, behind);
     Verdict verdict;
     if (ray.fragments.empty()) {
@@ -180,7 +221,7 @@ Verdict pixel_verdict(const ViewRay& ray, const Technique& technique, const Para
         verdict.contributions.push_back({step.cause, glm::dot(step.color - before, direction)});
         before = step.color;
     }
-    verdict.sentence = sentence_of(verdict);
+    verdict.sentence = sentence_of(verdict) + drift_text(ray, technique, values);
     return verdict;
 }
 

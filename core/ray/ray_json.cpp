@@ -33,6 +33,24 @@ float number(const json& object, const char* key, const std::string& where) {
     return static_cast<float>(value);
 }
 
+// A misspelt key would be left out in silence.
+void require_known_keys(const json& object, std::initializer_list<std::string_view> known,
+                        const std::string& where) {
+    for (const auto& [key, value] : object.items()) {
+        if (std::ranges::find(known, key) != known.end()) continue;
+        std::string keys;
+        for (const std::string_view one : known)
+            keys += fmt::format("{}\"{}\"", keys.empty() ? "" : ", ", one);
+        throw Error(
+            fmt::format("The view ray's {} has a \"{}\", which means nothing; use {}.", where, key, keys));
+    }
+}
+
+// Closer together than 1.0001 the logarithms of depths are the same float.
+bool is_depth_range(float low, float high) {
+    return low >= 1e-30f && high >= 1.0001f * low;
+}
+
 DepthWarp warp_from(const json& root) {
     DepthWarp warp;
     const auto found = root.find("warp");
@@ -40,15 +58,19 @@ DepthWarp warp_from(const json& root) {
     if (!found->is_object() || !found->contains("kind") || !(*found)["kind"].is_string())
         throw Error("The view ray's warp needs a \"kind\": \"none\", \"log\" or \"linear\".");
     const auto kind = (*found)["kind"].get<std::string>();
-    if (kind == "none") return warp;
+    if (kind == "none") {
+        require_known_keys(*found, {"kind"}, "warp of the kind none");
+        return warp;
+    }
     if (kind != "log" && kind != "linear")
         throw Error(
             fmt::format("The view ray's warp kind is '{}'; use \"none\", \"log\" or \"linear\".", kind));
+    require_known_keys(*found, {"kind", "z_min", "z_max"}, "warp");
     warp = {kind == "log" ? DepthWarp::Kind::logarithmic : DepthWarp::Kind::linear,
             number(*found, "z_min", "warp"), number(*found, "z_max", "warp")};
-    // Closer together their logarithms would be the same float.
-    if (!(warp.z_min >= 1e-30f && warp.z_max >= 1.0001f * warp.z_min))
-        throw Error("The view ray's warp needs 0 < z_min < z_max, and 1.0001 z_min at least for z_max.");
+    if (!is_depth_range(warp.z_min, warp.z_max))
+        throw Error(
+            "The view ray's warp needs a z_min above 0 (1e-30 at least), and a z_max of at least 1.0001 z_min.");
     return warp;
 }
 
@@ -81,14 +103,22 @@ std::uint32_t seed_from(const json& entry, std::uint32_t standard, const std::st
 Fragment fragment_from(const json& entry, std::size_t index, const DepthWarp& warp) {
     const std::string where = fmt::format("fragment {}", index);
     if (!entry.is_object()) throw Error(fmt::format("The view ray's {} must be an object.", where));
+    require_known_keys(entry, {"depth", "opacity", "color", "seed", "threshold"}, where);
     Fragment fragment;
     fragment.view_depth = number(entry, "depth", where);
+    if (const auto opacity = entry.find("opacity"); opacity != entry.end() && opacity->is_array())
+        throw Error(fmt::format(
+            "The view ray's {} has a list as \"opacity\"; give one number, the same for all colours.",
+            where));
     fragment.opacity = number(entry, "opacity", where);
     fragment.color = color_from(entry, where);
     fragment.draw = static_cast<std::uint32_t>(index);
     fragment.seed = seed_from(entry, fragment_seed(0, fragment.draw, 0), where);
     fragment.threshold =
         entry.contains("threshold") ? number(entry, "threshold", where) : unit_random(fragment.seed, 0);
+    if (!(fragment.threshold >= 0 && fragment.threshold <= 1))
+        throw Error(fmt::format("The view ray's {} has threshold {}; give one from 0 to 1.", where,
+                                fragment.threshold));
     if (!(fragment.opacity >= 0 && fragment.opacity <= 1))
         throw Error(
             fmt::format("The view ray's {} has opacity {}; give one from 0 to 1.", where, fragment.opacity));
@@ -125,6 +155,7 @@ std::vector<FragmentShare> shares_from(const json& root, const DepthWarp& warp) 
             MAX_SHARES));
     std::vector<FragmentShare> shares;
     for (const json& entry : *found) {
+        require_known_keys(entry, {"weight", "fragments"}, "share");
         const float weight = number(entry, "weight", "share");
         if (!(weight >= 0 && weight <= 1))
             throw Error(fmt::format("A share of the view ray has weight {}; give one from 0 to 1.", weight));
@@ -162,12 +193,16 @@ ViewRay ray_from_json(const std::string& text) {
     const json root = parse_ray(text);
     if (!root.is_object() || !root.contains("fragments") || !root["fragments"].is_array())
         throw Error("The view ray needs a list \"fragments\"; see the README for its form.");
+    // total_absorbance: what inspect adds to a ray that it prints.
+    require_known_keys(root, {"fragments", "warp", "near", "far", "shares", "total_absorbance"}, "top level");
     ViewRay ray;
     ray.warp = warp_from(root);
     if (root.contains("near")) ray.near_plane = number(root, "near", "top level");
     if (root.contains("far")) ray.far_plane = number(root, "far", "top level");
-    if (ray.near_plane < 0 || ray.far_plane < ray.near_plane)
-        throw Error("The view ray needs 0 <= near <= far.");
+    const bool unknown = ray.near_plane == 0 && ray.far_plane == 0;
+    if (!unknown && !is_depth_range(ray.near_plane, ray.far_plane))
+        throw Error(
+            "The view ray needs a \"near\" above 0 (1e-30 at least), and a \"far\" of at least 1.0001 near.");
     ray.fragments = fragments_from(root["fragments"], ray.warp);
     ray.shares = shares_from(root, ray.warp);
     return ray;

@@ -26,7 +26,7 @@ FN PixelState empty_state(IN(MethodSettings) settings)
 FN NodeList with_node(IN(PixelState) stored, IN(MethodFragment) fragment, int size)
 {
     NodeList list;
-    float through = 1.0f - fragment.opacity;
+    float through = transmittance_of_opacity(fragment.opacity);
     float depth_before = -1.0f;
     float t_before = 1.0f;
     UNROLL

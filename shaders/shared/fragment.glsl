@@ -10,6 +10,12 @@ FN float absorbance_of_opacity(float opacity)
     return negative_log_one_minus(clamp(opacity, 0.0f, OPACITY_CAP));
 }
 
+/// The transmittance of one fragment, with the same cap, for techniques that multiply transmittances: at least e^-10.
+FN float transmittance_of_opacity(float opacity)
+{
+    return 1.0f - min(opacity, OPACITY_CAP);
+}
+
 /// T = exp(-A) of an absorbance >= 0.
 FN float transmittance_of(float absorbance)
 {

@@ -71,14 +71,14 @@ FN PixelState with_fragment(IN(PixelState) stored, IN(MethodFragment) fragment, 
     carried.red = fragment.red * fragment.opacity;
     carried.green = fragment.green * fragment.opacity;
     carried.blue = fragment.blue * fragment.opacity;
-    carried.transmittance = 1.0f - fragment.opacity;
+    carried.transmittance = transmittance_of_opacity(fragment.opacity);
     UNROLL
     for (int i = 0; i < MAX_LAYERS; ++i)
     {
         Layer layer = layer_of(stored, i);
         Layer front = layer;
         Layer behind = carried;
-        if (carried.depth < layer.depth)
+        if (carried.depth <= layer.depth)   // of a tie the later fragment lies in front, as in sorted
         {
             front = carried;
             behind = layer;

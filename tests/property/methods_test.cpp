@@ -149,7 +149,7 @@ std::vector<ExactLayer> exact_layers(const ViewRay& ray, std::size_t most) {
     for (const Fragment& f : ray.fragments) {
         const ExactLayer layer = {static_cast<double>(f.depth),
                                   glm::dvec4(glm::dvec3(f.color) * opacity_of(f), 1 - opacity_of(f))};
-        const auto place = std::ranges::upper_bound(layers, layer.depth, {}, &ExactLayer::depth);
+        const auto place = std::ranges::lower_bound(layers, layer.depth, {}, &ExactLayer::depth);
         layers.insert(place, layer);
         if (layers.size() <= most) continue;
         const ExactLayer last = layers.back();

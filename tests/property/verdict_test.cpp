@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/inspect/pixel_color.hpp"
 #include "core/inspect/verdict.hpp"
 #include "core/ray/random_ray.hpp"
 
@@ -66,6 +67,66 @@ TEST(VerdictTest, NamesTheFault) {
     ViewRay mixed = two;
     mixed.shares = {{0.5f, two.fragments}, {0.5f, sheets({-0.9f, -0.7f}, 0.9f).fragments}};
     EXPECT_EQ(of(mixed, "mt", values_with({{resolution, 1}})), "the low resolution of the moments");
+}
+
+// Two coincident panes of one ray: no technique with moments knows which lies in front.
+TEST(VerdictTest, TiesAreBlamedOnTies) {
+    ViewRay ray = sheets({0.2f, 0.2f});
+    ray.fragments[0].color = {1, 0, 0};
+    ray.fragments[1].color = {0, 0, 1};
+    for (const char* technique : {"power8-32", "cheb8-32", "trig4-32", "wavelet", "mt"})
+        EXPECT_EQ(named(pixel_verdict(ray, require_technique(technique), {}, BEHIND)),
+                  "surfaces at the same depth")
+            << technique;
+    const ViewRay five = sheets({-0.8f, -0.4f, 0.0f, 0.4f, 0.8f});
+    EXPECT_EQ(named(pixel_verdict(five, require_technique("cheb4-32"), values_with({{ParameterId::beta, 0}}),
+                                  BEHIND)),
+              "the moment count (4 Chebyshev moments for 5 fragments)");
+}
+
+// A surface at an end of the depth range is known exactly, and a fragment behind it is not blamed on
+// rounding.
+TEST(VerdictTest, AnEdgeIsNoFault) {
+    const ViewRay ray = sheets({-1.0f, 0.3f});
+    for (const char* technique : {"trig2-32", "trig3-32", "trig4-32"})
+        EXPECT_LT(
+            pixel_verdict(ray, require_technique(technique), values_with({{ParameterId::beta, 0}}), BEHIND)
+                .error,
+            0.02)
+            << technique;
+}
+
+// What is lost is missing from the picture, the curve, the history and in the words.
+TEST(VerdictTest, PeelingLosesTies) {
+    ViewRay ray = sheets({0.2f, 0.2f, -0.4f});
+    ray.fragments[1].color = {0, 0, 1};
+    const Technique& peeling = require_technique("peeling");
+    const std::vector<float> behind_all = {0.9f};
+    const Curve curve = sample_curve(ray, peeling, {}, behind_all);
+    EXPECT_NEAR(curve.truth[0], 3 * std::log(2.0), 1e-6);
+    EXPECT_NEAR(curve.reconstructed[0], 2 * std::log(2.0), 1e-6);
+    const auto history = pixel_history(ray, {}, peeling, {});
+    EXPECT_EQ(std::ranges::count(history, glm::vec4(0), &PixelHistoryRow::source), 1);
+    const PixelColors colors = pixel_colors(ray, history, peeling, {}, BEHIND);
+    ViewRay first = ray;
+    first.fragments.erase(first.fragments.begin() + 1);
+    EXPECT_EQ(colors.technique, pixel_colors(first, {}, peeling, {}, BEHIND).truth);
+    const Verdict verdict = pixel_verdict(ray, peeling, {}, BEHIND);
+    EXPECT_NEAR(verdict.error, glm::length(glm::dvec3(colors.technique - colors.truth)), 1e-6);
+    EXPECT_NE(verdict.sentence.find("1 of 3 fragments is lost"), std::string::npos) << verdict.sentence;
+}
+
+// A half float of 2048 stands still when 0.5 is added to it.
+TEST(VerdictTest, SaysWhatSixteenBitsLose) {
+    ViewRay ray;
+    for (int i = 0; i < 900; ++i) ray.fragments.push_back(plain_fragment(0.1f, 0.99995f, 0));
+    const auto sentence = [&](const char* technique) {
+        return pixel_verdict(ray, require_technique(technique), {}, BEHIND).sentence;
+    };
+    EXPECT_EQ(sentence("power4-16").find("b₀ ="), std::string::npos) << "9000 of 10 each is fine";
+    for (int i = 0; i < 5000; ++i) ray.fragments.push_back(plain_fragment(0.1f, 0.5f, 0));
+    EXPECT_NE(sentence("power4-16").find("b₀ ="), std::string::npos);
+    EXPECT_EQ(sentence("power4-32").find("b₀ ="), std::string::npos);
 }
 
 TEST(VerdictTest, SaysWhenThereIsNothingToSay) {

@@ -104,7 +104,6 @@ TEST(RayJson, NumbersFragmentsByTheirOrderAndFillsInWhatIsOptional) {
     EXPECT_TRUE(ray_from_json(with_fragments("")).fragments.empty());
     EXPECT_FALSE(ray_from_json(with_fragments("", R"(, "warp": null)")).warp.has_view_depths());
     EXPECT_FALSE(ray_from_json(with_fragments("", R"(, "warp": {"kind": "none"})")).warp.has_view_depths());
-    EXPECT_EQ(ray_from_json(with_fragments("", R"(, "note": [[[["ignored"]]]])")).fragments.size(), 0u);
 }
 
 TEST(RayJson, KeepsSeedsThresholdsAndShares) {
@@ -133,6 +132,15 @@ TEST(RayJson, RefusesWrongSeedsAndShares) {
 }
 
 TEST(RayJson, RefusesWhatIsNoJson) {
+    expect_refused(with_fragments(R"({"depth": 0, "opacity": 0.5, "alpha": 3})"), "\"alpha\"");
+    expect_refused(with_fragments("", R"(, "typo": 1)"), "\"typo\"");
+    expect_refused(with_fragments("", R"(, "warp": {"kind": "none", "z_min": 1})"), "\"z_min\"");
+    expect_refused(with_fragments("", R"(, "shares": [{"weight": 1, "fragments": [], "x": 1}])"), "\"x\"");
+    expect_refused(with_fragments(R"({"depth": 0, "opacity": [0.1, 0.5, 0.9]})"), "one number");
+    expect_refused(with_fragments(R"({"depth": 0, "opacity": 0.5, "threshold": 2})"), "threshold 2");
+    expect_refused(with_fragments("", R"(, "warp": {"kind": "log", "z_min": 0, "z_max": 10})"), "above 0");
+    expect_refused(with_fragments("", R"(, "near": 1)"), "far");
+    expect_refused(with_fragments("", R"(, "near": 1, "far": 1)"), "far");
     for (const char* text : {"", "{", "nonsense", R"({"fragments": [}])", "{'fragments': []}",
                              R"({"fragments": []} x)", R"({"fragments": [],})", "\xff\xfe", "{\"\xc3\": 1}"})
         expect_refused(text, "not valid JSON at byte");

@@ -1,0 +1,16 @@
+// drawn_fragments.hpp -- which fragments of a ray a technique draws.
+#pragma once
+#include "core/ray/view_ray.hpp"
+#include "core/techniques/technique.hpp"
+
+namespace momentscope {
+
+/// The ray as the technique draws it: all fragments, or with depth peeling, of those that have one depth in
+/// the depth buffer, only the one that is submitted first. Without known near and far planes depths are
+/// compared as they are.
+ViewRay drawn_fragments(const ViewRay& ray, const Technique& technique);
+
+/// Do two of the fragments have the same depth?
+bool has_ties(const ViewRay& ray);
+
+}  // namespace momentscope
