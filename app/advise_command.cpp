@@ -79,7 +79,8 @@ Evidence read_evidence(const Options& options) {
                          values_of(setting(chart.settings, "parameters")),
                          {}};
     for (const std::span<const ChartRow> rows : scenes_of(chart))
-        if (rows.front().scene == options.scene) evidence.rows.assign(rows.begin(), rows.end());
+        if (absolute_scene(rows.front().scene) == absolute_scene(options.scene))
+            evidence.rows.assign(rows.begin(), rows.end());
     if (evidence.rows.empty())
         throw Error(fmt::format("'{}' has no rows of the scene '{}', but of {}; chart that scene, too.",
                                 options.chart, options.scene, setting(chart.settings, "scenes")));
@@ -135,7 +136,7 @@ Advice checked(const Evidence& evidence, const AdviceBounds& bounds, HeldOutErro
 ui::ExplorerState recipe(const Options& options, const AdviceBounds& bounds,
                          const Configuration& configuration) {
     ui::ExplorerState state;
-    state.scene = options.scene;
+    state.scene = absolute_scene(options.scene);
     state.technique = configuration.technique;
     state.parameters = configuration.values;
     state.compare.metric = bounds.metric;

@@ -9,6 +9,7 @@
 #include "core/input_file.hpp"
 #include "core/output_file.hpp"
 #include "core/ray/ray_json.hpp"
+#include "core/scene/scenes.hpp"
 #include "ui/json_reader.hpp"
 #include "ui/lessons.hpp"
 #include "ui/series.hpp"
@@ -266,14 +267,42 @@ Session session_from_json(const std::string& text) {
     return session;
 }
 
+namespace {
+
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+    return std::filesystem::path(absolute_scene(file.string())).parent_path();
+}
+
+// Relative to the session's folder if the mesh lies there, so that both can be moved together.
+std::string portable_scene(const std::string& scene, const std::filesystem::path& session) {
+    if (is_builtin_scene(scene)) return scene;
+    const std::filesystem::path path = absolute_scene(scene);
+    const std::filesystem::path relative = path.lexically_relative(folder_of(session));
+    return relative.empty() || *relative.begin() == ".." ? path.string() : relative.string();
+}
+
+// A path that does not begin at the root is looked for beside the session first.
+std::string scene_beside(const std::string& scene, const std::filesystem::path& session) {
+    if (is_builtin_scene(scene)) return scene;
+    const std::filesystem::path beside = folder_of(session) / scene;
+    std::error_code code;
+    return std::filesystem::exists(beside, code) ? beside.string() : scene;
+}
+
+}  // namespace
+
 Session read_session_file(const std::filesystem::path& path) {
-    return session_from_json(read_input_file(path, MAX_SESSION_BYTES, "session"));
+    Session session = session_from_json(read_input_file(path, MAX_SESSION_BYTES, "session"));
+    session.state.scene = scene_beside(session.state.scene, path);
+    return session;
 }
 
 void write_session_file(const ExplorerState& state, const std::filesystem::path& path) {
+    ExplorerState portable = state;
+    portable.scene = portable_scene(state.scene, path);
     std::string text;
     try {
-        text = session_to_json(state).dump(1) + "\n";
+        text = session_to_json(portable).dump(1) + "\n";
     } catch (const json::exception&) {
         throw Error(
             "The name of the mesh file is no UTF-8, which a session needs; rename the file and open it again.");

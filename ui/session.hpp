@@ -23,7 +23,8 @@ struct Session {
 /// out of range, and names the key. `text` is bounded by the caller.
 Session session_from_json(const std::string& text);
 
-/// Throws Error also when the file is missing or too large.
+/// Throws Error also when the file is missing or too large. A mesh file is named relative to the session's folder
+/// if it lies there, and else from the root, so that the session opens from every folder.
 Session read_session_file(const std::filesystem::path& path);
 void write_session_file(const ExplorerState& state, const std::filesystem::path& path);
 

@@ -9,6 +9,7 @@
 
 #include "core/chart/chart_drawing.hpp"
 #include "core/markup.hpp"
+#include "core/scene/scenes.hpp"
 #include "core/techniques/configuration.hpp"
 
 namespace momentscope {
@@ -36,7 +37,8 @@ function show(row) {
   details.innerHTML = '<table><tr></tr></table><code></code>';
   details.querySelector('tr').innerHTML = cell(r.scene, r.configuration) + cell('pass 1', spread(r.moments)) +
     cell('pass 2', spread(r.color)) + cell('composite', spread(r.composite)) + cell('total', spread(r.total)) +
-    cell('difference', spread(r.differential)) + cell('bits', r.bits ?? 'grow') + cell('passes', r.passes ?? 'layers') +
+    cell('difference', spread(r.differential)) + cell('stored bits', r.stored ?? 'grow') +
+    cell('bits with factor', r.bits ?? 'grow') + cell('passes', r.passes ?? 'layers') +
     cell('RMSE', r.rmse) + cell('ΔE', r.delta_e) + cell('FLIP', r.flip) + cell('stability', r.stability);
   details.querySelector('code').textContent = r.command;
 }
@@ -84,7 +86,8 @@ json json_of(const Chart& chart, const ChartRow& row) {
             {"composite", json_of(n.composite)},
             {"total", json_of(n.total)},
             {"differential", json_of(n.differential)},
-            {"bits", n.bits_per_pixel ? json(*n.bits_per_pixel) : json()},
+            {"stored", n.stored_bits ? json(*n.stored_bits) : json()},
+            {"bits", n.bits_with_factor ? json(*n.bits_with_factor) : json()},
             {"passes", n.geometry_passes ? json(*n.geometry_passes) : json()},
             {"rmse", n.rmse},
             {"delta_e", n.delta_e},
@@ -115,8 +118,9 @@ std::string unavailable_text(std::span<const ChartRow> rows) {
 }  // namespace
 
 std::string explore_command(const Chart& chart, const ChartRow& row) {
-    std::string command = fmt::format("momentscope explore --scene {} {}", shell_quoted(row.scene),
-                                      configuration_options(parse_configuration(row.configuration)));
+    std::string command =
+        fmt::format("momentscope explore --scene {} {}", shell_quoted(absolute_scene(row.scene)),
+                    configuration_options(parse_configuration(row.configuration)));
     std::istringstream parameters(setting(chart.settings, "parameters"));
     for (std::string one; parameters >> one;) {
         const std::size_t equals = one.find('=');

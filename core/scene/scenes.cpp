@@ -63,6 +63,13 @@ bool is_builtin_scene(const std::string& id) {
     return std::ranges::any_of(ENTRIES, [&](const SceneEntry& entry) { return id == entry.id; });
 }
 
+std::string absolute_scene(const std::string& id_or_path) {
+    if (is_builtin_scene(id_or_path)) return id_or_path;
+    std::error_code code;
+    const std::filesystem::path path = std::filesystem::absolute(id_or_path, code);
+    return code ? id_or_path : path.lexically_normal().string();
+}
+
 Scene load_scene(const std::string& id_or_path, float opacity, const std::stop_token& stop) {
     for (const SceneEntry& entry : ENTRIES) {
         if (id_or_path == entry.id) return entry.build();

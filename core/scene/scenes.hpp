@@ -26,4 +26,7 @@ Scene load_scene(const std::string& id_or_path, float opacity, const std::stop_t
 /// Is it in the registry? What is not is the path of a mesh file, which may take long to read.
 bool is_builtin_scene(const std::string& id);
 
+/// An id as it is, and a path so that it names the same file from every folder.
+std::string absolute_scene(const std::string& id_or_path);
+
 }  // namespace momentscope

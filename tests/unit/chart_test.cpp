@@ -6,8 +6,10 @@
 #include "core/chart/family.hpp"
 #include "core/chart/grid.hpp"
 #include "core/chart/pareto.hpp"
+#include "core/scene/scenes.hpp"
 #include "tests/unit/expect_error.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
@@ -60,7 +62,8 @@ ChartRow row_of(const std::string& scene, const std::string& configuration, doub
                             .composite = {0.25 * total, 0.125},
                             .total = {total, 2},
                             .differential = {total - 10, 3},
-                            .bits_per_pixel = 160,
+                            .stored_bits = 144,
+                            .bits_with_factor = 160,
                             .geometry_passes = 2,
                             .rmse = error,
                             .delta_e = 100 * error,
@@ -80,7 +83,8 @@ Chart some_chart() {
                   row_of("a \"b\", c.obj", "unsorted", 10, 0.5),
                   {"teapots", "power4-16", "This GL has no <order>, so there.", {}}};
     std::swap(chart.rows[3], chart.rows[4]);
-    chart.rows[1].numbers->bits_per_pixel = std::nullopt;
+    chart.rows[1].numbers->stored_bits = std::nullopt;
+    chart.rows[1].numbers->bits_with_factor = std::nullopt;
     chart.rows[1].numbers->geometry_passes = std::nullopt;
     return chart;
 }
@@ -94,7 +98,7 @@ RunTable table_of(const Chart& chart) {
 TEST(ChartCsv, RowsRoundTrip) {
     const Chart chart = some_chart();
     EXPECT_EQ(chart_of(table_of(chart), "x").rows, chart.rows);
-    EXPECT_EQ(std::ranges::count(chart_columns(), ','), 18);
+    EXPECT_EQ(std::ranges::count(chart_columns(), ','), 19);
 }
 
 TEST(ChartCsv, DamageIsNamed) {
@@ -113,7 +117,7 @@ TEST(ChartOutputs, HoldEveryRowAndNeedNoOtherFile) {
     const Chart chart = some_chart();
     const std::string markdown = chart_to_markdown(chart, Metric::rmse);
     EXPECT_NE(
-        markdown.find("**`at:nodes=8`** | 5.0 | 10.0 | 5.0 | 20.0 (2.0) | 10.0 (3.0) | grows | layers |"),
+        markdown.find("**`at:nodes=8`** | 5.0 | 10.0 | 5.0 | 20.0 (2.0) | 10.0 (3.0) | grows | grows | layers |"),
         std::string::npos)
         << markdown;
     EXPECT_NE(markdown.find("| `mt:resolution=half,read-format=theta16` |"), std::string::npos)
@@ -125,7 +129,8 @@ TEST(ChartOutputs, HoldEveryRowAndNeedNoOtherFile) {
     EXPECT_NE(html.find("momentscope explore --scene teapots --technique at --nodes 8 --order reversed"),
               std::string::npos);
     EXPECT_EQ(explore_command(chart, chart.rows[4]),
-              "momentscope explore --scene 'a \"b\", c.obj' --technique unsorted --order reversed");
+              fmt::format("momentscope explore --scene '{}' --technique unsorted --order reversed",
+                          absolute_scene("a \"b\", c.obj")));
     EXPECT_EQ(short_name("mt:resolution=half,read-format=theta16"), "mt half theta16");
     EXPECT_EQ(short_name("at:nodes=8"), "at nodes=8");
 }
