@@ -7,6 +7,7 @@
 #include <new>
 
 #include "app/commands.hpp"
+#include "app/ignored_options.hpp"
 #include "core/error.hpp"
 
 namespace momentscope {
@@ -230,7 +231,7 @@ void add_commands(CLI::App& app, Options& options, std::string& what) {
     list->add_option("what", what,
                      "techniques, scenes, parameters, conditions, figures or commands (of the window)")
         ->required();
-    list->add_option("--format", options.format, "table, json or (of techniques) markdown [table]");
+    list->add_option("--format", options.format, "table, json or markdown [table]");
     app.require_subcommand(0, 1);
     refuse_empty_values(app);
     for (CLI::App* command : app.get_subcommands(nullptr)) refuse_empty_values(*command);
@@ -271,6 +272,7 @@ int run_command_line(int argc, const char* const* argv) {
         return fail(Error(fmt::format("{}; momentscope --help lists what there is.", error.what())).what());
     }
     try {
+        refuse_ignored_options(app, options);
         run(app, options, what);
         return 0;
     } catch (const Error& error) {

@@ -11,6 +11,7 @@
 #include "core/inspect/verdict.hpp"
 #include "core/output_file.hpp"
 #include "core/ray/ray_json.hpp"
+#include "core/ray/submission_order.hpp"
 #include "core/render/light_view.hpp"
 #include "core/scene/camera.hpp"
 #include "core/shadow/cast_ray.hpp"
@@ -64,9 +65,9 @@ Subject capture_scene_pixel(const Options& options, const Configuration& configu
     return subject;
 }
 
-Subject ray_of_file(const std::string& path) {
+Subject ray_of_file(const std::string& path, const ParameterValues& values) {
     Subject subject;
-    subject.capture.ray = read_ray_file(path);
+    subject.capture.ray = submitted_in(read_ray_file(path), submission_order(values));
     return subject;
 }
 
@@ -135,8 +136,8 @@ void run_inspect(const Options& options) {
             "The light's map has one technique; give a --shadow-technique, and a single --technique for the picture.");
     if (!options.light && !options.receiver.empty()) throw Error("A --receiver belongs to --light.");
     if (!options.output.empty()) require_writable(options.output);
-    const Subject subject =
-        options.ray.empty() ? capture_scene_pixel(options, configurations.front()) : ray_of_file(options.ray);
+    const Subject subject = options.ray.empty() ? capture_scene_pixel(options, configurations.front())
+                                                : ray_of_file(options.ray, configurations.front().values);
     const ViewRay& ray = subject.light ? subject.light->ray : subject.capture.ray;
     if (subject.light) configurations = {subject.light->configuration};
     std::vector<Curve> curves;

@@ -59,7 +59,7 @@ const std::array<Parameter, PARAMETER_COUNT> ROWS = {{
     {ParameterId::theta, "theta", "θ", "wrapping zone angle", "rad", 0.0f, PI, PI / 10.0f, Scale::linear,
      Stage::moments,
      "Trigonometric moments only: the arc of the circle that holds no depths, where the end of the depth "
-     "range wraps to its start. Wider is smoother and less precise in depth; 0 makes jumps.",
+     "range wraps to its start. Wider is smoother and less precise in depth. Below .05 it is .05: without a zone the two ends are one point.",
      "Münstermann et al. 2018, Section 5.2"},
     {ParameterId::alpha, "alpha", "α", "moment bias", "", 0.0f, 0.1f, std::nullopt, Scale::logarithmic,
      Stage::color,
@@ -253,6 +253,7 @@ std::string parameter_text(const Parameter& row, std::optional<float> value) {
 }
 
 std::string parameter_values_text(const Parameter& row) {
+    if (row.scale == Scale::toggle) return "on or off";
     if (row.choices.empty())
         return fmt::format("a {}number from {:g} to {:.4g}{}{}{}", is_whole(row) ? "whole " : "", row.minimum,
                            row.maximum, *row.unit != '\0' ? " " : "", row.unit,

@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "core/gl/texture.hpp"
-#include "core/ray/random_ray.hpp"
 #include "core/render/scene_size.hpp"
 
 namespace momentscope {
@@ -21,17 +20,6 @@ GlBuffer make_buffer(const std::vector<T>& data, GLbitfield flags = 0) {
     const auto bytes = static_cast<GLsizeiptr>(data.size() * sizeof(T));
     glNamedBufferStorage(buffer, bytes > 0 ? bytes : 4, bytes > 0 ? data.data() : nullptr, flags);
     return buffer;
-}
-
-// The numbers 0 to count - 1 in that order.
-std::vector<std::uint32_t> ordered(std::size_t count, SubmissionOrder::Kind kind, RandomNumbers& random) {
-    std::vector<std::uint32_t> numbers(count);
-    std::iota(numbers.begin(), numbers.end(), 0U);
-    if (kind == SubmissionOrder::Kind::reversed) std::ranges::reverse(numbers);
-    for (std::size_t i = count; kind == SubmissionOrder::Kind::shuffled && i > 1; --i)
-        std::swap(numbers[i - 1],
-                  numbers[static_cast<std::size_t>(random.whole(0, static_cast<int>(i) - 1))]);
-    return numbers;
 }
 
 // transparent_fragment.glsl; techniques use the units from 0 on.
@@ -50,11 +38,6 @@ GlTexture make_alpha_map(const AlphaMap& map) {
 }
 
 }  // namespace
-
-SubmissionOrder submission_order(const ParameterValues& values) {
-    return {static_cast<SubmissionOrder::Kind>(values[ParameterId::order].value_or(0.0f)),
-            static_cast<std::uint32_t>(values[ParameterId::order_seed].value_or(1.0f))};
-}
 
 SceneBuffers::SceneBuffers(const Scene& scene) : objects_(scene.objects), sequence_(scene.objects.size()) {
     require_drawable(size_of(scene));
@@ -80,7 +63,7 @@ void SceneBuffers::set_order(const SubmissionOrder& order) {
     if (order == order_) return;
     order_ = order;
     RandomNumbers random(order.seed);
-    sequence_ = ordered(objects_.size(), order.kind, random);
+    sequence_ = ordered_numbers(objects_.size(), order.kind, random);
     const std::vector<ObjectBlock> blocks = object_blocks();
     if (!blocks.empty())
         glNamedBufferSubData(object_blocks_, 0, static_cast<GLsizeiptr>(blocks.size() * sizeof(ObjectBlock)),
@@ -88,7 +71,7 @@ void SceneBuffers::set_order(const SubmissionOrder& order) {
     for (MeshBuffers& mesh : meshes_) {
         std::vector<std::uint32_t> indices;
         indices.reserve(mesh.submitted.size());
-        for (const std::uint32_t triangle : ordered(mesh.submitted.size() / 3, order.kind, random))
+        for (const std::uint32_t triangle : ordered_numbers(mesh.submitted.size() / 3, order.kind, random))
             indices.insert(indices.end(), &mesh.submitted[3 * triangle], &mesh.submitted[3 * triangle] + 3);
         if (!indices.empty())
             glNamedBufferSubData(mesh.indices, 0,

@@ -3,19 +3,11 @@
 #include <vector>
 
 #include "core/gl/handle.hpp"
-#include "core/parameters.hpp"
+#include "core/ray/submission_order.hpp"
 #include "core/render/uniform_blocks.hpp"
 #include "core/scene/scene.hpp"
 
 namespace momentscope {
-
-/// Values of ParameterId::order; the seed is that of a shuffled one.
-struct SubmissionOrder {
-    enum class Kind { submitted, reversed, shuffled } kind = Kind::submitted;
-    std::uint32_t seed = 1;
-    friend bool operator==(const SubmissionOrder&, const SubmissionOrder&) = default;
-};
-SubmissionOrder submission_order(const ParameterValues& values);
 
 enum class Surfaces { opaque, transparent, opaque_casters };
 
