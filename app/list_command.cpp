@@ -17,6 +17,11 @@ namespace {
 
 using nlohmann::json;
 
+// Per pixel.
+json json_of_bits(const Technique& technique, int bits) {
+    return technique.is_truth() && bits == 0 ? json("unbounded") : json(bits);
+}
+
 json list_techniques() {
     json rows = json::array();
     for (const Technique& t : techniques()) {
@@ -24,8 +29,8 @@ json list_techniques() {
         for (const ParameterId id : t.parameters) keys.push_back(parameter(id).key);
         rows.push_back({{"id", t.id},
                         {"name", t.name},
-                        {"bits_per_pixel",
-                         t.is_truth() && t.bits_per_pixel == 0 ? json("unbounded") : json(t.bits_per_pixel)},
+                        {"stored_bits", json_of_bits(t, stored_bits(t, {}))},
+                        {"bits_with_factor", json_of_bits(t, bits_with_factor(t, {}))},
                         {"geometry_passes", t.geometry_passes},
                         {"order_dependent", t.order_dependent},
                         {"has_bounds", t.has_bounds},
@@ -124,7 +129,7 @@ void run_list(const std::string& what, const std::string& format) {
     std::vector<std::string> columns;
     if (what == "techniques") {
         rows = list_techniques();
-        columns = {"id", "bits_per_pixel", "geometry_passes", "name", "source"};
+        columns = {"id", "stored_bits", "bits_with_factor", "geometry_passes", "name", "source"};
     } else if (what == "scenes") {
         rows = list_scenes();
         columns = {"id", "description"};

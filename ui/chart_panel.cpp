@@ -112,7 +112,7 @@ std::string ChartPanel::numbers_of(std::size_t row) const {
         of.configuration, measurement_.configuration(row).technique->name,
         family_of(*measurement_.configuration(row).technique).name, n.total.median, n.moments.median,
         n.color.median, n.composite.median, n.rmse, n.delta_e, n.flip, n.stability,
-        n.bits_per_pixel ? fmt::format("{} bits per pixel", *n.bits_per_pixel)
+        n.bits_with_factor ? fmt::format("{} bits per pixel", *n.bits_with_factor)
                          : std::string("bits that grow with the layers"));
 }
 

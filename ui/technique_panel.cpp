@@ -16,11 +16,13 @@ void row(const char* name, const std::string& value, const char* help) {
 }
 
 std::string memory(const Technique& technique, const ParameterValues& values, glm::ivec2 size) {
-    const int bits = bits_per_pixel(technique, values);
-    if (bits == 0) return technique.is_truth() ? "grows with the fragments" : "none";
+    const int stored = stored_bits(technique, values);
+    const int bits = bits_with_factor(technique, values);
+    if (bits == 0) return bits_text(technique, bits);
     const double bytes = static_cast<double>(bits) / 8 * size.x * size.y;
-    return fmt::format("{} bits per pixel, {:.1f} MB for these {} × {} pixels", bits, bytes / 1e6, size.x,
-                       size.y);
+    const std::string factor = bits == stored ? "" : fmt::format(", {} with the factor", bits);
+    return fmt::format("{} bits per pixel{}: {:.1f} MB for these {} × {} pixels", stored, factor, bytes / 1e6,
+                       size.x, size.y);
 }
 
 }  // namespace
@@ -38,7 +40,8 @@ void draw_technique_panel(const Ui& ui, const Measurement& m, const ExplorerStat
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
     row("id", technique.id, "By this name the command line and session files know it.");
     row("memory", memory(technique, state.parameters, m.picture_size),
-        "Beside the colour buffers that every technique has.");
+        "What the technique stores beside the colour buffers that every technique has. With factorisation per pixel a factor "
+        "of the moments takes their place between the passes, which may need more.");
     row("geometry passes",
         technique.geometry_passes > 0 ? fmt::format("{}", technique.geometry_passes) : "one for every layer",
         "How often the transparent geometry is rasterised.");

@@ -20,7 +20,7 @@ constexpr double CLEARLY_BETTER = 0.5;  // of the winner's error
 using Indices = std::vector<std::size_t>;
 
 double bits_of(const ChartRow& row) {
-    return row.numbers->bits_per_pixel ? *row.numbers->bits_per_pixel : NEVER;
+    return row.numbers->bits_with_factor ? *row.numbers->bits_with_factor : NEVER;
 }
 
 double time_of(const ChartRow& row) {

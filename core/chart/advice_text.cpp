@@ -17,7 +17,7 @@ const char* symbol_of(Metric metric) {
 }
 
 std::string bits_text(const ChartRow& row) {
-    return row.numbers->bits_per_pixel ? fmt::format("{}", *row.numbers->bits_per_pixel) : "grows";
+    return row.numbers->bits_with_factor ? fmt::format("{}", *row.numbers->bits_with_factor) : "grows";
 }
 
 std::string role_of(std::size_t row, const Advice& advice) {
@@ -69,10 +69,10 @@ std::string bounds_text(const AdviceBounds& bounds) {
 }
 
 std::string cost_text(const ChartRow& row, Metric metric, const std::optional<double>& held_out) {
-    return fmt::format(
-        "{} {:.3g}, {:.1f} ms, {}", symbol_of(metric), worst_error(row, metric, held_out),
-        row.numbers->total.median,
-        row.numbers->bits_per_pixel ? bits_text(row) + " bits per pixel" : "bits that grow with the layers");
+    return fmt::format("{} {:.3g}, {:.1f} ms, {}", symbol_of(metric), worst_error(row, metric, held_out),
+                       row.numbers->total.median,
+                       row.numbers->bits_with_factor ? bits_text(row) + " bits per pixel"
+                                                     : "bits that grow with the layers");
 }
 
 const char* judgement_text(Judgement judgement) {

@@ -20,14 +20,15 @@ std::string count_text(const std::optional<int>& count, const char* otherwise) {
 std::string table_line(const ChartRow& row, bool on_front) {
     const std::string name =
         on_front ? fmt::format("**`{}`**", row.configuration) : fmt::format("`{}`", row.configuration);
-    if (!row.numbers) return fmt::format("| {} | {} | | | | | | | | | | |\n", name, row.unavailable);
+    if (!row.numbers) return fmt::format("| {} | {} | | | | | | | | | | | |\n", name, row.unavailable);
     const ChartNumbers& n = *row.numbers;
     return fmt::format(
-        "| {} | {:.1f} | {:.1f} | {:.1f} | {:.1f} ({:.1f}) | {:.1f} ({:.1f}) | {} | {} | {:.4f} | {:.2f} | {:.4f} | "
+        "| {} | {:.1f} | {:.1f} | {:.1f} | {:.1f} ({:.1f}) | {:.1f} ({:.1f}) | {} | {} | {} | {:.4f} | {:.2f} | {:.4f} | "
         "{:.1e} |\n",
         name, n.moments.median, n.color.median, n.composite.median, n.total.median, n.total.range,
-        n.differential.median, n.differential.range, count_text(n.bits_per_pixel, "grows"),
-        count_text(n.geometry_passes, "layers"), n.rmse, n.delta_e, n.flip, n.stability);
+        n.differential.median, n.differential.range, count_text(n.stored_bits, "grows"),
+        count_text(n.bits_with_factor, "grows"), count_text(n.geometry_passes, "layers"), n.rmse, n.delta_e,
+        n.flip, n.stability);
 }
 
 }  // namespace
@@ -99,10 +100,10 @@ std::string chart_to_markdown(const Chart& chart, Metric metric) {
         fmt::format_to(
             std::back_inserter(text),
             "\n## `{}`\n\nBold: on the Pareto front of total time and {}.\n\n"
-            "| configuration | pass 1 | pass 2 | composite | total | difference | bits per pixel | "
+            "| configuration | pass 1 | pass 2 | composite | total | difference | stored bits | bits with factor | "
             "geometry passes | RMSE | ΔE | FLIP | stability |\n|---|{}\n",
             rows.front().scene, metrics()[static_cast<std::size_t>(metric)].symbol,
-            "---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|");
+            "---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|");
         const std::vector<std::size_t> front = front_of(rows, metric);
         for (std::size_t i = 0; i < rows.size(); ++i)
             text += table_line(rows[i], std::ranges::find(front, i) != front.end());

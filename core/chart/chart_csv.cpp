@@ -11,10 +11,10 @@ namespace momentscope {
 
 namespace {
 
-constexpr std::size_t FIELDS = 19;
+constexpr std::size_t FIELDS = 20;
 constexpr const char* COLUMNS =
     "scene,configuration,moments_ms,moments_range_ms,color_ms,color_range_ms,composite_ms,composite_range_ms,"
-    "total_ms,total_range_ms,differential_ms,differential_range_ms,bits_per_pixel,geometry_passes,rmse,delta_e,"
+    "total_ms,total_range_ms,differential_ms,differential_range_ms,stored_bits,bits_with_factor,geometry_passes,rmse,delta_e,"
     "flip,stability,unavailable";
 
 /// Reads one field after another; throws Error at the first that is none.
@@ -71,10 +71,11 @@ std::string chart_line(const ChartRow& row) {
     const std::string begin = fmt::format("{},{}", csv_quoted(row.scene), csv_quoted(row.configuration));
     if (!row.numbers) return begin + std::string(FIELDS - 2, ',') + csv_quoted(row.unavailable);
     const ChartNumbers& n = *row.numbers;
-    return fmt::format("{},{},{},{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},", begin, spread_text(n.moments),
-                       spread_text(n.color), spread_text(n.composite), spread_text(n.total),
-                       spread_text(n.differential), count_text(n.bits_per_pixel),
-                       count_text(n.geometry_passes), n.rmse, n.delta_e, n.flip, n.stability);
+    return fmt::format("{},{},{},{},{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},", begin,
+                       spread_text(n.moments), spread_text(n.color), spread_text(n.composite),
+                       spread_text(n.total), spread_text(n.differential), count_text(n.stored_bits),
+                       count_text(n.bits_with_factor), count_text(n.geometry_passes), n.rmse, n.delta_e,
+                       n.flip, n.stability);
 }
 
 ChartRow parse_chart_line(std::string_view line, std::string_view name) {
@@ -89,7 +90,8 @@ ChartRow parse_chart_line(std::string_view line, std::string_view name) {
         n.composite = fields.spread();
         n.total = fields.spread();
         n.differential = fields.spread();
-        n.bits_per_pixel = fields.count();
+        n.stored_bits = fields.count();
+        n.bits_with_factor = fields.count();
         n.geometry_passes = fields.count();
         n.rmse = fields.number();
         n.delta_e = fields.number();

@@ -9,7 +9,7 @@
 
 namespace momentscope {
 
-constexpr int CHART_SCHEMA = 1;  // counts changes of the columns and of what they mean
+constexpr int CHART_SCHEMA = 2;  // counts changes of the columns and of what they mean
 
 /// The names of the columns.
 std::string chart_columns();

@@ -16,12 +16,12 @@ struct Spread {
 Spread spread_of(std::vector<double> values);
 
 struct ChartNumbers {
-    Spread moments, color, composite;  // the passes of the technique
-    Spread total;                      // of the three
-    Spread differential;               // total minus that of plain alpha blending in the same round
-    std::optional<int>
-        bits_per_pixel;  // beside the colour buffers; nullopt where they grow with the fragments
-    std::optional<int> geometry_passes;      // nullopt where they grow with the layers
+    Spread moments, color, composite;     // the passes of the technique
+    Spread total;                         // of the three
+    Spread differential;                  // total minus that of plain alpha blending in the same round
+    std::optional<int> stored_bits;       // per pixel, beside the colour buffers, and with the factor that is
+    std::optional<int> bits_with_factor;  // stored once per pixel; nullopt where they grow with the fragments
+    std::optional<int> geometry_passes;   // nullopt where they grow with the layers
     double rmse = 0, delta_e = 0, flip = 0;  // against `sorted`
     double stability = 0;  // the greatest change of the rmse from one picture of the camera path to the next
     friend bool operator==(const ChartNumbers&, const ChartNumbers&) = default;

@@ -87,8 +87,9 @@ void ChartBench::compare(Candidate& candidate) const {
     numbers.flip = mean_difference(reference_, picture, Metric::flip);
     const Configuration& configuration = candidate.configuration;
     const Technique& technique = *configuration.technique;
-    numbers.bits_per_pixel =
-        unless_zero(bits_per_pixel(technique, configuration.values), technique.is_truth());
+    numbers.stored_bits = unless_zero(stored_bits(technique, configuration.values), technique.is_truth());
+    numbers.bits_with_factor =
+        unless_zero(bits_with_factor(technique, configuration.values), technique.is_truth());
     numbers.geometry_passes = unless_zero(geometry_passes(configuration), true);
 }
 

@@ -29,13 +29,6 @@ std::vector<ParameterId> moment_parameters(const MomentKernel& kernel, std::stri
     return ids;
 }
 
-// The factor may take the place of the moments, whenever alpha rests; only the window keeps both.
-int moment_bits(const MomentKernel& kernel, bool factored_once) {
-    const int floats =
-        factored_once ? std::max(kernel.moment_floats, kernel.factor_floats) : kernel.moment_floats;
-    return kernel.bits * (1 + floats);
-}
-
 Technique moment_technique(const MomentKernel& kernel, const char* basis, int moment_count, const char* id,
                            const char* name, float recommended_bias, float robust_bias, bool has_bounds,
                            const char* description, const char* source) {
@@ -51,7 +44,6 @@ Technique moment_technique(const MomentKernel& kernel, const char* basis, int mo
             .recommended_bias = recommended_bias,
             .robust_bias = robust_bias,
             .has_bounds = has_bounds,
-            .bits_per_pixel = moment_bits(kernel, false),
             .geometry_passes = 2,
             .order_dependent = kernel.bits == 16};
 }
@@ -84,7 +76,6 @@ Technique method_technique(const MethodKernel& kernel, const char* file, const c
             .state_floats = state_floats,
             .state_bits = bits,
             .parameters = std::move(parameters),
-            .bits_per_pixel = bits(settings(ParameterValues())),
             .geometry_passes = kernel.holds_colors ? 1 : 2,
             .order_dependent =
                 kernel.accumulation == Accumulation::over || kernel.accumulation == Accumulation::ordered};
@@ -124,7 +115,7 @@ std::vector<Technique> make_rows() {
              "fragments at the same depth only one survives.",
          .source = "Everitt 2001",
          .path = RenderPath::peeling,
-         .bits_per_pixel = 64,  // two depth buffers
+         .truth_bits = 64,  // two depth buffers
          .geometry_passes = 0});
     return rows;
 }
@@ -171,9 +162,6 @@ float automatic_bias(const ParameterValues& values, const Technique& technique) 
 }
 
 ResolvedParameters resolve(const ParameterValues& values, const Technique& technique) {
-    // Without a wrapping zone depths -1 and 1 are one point of the circle, and rounding alone decides at which of
-    // them a surface is. A zone 1/125 as long as the depth range tells them apart (docs/stability.md).
-    constexpr float LEAST_WRAPPING_ZONE = 0.05f;
     const auto on = [&](ParameterId id) { return technique.uses(id) && values[id].value_or(0.0f) >= 0.5f; };
     return {.beta = values[ParameterId::beta].value_or(0.0f),
             .theta = std::max(values[ParameterId::theta].value_or(0.0f), LEAST_WRAPPING_ZONE),
@@ -187,11 +175,22 @@ ResolvedParameters resolve(const ParameterValues& values, const Technique& techn
             .method = technique.method != nullptr ? technique.method_settings(values) : MethodSettings()};
 }
 
-int bits_per_pixel(const Technique& technique, const ParameterValues& values) {
+int stored_bits(const Technique& technique, const ParameterValues& values) {
     if (technique.method != nullptr) return technique.state_bits(technique.method_settings(values));
-    if (technique.kernel != nullptr)
-        return moment_bits(*technique.kernel, resolve(values, technique).factored_once);
-    return technique.bits_per_pixel;
+    if (technique.kernel != nullptr) return technique.kernel->bits * (1 + technique.kernel->moment_floats);
+    return technique.truth_bits;
+}
+
+int bits_with_factor(const Technique& technique, const ParameterValues& values) {
+    const int stored = stored_bits(technique, values);
+    if (technique.kernel == nullptr || !resolve(values, technique).factored_once) return stored;
+    // The factor may take the place of the moments, whenever alpha rests; only the window keeps both.
+    return std::max(stored, technique.kernel->bits * (1 + technique.kernel->factor_floats));
+}
+
+std::string bits_text(const Technique& technique, int bits) {
+    if (bits > 0) return fmt::format("{}", bits);
+    return technique.is_truth() ? "grows with the fragments" : "none";
 }
 
 const char* why_refused(const Technique& technique, const ParameterValues& values) {

@@ -1,6 +1,7 @@
 // technique.hpp -- the one registry of techniques.
 #pragma once
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -34,8 +35,7 @@ struct Technique {
     float recommended_bias = 0;    // what alpha = auto means with the preset table1
     float robust_bias = 0;         // and with the preset robust (docs/bias.md)
     bool has_bounds = false;       // beta = 0 and beta = 1 bound the truth (of the biased moments)
-    int bits_per_pixel = 0;        // that the first pass stores as parameters are at first, beside the colour
-                                   // buffers; 0 where it grows with the fragments
+    int truth_bits = 0;            // stored bits of a truth; 0 where they grow with the fragments
     int geometry_passes = 1;       // of the transparent geometry; 0 where it grows with the layers
     bool order_dependent = false;  // does the submission order of geometry change the picture?
 
@@ -56,7 +56,12 @@ const Technique* find_technique(std::string_view id);     // nullptr when there 
 /// The technique with that id. Throws Error that lists the ids.
 const Technique& require_technique(std::string_view id);
 
-/// The values that a technique computes with: `auto` replaced by its recommendation.
+/// The least wrapping zone, in radians; 1/125 of the circle. Without a zone depths -1 and 1 are one point,
+/// and rounding alone decides at which of them a surface is (docs/stability.md).
+constexpr float LEAST_WRAPPING_ZONE = 0.05f;
+
+/// The values that a technique computes with: `auto` replaced by its recommendation, theta at least the
+/// least.
 struct ResolvedParameters {
     float beta = 0, theta = 0, alpha = 0;
     bool textbook = false;       // the solver is Algorithm 1 or 2 as published
@@ -68,9 +73,16 @@ struct ResolvedParameters {
 };
 ResolvedParameters resolve(const ParameterValues& values, const Technique& technique);
 
-/// Bits that a pixel needs beside the colour buffers, those of a factor that is stored between the passes
-/// among them; 0 where it grows with the fragments, or for none.
-int bits_per_pixel(const Technique& technique, const ParameterValues& values);
+/// Bits that the technique itself stores of a pixel, beside the colour buffers. 0 for none, or where they
+/// grow with the fragments.
+int stored_bits(const Technique& technique, const ParameterValues& values);
+
+/// Bits that a pixel needs with these parameters: stored_bits, or those of the factor that takes the moments'
+/// place between the passes, if it is larger and the parameters ask for one per pixel.
+int bits_with_factor(const Technique& technique, const ParameterValues& values);
+
+/// "160", "none" or "grows with the fragments", for one of the two.
+std::string bits_text(const Technique& technique, int bits);
 
 /// Why values make no sense together for the technique, as a sentence that says what to do; nullptr when they
 /// do.

@@ -10,12 +10,6 @@ namespace momentscope {
 
 namespace {
 
-std::string memory_text(const Technique& technique) {
-    const int bits = bits_per_pixel(technique, ParameterValues());
-    if (bits > 0) return fmt::format("{}", bits);
-    return technique.is_truth() ? "grows with the fragments" : "none";
-}
-
 std::string passes_text(const Technique& technique) {
     return technique.geometry_passes > 0 ? fmt::format("{}", technique.geometry_passes) : "one per layer";
 }
@@ -25,13 +19,15 @@ std::string passes_text(const Technique& technique) {
 std::string techniques_page() {
     std::string text =
         "# Techniques\n\n"
-        "Written by `momentscope list techniques --format markdown`; memory is in bits per pixel with all parameters at their "
-        "standard, beside the colour buffers that every technique has.\n\n"
-        "| id | name | memory | geometry passes | order of submission |\n|---|---|---|---|---|\n";
+        "Written by `momentscope list techniques --format markdown`. Memory is in bits per pixel with all parameters at their "
+        "standard, beside the colour buffers that every technique has: what the technique stores, and what it needs with "
+        "the factor that is stored once per pixel (`--factorisation per-fragment` does without).\n\n"
+        "| id | name | stored | with the factor | geometry passes | order of submission |\n|---|---|---|---|---|---|\n";
     const auto out = std::back_inserter(text);
     for (const Technique& technique : techniques())
-        fmt::format_to(out, "| `{}` | {} | {} | {} | {} |\n", technique.id, technique.name,
-                       memory_text(technique), passes_text(technique),
+        fmt::format_to(out, "| `{}` | {} | {} | {} | {} | {} |\n", technique.id, technique.name,
+                       bits_text(technique, stored_bits(technique, {})),
+                       bits_text(technique, bits_with_factor(technique, {})), passes_text(technique),
                        technique.order_dependent ? "changes the picture" : "does not matter");
     for (const Technique& technique : techniques()) {
         fmt::format_to(out, "\n## `{}`: {}\n\n{}\n\nSource: {}.", technique.id, technique.name,

@@ -67,8 +67,9 @@ TEST_F(ChartTest, ErrorsRepeatAndTimesAreTaken) {
     }
     EXPECT_GT(chart.rows[0].numbers->rmse, chart.rows[2].numbers->rmse)
         << "unsorted is worse than four moments";
-    EXPECT_EQ(chart.rows[2].numbers->bits_per_pixel, 160);
-    EXPECT_EQ(chart.rows[1].numbers->bits_per_pixel, std::nullopt) << "grows";
+    EXPECT_EQ(chart.rows[2].numbers->stored_bits, 160);
+    EXPECT_EQ(chart.rows[2].numbers->bits_with_factor, 160);
+    EXPECT_EQ(chart.rows[1].numbers->bits_with_factor, std::nullopt) << "grows";
 }
 
 TEST_F(ChartTest, GoesOnWhereItWasEnded) {

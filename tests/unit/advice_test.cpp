@@ -15,7 +15,7 @@ ChartRow row_of(const std::string& configuration, double total, std::optional<in
                 double range = 0) {
     ChartNumbers numbers;
     numbers.total = {total, range};
-    numbers.bits_per_pixel = bits;
+    numbers.bits_with_factor = bits;
     numbers.rmse = error;
     numbers.delta_e = 100 * error;
     numbers.flip = 2 * error;

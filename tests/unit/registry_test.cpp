@@ -115,7 +115,14 @@ TEST(Techniques, OfMomentsHaveTableOnesBiasAndTheBitsOfTheirId) {
         const int count = id[id.find('-') - 1] - '0', bits = std::stoi(id.substr(id.find('-') + 1));
         const bool circle = id.starts_with("trig");
         const int numbers = circle ? 2 * count : count;
-        EXPECT_EQ(technique.bits_per_pixel, (numbers + 1) * bits);
+        EXPECT_EQ(stored_bits(technique, {}), (numbers + 1) * bits);
+        // A factor of m real moments has as many numbers; one of m complex ones has m complex and m real
+        // ones.
+        const int factor = circle && bits == 32 ? 3 * count : numbers;
+        EXPECT_EQ(bits_with_factor(technique, {}), (factor + 1) * bits);
+        ParameterValues per_fragment;
+        per_fragment.set(ParameterId::factorisation, 1.0f);
+        EXPECT_EQ(bits_with_factor(technique, per_fragment), stored_bits(technique, {}));
         EXPECT_EQ(technique.moment_count, count);
         ASSERT_NE(technique.kernel, nullptr);
         EXPECT_EQ(technique.kernel->moment_floats, numbers);
