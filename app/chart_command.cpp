@@ -84,14 +84,10 @@ RunTable measured(const ChartPlan& plan, const UnfinishedChart& unfinished) {
     const auto context = make_gl_context("osmesa", {16, 16});
     const RunTable kept = unfinished.read(chart_settings(plan, gl_info()));
     Progress progress("Chart");
-    const ChartHooks hooks = {[&](const std::string& id) {
-                                  Scene scene = load_scene(id, *values[ParameterId::opacity]);
-                                  for (const std::string& warning : scene.warnings)
-                                      std::fputs(fmt::format("momentscope: {}\n", warning).c_str(), stderr);
-                                  return scene;
-                              },
-                              [&](const RunTable& table) { unfinished.write(table); },
-                              [&](std::size_t done, std::size_t all) { progress.show(done, all); }};
+    const ChartHooks hooks = {
+        [&](const std::string& id) { return load_scene_and_warn(id, *values[ParameterId::opacity]); },
+        [&](const RunTable& table) { unfinished.write(table); },
+        [&](std::size_t done, std::size_t all) { progress.show(done, all); }};
     RunTable table = run_chart(plan, kept, progress.stop(), hooks);
     if (progress.stop().stop_requested()) throw Error(unfinished.how_to_go_on(table.rows.size()));
     return table;

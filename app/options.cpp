@@ -174,11 +174,15 @@ std::vector<Configuration> charted_configurations(const Options& options, const 
     return all;
 }
 
-Scene load_scene_option(const Options& options, const ParameterValues& parameters) {
-    Scene scene = load_scene(options.scene, *parameters[ParameterId::opacity]);
+Scene load_scene_and_warn(const std::string& id_or_path, float opacity) {
+    Scene scene = load_scene(id_or_path, opacity);
     for (const std::string& warning : scene.warnings)
         std::fputs(fmt::format("momentscope: {}\n", warning).c_str(), stderr);
     return scene;
+}
+
+Scene load_scene_option(const Options& options, const ParameterValues& parameters) {
+    return load_scene_and_warn(options.scene, *parameters[ParameterId::opacity]);
 }
 
 }  // namespace momentscope

@@ -101,7 +101,10 @@ ChartSettings parse_chart_settings(const Options& options, const char* standard_
 /// typed.
 std::vector<Configuration> charted_configurations(const Options& options, const ParameterValues& values);
 
-/// The scene, with the opacity parameter applied to a mesh file.
+/// As load_scene, with the scene's warnings on stderr.
+Scene load_scene_and_warn(const std::string& id_or_path, float opacity);
+
+/// The same with the scene and the opacity that are asked for.
 Scene load_scene_option(const Options& options, const ParameterValues& parameters);
 
 }  // namespace momentscope

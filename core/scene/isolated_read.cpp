@@ -1,6 +1,7 @@
-// isolated_read.cpp -- fork, read, send the mesh home through a pipe.
+// isolated_read.cpp -- fork, read, send the mesh and its warnings home through a pipe.
 //
-// The pipe carries one byte, then either the text of an Error or a Header and three arrays. Both ends
+// The pipe carries one byte, then either the text of an Error or a Header, three arrays and
+// the warnings, each of which ends in a line feed. Both ends
 // are the same program, so that no byte order or padding needs care.
 #include "core/scene/isolated_read.hpp"
 
@@ -16,6 +17,8 @@
 #include <csignal>
 #include <cstddef>
 #include <cstring>
+#include <sstream>
+#include <string>
 
 namespace momentscope {
 namespace {
@@ -27,6 +30,7 @@ constexpr rlim_t MEMORY_LIMIT = rlim_t{8} << 30;  // bytes; 20 million triangles
 struct Header {
     std::size_t vertex_count;
     std::size_t index_count;
+    std::size_t warning_bytes;
 };
 
 /// Writes everything, or ends the process: without a reader there is nothing left to do.
@@ -75,16 +79,20 @@ void limit_process(unsigned seconds) {
 }
 
 /// The forked process from its beginning to its end.
-[[noreturn]] void serve(const std::function<Mesh()>& read, int pipe) {
+[[noreturn]] void serve(const std::function<LoadedMesh()>& read, int pipe) {
     try {
-        const Mesh mesh = read();
+        const LoadedMesh loaded = read();
+        const Mesh& mesh = loaded.mesh;
         if (mesh.normals.size() != mesh.positions.size()) ::_exit(1);
-        const Header header{mesh.positions.size(), mesh.indices.size()};
+        std::string warnings;
+        for (const std::string& warning : loaded.warnings) warnings += warning + '\n';
+        const Header header{mesh.positions.size(), mesh.indices.size(), warnings.size()};
         write_all(pipe, &IS_MESH, 1);
         write_all(pipe, &header, sizeof header);
         write_all(pipe, mesh.positions.data(), mesh.positions.size() * sizeof(glm::vec3));
         write_all(pipe, mesh.normals.data(), mesh.normals.size() * sizeof(glm::vec3));
         write_all(pipe, mesh.indices.data(), mesh.indices.size() * sizeof(std::uint32_t));
+        write_all(pipe, warnings.data(), warnings.size());
     } catch (const Error& error) {
         write_all(pipe, &IS_ERROR, 1);
         write_all(pipe, error.what(), std::strlen(error.what()));
@@ -96,17 +104,19 @@ void limit_process(unsigned seconds) {
 
 /// The mesh in the bytes, unless they are too few or too many or an index is wild: a library that ran
 /// over its own memory may well send something odd.
-std::optional<Mesh> unpack(const std::vector<char>& bytes) {
+std::optional<LoadedMesh> unpack(const std::vector<char>& bytes) {
     Header header{};
     if (bytes.size() < 1 + sizeof header) return std::nullopt;
     std::memcpy(&header, bytes.data() + 1, sizeof header);
     const std::size_t most = bytes.size();  // keeps the products below from overflowing
-    if (header.vertex_count > most || header.index_count > most) return std::nullopt;
+    if (std::max({header.vertex_count, header.index_count, header.warning_bytes}) > most) return std::nullopt;
     const std::size_t vertex_bytes = header.vertex_count * sizeof(glm::vec3);
     const std::size_t index_bytes = header.index_count * sizeof(std::uint32_t);
-    if (bytes.size() != 1 + sizeof header + 2 * vertex_bytes + index_bytes) return std::nullopt;
+    if (bytes.size() != 1 + sizeof header + 2 * vertex_bytes + index_bytes + header.warning_bytes)
+        return std::nullopt;
 
-    Mesh mesh;
+    LoadedMesh loaded;
+    Mesh& mesh = loaded.mesh;
     mesh.positions.resize(header.vertex_count);
     mesh.normals.resize(header.vertex_count);
     mesh.indices.resize(header.index_count);
@@ -114,16 +124,18 @@ std::optional<Mesh> unpack(const std::vector<char>& bytes) {
     std::memcpy(mesh.positions.data(), next, vertex_bytes);
     std::memcpy(mesh.normals.data(), next + vertex_bytes, vertex_bytes);
     std::memcpy(mesh.indices.data(), next + 2 * vertex_bytes, index_bytes);
+    std::istringstream warnings(std::string(next + 2 * vertex_bytes + index_bytes, header.warning_bytes));
+    for (std::string warning; std::getline(warnings, warning);) loaded.warnings.push_back(warning);
     const bool tame = std::all_of(mesh.indices.begin(), mesh.indices.end(),
                                   [&](std::uint32_t index) { return index < header.vertex_count; });
     if (!tame || header.index_count % 3 != 0) return std::nullopt;
-    return mesh;
+    return loaded;
 }
 
 }  // namespace
 
-std::optional<Mesh> read_isolated(const std::function<Mesh()>& read, unsigned seconds,
-                                  const std::stop_token& stop) {
+std::optional<LoadedMesh> read_isolated(const std::function<LoadedMesh()>& read, unsigned seconds,
+                                        const std::stop_token& stop) {
     int ends[2];
     if (::pipe2(ends, O_CLOEXEC) != 0)
         throw Error("There are too many open files; close some and try again.");

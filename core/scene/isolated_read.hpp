@@ -1,6 +1,6 @@
 // isolated_read.hpp -- runs a reader that cannot be trusted with hostile files in a process of its own.
 #pragma once
-#include "core/scene/scene.hpp"
+#include "core/scene/loaded_mesh.hpp"
 
 #include <functional>
 #include <optional>
@@ -12,7 +12,7 @@ namespace momentscope {
 /// by `read` is thrown here. Nothing when the process crashed, hung, ran out of memory or returned a
 /// mesh that is not well-formed. `read` must not use GL or wait for other threads. Throws Error soon after a
 /// stop is requested.
-std::optional<Mesh> read_isolated(const std::function<Mesh()>& read, unsigned seconds,
-                                  const std::stop_token& stop = {});
+std::optional<LoadedMesh> read_isolated(const std::function<LoadedMesh()>& read, unsigned seconds,
+                                        const std::stop_token& stop = {});
 
 }  // namespace momentscope

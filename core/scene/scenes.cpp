@@ -42,7 +42,8 @@ Scene scene_of_mesh(const std::string& path, float opacity, const std::stop_toke
         throw Error("The opacity of a mesh must be at least 0 and less than 1, such as 0.5.");
     Scene scene;
     scene.id = path;
-    Mesh mesh = read_mesh_file(path, stop);
+    auto [mesh, warnings] = read_mesh_file(path, stop);
+    scene.warnings = std::move(warnings);
     float lowest = std::numeric_limits<float>::infinity();
     for (const glm::vec3& position : mesh.positions) lowest = std::min(lowest, position.y);
     const std::uint32_t index = add_mesh(scene, std::move(mesh));
