@@ -101,6 +101,15 @@ TEST_F(FilesTest, AHugeMeshCanBeCancelled) {
     EXPECT_NE(explorer().message().find("cancelled"), std::string::npos) << explorer().message();
 }
 
+TEST_F(FilesTest, AMeshThatLeavesNothingToSeeSaysSo) {
+    write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
+    open();
+    ui::choose_scene(explorer().state(), (folder_ / "line.obj").string());
+    settle();
+    EXPECT_NE(state().scene, "planes");
+    EXPECT_NE(explorer().message().find("next to nothing to see"), std::string::npos) << explorer().message();
+}
+
 TEST_F(FilesTest, WhileAMeshIsReadNothingElseChanges) {
     std::string mesh;
     for (int i = 0; i < 100'000; ++i) mesh += fmt::format("v {} {} {}\n", i % 997, i % 991, i % 983);

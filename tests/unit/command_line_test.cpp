@@ -198,6 +198,18 @@ TEST_F(CommandLine, RefusesWrongMeshes) {
     expect_refused("inspect --scene empty.glb -o out/x", "empty.glb");
 }
 
+TEST_F(CommandLine, WarnsOfWhatAMeshMeansOtherwise) {
+    std::ofstream(folder_ / "line.obj") << "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n";
+    for (const char* command : {"inspect --scene line.obj --size 16x9 --technique unsorted --format json",
+                                "explore --headless --scene line.obj --size 160x90 --screenshot out/x.png"}) {
+        const Outcome outcome = run(command);
+        EXPECT_EQ(outcome.code, 0) << command;
+        EXPECT_TRUE(
+            outcome.errors.starts_with("momentscope: The mesh file 'line.obj' leaves next to nothing to see"))
+            << outcome.errors;
+    }
+}
+
 TEST_F(CommandLine, RefusesOutputsThatCannotBeWritten) {
     fs::create_directories(folder_ / "folder.png");
     expect_refused("render --scene planes -o missing/x.png", "no folder 'missing'");

@@ -1,15 +1,14 @@
 // mesh_file_test.cpp -- meshes from files: what is read, and what is refused with which sentence.
 #include "core/scene/mesh_file.hpp"
-#include "core/error.hpp"
 #include "core/scene/isolated_read.hpp"
-#include "core/scene/scenes.hpp"
 #include "tests/unit/mesh_checks.hpp"
+#include "tests/unit/mesh_folder.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <random>
 #include <string>
@@ -20,38 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own for each test's files, which goes with the test.
-class MeshFile : public testing::Test {
-protected:
-    MeshFile() : folder_(fs::temp_directory_path() / ("momentscope_mesh_" + std::to_string(::getpid()))) {
-        fs::create_directories(folder_);
-    }
-    ~MeshFile() override {
-        std::error_code ignored;
-        fs::remove_all(folder_, ignored);
-    }
-
-    fs::path write(const std::string& name, const std::string& content) const {
-        std::ofstream(folder_ / name, std::ios::binary) << content;
-        return folder_ / name;
-    }
-
-    /// Expects one plain sentence that names the file and contains `part`.
-    static void expect_refused(const fs::path& path, const std::string& part) {
-        try {
-            read_mesh_file(path);
-            FAIL() << path << " was read";
-        } catch (const Error& error) {
-            const std::string sentence = error.what();
-            EXPECT_NE(sentence.find(part), std::string::npos) << sentence;
-            EXPECT_NE(sentence.find(path.string()), std::string::npos) << sentence;
-            EXPECT_EQ(sentence.back(), '.') << sentence;
-            EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
-        }
-    }
-
-    fs::path folder_;
-};
+class MeshFile : public MeshFolder {};
 
 void expect_normalized(const Mesh& mesh) {
     const Extent extent = extent_of(mesh);
@@ -62,7 +30,7 @@ void expect_normalized(const Mesh& mesh) {
 const char* const TRIANGLE = "v 0 0 0\nv 4 0 0\nv 0 3 0\nf 1 2 3\n";
 
 TEST_F(MeshFile, ATriangleIsCentredScaledAndGetsANormal) {
-    const Mesh mesh = read_mesh_file(write("triangle.obj", TRIANGLE));
+    const Mesh mesh = read_mesh_file(write("triangle.obj", TRIANGLE)).mesh;
     expect_well_formed(mesh);
     expect_normalized(mesh);
     ASSERT_EQ(mesh.positions.size(), 3u);
@@ -73,7 +41,7 @@ TEST_F(MeshFile, ATriangleIsCentredScaledAndGetsANormal) {
 
 TEST_F(MeshFile, QuadrilateralsAreSplitVerticesJoinedLinesDropped) {
     const std::string quads = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nv 9 9 9\nv 8 8 8\n";
-    const Mesh mesh = read_mesh_file(write("quads.obj", quads + "f 1 2 3 4\nf 2 5 6 3\nl 7 8\n"));
+    const Mesh mesh = read_mesh_file(write("quads.obj", quads + "f 1 2 3 4\nf 2 5 6 3\nl 7 8\n")).mesh;
     expect_well_formed(mesh);
     expect_normalized(mesh);  // the line's ends would make the box larger
     EXPECT_EQ(mesh.indices.size(), 12u);
@@ -83,12 +51,43 @@ TEST_F(MeshFile, QuadrilateralsAreSplitVerticesJoinedLinesDropped) {
 TEST_F(MeshFile, HugeTinyAndDegenerateMeshesStayFinite) {
     for (const char* size : {"3e38", "1e-30"}) {
         const std::string s = size;
-        const Mesh mesh = read_mesh_file(
-            write("size.obj", "v -" + s + " 0 0\nv " + s + " 0 0\nv 0 " + s + " 0\nf 1 2 3\n"));
+        const Mesh mesh =
+            read_mesh_file(write("size.obj", "v -" + s + " 0 0\nv " + s + " 0 0\nv 0 " + s + " 0\nf 1 2 3\n"))
+                .mesh;
         expect_well_formed(mesh);
         expect_normalized(mesh);
     }
-    expect_well_formed(read_mesh_file(write("sliver.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")));
+    expect_well_formed(read_mesh_file(write("sliver.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")).mesh);
+}
+
+// Assimp joins vertices that are less than 1e-5 apart, whatever the scale.
+TEST_F(MeshFile, PanesAtSmallScalesStayApart) {
+    for (const double scale : {1.0, 1e-4, 1e-6, 1e-25}) {
+        std::string text = "OFF\n12 3 0\n";
+        for (const double z : {0.0, 0.5, 1.0})
+            for (const glm::dvec3 p : {glm::dvec3(-1, -0.8, z), {1, -0.8, z}, {1, 0.8, z}, {-1, 0.8, z}})
+                text += fmt::format("{:.9g} {:.9g} {:.9g}\n", scale * p.x, scale * p.y, scale * p.z);
+        expect_depths(write("panes.off", text + "4 0 1 2 3\n4 4 5 6 7\n4 8 9 10 11\n"),
+                      {2.2634, 2.6967, 3.1299});
+    }
+}
+
+TEST_F(MeshFile, WarnsOfCoordinatesThatFloatsCannotHold) {
+    expect_warning(
+        write("far.off", "OFF\n3 1 0\n448261 0 5411932.5\n448263 0 5411932.5\n448263 2 5411933\n3 0 1 2\n"),
+        "as large as 5411933, where numbers lie 0.65 apart, in a shape whose half diagonal is 1.436");
+}
+
+TEST_F(MeshFile, WarnsWhenNothingIsLeftToSee) {
+    const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+    expect_warning(write("far.obj", square + "v 1e30 0 0\nf 1 2 5\n"), "next to nothing to see");
+    expect_warning(write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), "next to nothing to see");
+    std::string speck;
+    for (int i = 0; i < 10; ++i)
+        speck += fmt::format("v 0 0 {0}\nv 1 0 {0}\nv 1 1 {0}\nv 0 1 {0}\nf -4 -3 -2 -1\n", i);
+    EXPECT_TRUE(read_mesh_file(write("panes.obj", speck)).warnings.empty());
+    expect_warning(write("speck.obj", speck + "v 1e6 0 0\nv 0 1e6 0\nv 0 0 1e6\nf -1 -2 -3\n"),
+                   "less than a pixel");
 }
 
 TEST_F(MeshFile, RefusesWhatIsNoMeshFile) {
@@ -102,7 +101,7 @@ TEST_F(MeshFile, RefusesWhatIsNoMeshFile) {
     expect_refused(write("lines.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n"), "has no triangles");
     expect_refused(write("spot.obj", "v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n"), "in one point");
     expect_refused(write("wild.obj", "v 0 0 0\nv 1 0 0\nf 1 2 999\n"), "cannot be read");
-    expect_refused(write("nan.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n"), "at infinity or at no number");
+    expect_refused(write("nan.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n"), "line 2 has 'nan'");
 }
 
 TEST_F(MeshFile, RefusesWhatIsTooLarge) {
@@ -128,7 +127,7 @@ TEST_F(MeshFile, ReadsTheModelsOfGlmark2) {
         {"bunny.obj", 69666}, {"horse.3ds", 7172}, {"cat.3ds", 14348}, {"cube.3ds", 12}};
     for (const auto& [name, triangles] : expected) {
         SCOPED_TRACE(name);
-        const Mesh mesh = read_mesh_file(models / name);
+        const Mesh mesh = read_mesh_file(models / name).mesh;
         expect_well_formed(mesh);
         expect_normalized(mesh);
         EXPECT_EQ(mesh.indices.size() / 3, triangles);
@@ -144,7 +143,7 @@ TEST_F(MeshFile, ReadsTheTestModelsOfAssimp) {
           "OFF/Wuson.off", "glTF2/BoxTextured-glTF/BoxTextured.gltf",
           "glTF2/BoxTextured-glTF-Binary/BoxTextured.glb"}) {
         SCOPED_TRACE(name);
-        const Mesh mesh = read_mesh_file(models / name);
+        const Mesh mesh = read_mesh_file(models / name).mesh;
         expect_well_formed(mesh);
         expect_normalized(mesh);
     }
@@ -171,14 +170,17 @@ TEST_F(MeshFile, BecomesASceneAboveTheGround) {
 
 const Mesh ONE_TRIANGLE{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}, {0, 1, 2}};
 
-TEST(IsolatedRead, BringsTheMeshAndTheErrorHome) {
-    const std::optional<Mesh> mesh = read_isolated([] { return ONE_TRIANGLE; }, 5);
-    ASSERT_TRUE(mesh.has_value());
-    EXPECT_EQ(mesh->positions, ONE_TRIANGLE.positions);
-    EXPECT_EQ(mesh->normals, ONE_TRIANGLE.normals);
-    EXPECT_EQ(mesh->indices, ONE_TRIANGLE.indices);
+TEST(IsolatedRead, BringsTheMeshTheWarningsAndTheErrorHome) {
+    const std::vector<std::string> warnings = {"One.", "Two."};
+    const auto read = [&] { return LoadedMesh{ONE_TRIANGLE, warnings}; };
+    const std::optional<LoadedMesh> loaded = read_isolated(read, 5);
+    ASSERT_TRUE(loaded.has_value());
+    EXPECT_EQ(loaded->mesh.positions, ONE_TRIANGLE.positions);
+    EXPECT_EQ(loaded->mesh.normals, ONE_TRIANGLE.normals);
+    EXPECT_EQ(loaded->mesh.indices, ONE_TRIANGLE.indices);
+    EXPECT_EQ(loaded->warnings, warnings);
     try {
-        read_isolated([]() -> Mesh { throw Error("A sentence."); }, 5);
+        read_isolated([]() -> LoadedMesh { throw Error("A sentence."); }, 5);
         FAIL() << "the error did not arrive";
     } catch (const Error& error) {
         EXPECT_STREQ(error.what(), "A sentence.");
@@ -186,19 +188,19 @@ TEST(IsolatedRead, BringsTheMeshAndTheErrorHome) {
 }
 
 TEST(IsolatedRead, OutlivesAReaderThatCrashesHangsOrLies) {
-    EXPECT_FALSE(read_isolated([]() -> Mesh { std::abort(); }, 5));
-    EXPECT_FALSE(read_isolated([]() -> Mesh { throw 1; }, 5));
+    EXPECT_FALSE(read_isolated([]() -> LoadedMesh { std::abort(); }, 5));
+    EXPECT_FALSE(read_isolated([]() -> LoadedMesh { throw 1; }, 5));
     EXPECT_FALSE(read_isolated(
-        []() -> Mesh {
+        []() -> LoadedMesh {
             for (;;) ::usleep(1000);
         },
         1));
     Mesh wild = ONE_TRIANGLE;
     wild.indices[2] = 3;
-    EXPECT_FALSE(read_isolated([&] { return wild; }, 5));
+    EXPECT_FALSE(read_isolated([&] { return LoadedMesh{wild}; }, 5));
     Mesh incomplete = ONE_TRIANGLE;
     incomplete.indices.pop_back();
-    EXPECT_FALSE(read_isolated([&] { return incomplete; }, 5));
+    EXPECT_FALSE(read_isolated([&] { return LoadedMesh{incomplete}; }, 5));
 }
 
 }  // namespace
