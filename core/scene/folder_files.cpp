@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <string_view>
@@ -37,7 +36,7 @@ std::string percent_decoded(std::string_view text) {
 /// A copy of the text as a file, which owns the copy.
 Assimp::IOStream* file_of(const std::string& text) {
     auto* const bytes = new std::uint8_t[text.size()];
-    std::memcpy(bytes, text.data(), text.size());
+    std::copy(text.begin(), text.end(), bytes);
     return new Assimp::MemoryIOStream(bytes, text.size(), true);
 }
 

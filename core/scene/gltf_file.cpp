@@ -31,6 +31,7 @@ constexpr std::string_view HARMLESS_EXTENSIONS[] = {"KHR_materials_*",
                                                     "EXT_mesh_features",
                                                     "EXT_structural_metadata",
                                                     "EXT_instance_features",
+                                                    "KHR_technique*",
                                                     "ADOBE_materials_*",
                                                     "MSFT_packing_*",
                                                     "CESIUM_primitive_outline"};
@@ -108,11 +109,14 @@ void collect_extensions(const json& value, std::set<std::string>& names) {
     }
 }
 
-std::vector<std::string> harmful(const std::set<std::string>& names) {
+/// "the glTF extensions X, Y, which are not read"; empty when all of the names are harmless.
+std::string unread(const std::set<std::string>& names) {
     std::vector<std::string> left;
     for (const std::string& name : names)
         if (!is_harmless(name) && left.size() < MAX_NAMED) left.push_back(name.substr(0, MAX_NAME));
-    return left;
+    if (left.empty()) return "";
+    return fmt::format("the glTF extension{} {}, which {} not read", left.size() > 1 ? "s" : "",
+                       fmt::join(left, ", "), left.size() > 1 ? "are" : "is");
 }
 
 /// Assimp takes the bytes of positions and normals for floats, whatever they are, and none for zeros.
@@ -173,22 +177,26 @@ std::optional<GltfFile> read_gltf(std::string_view bytes, const std::filesystem:
     // Names in Latin-1 are met with and do not matter here; as UTF-8 they would be refused.
     std::ranges::replace_if(
         *text, [](char c) { return static_cast<unsigned char>(c) >= 0x80; }, '?');
-    const json file = json::parse(*text, nullptr, false);
+    json file;
+    try {
+        file = json::parse(*text);
+    } catch (const json::parse_error& error) {
+        if (path.extension() != ".gltf" && path.extension() != ".glb") return std::nullopt;
+        refuse_mesh(path, fmt::format("is no JSON, which glTF is written in, at byte {}; export it again.",
+                                      error.byte));
+    }
     text.reset();
     const json& version = member(member(file, "asset"), "version");
     if (!version.is_string() || version.get<std::string>().starts_with("1")) return std::nullopt;
 
-    const std::vector<std::string> required = harmful(strings(member(file, "extensionsRequired")));
-    if (!required.empty())
-        refuse_mesh(path, fmt::format("needs the glTF extension{} {}, which {} not read; export it without.",
-                                      required.size() > 1 ? "s" : "", fmt::join(required, ", "),
-                                      required.size() > 1 ? "are" : "is"));
+    const std::string required = unread(strings(member(file, "extensionsRequired")));
+    if (!required.empty()) refuse_mesh(path, "needs " + required + "; export it without.");
     require_floats(file, path);
 
     GltfFile result;
     std::set<std::string> used = strings(member(file, "extensionsUsed"));
     collect_extensions(file, used);
-    result.unread_extensions = harmful(used);
+    result.unread = unread(used);
     const json& nodes = member(file, "nodes");
     const std::size_t node_count = nodes.is_array() ? nodes.size() : 0;
     for (std::size_t i = 0; i < node_count; ++i) {

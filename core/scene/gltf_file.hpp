@@ -19,8 +19,8 @@ struct GltfNode {
 
 struct GltfFile {
     std::vector<GltfNode> nodes;
-    std::vector<std::uint32_t> roots;            // of the scene that is shown
-    std::vector<std::string> unread_extensions;  // which may matter, but are not required
+    std::vector<std::uint32_t> roots;  // of the scene that is shown
+    std::string unread = {};  // "the glTF extension X, which is not read", of those that are not required
 };
 
 /// The nodes of a glTF 2 file, .gltf or .glb; nothing when the bytes are something else. Throws Error when an

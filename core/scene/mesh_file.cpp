@@ -11,8 +11,6 @@
 
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cctype>
@@ -127,9 +125,7 @@ std::vector<std::string> warnings_of(const PreparedFile& file, const FolderFiles
                                      const PlacedGraph& graph, const std::filesystem::path& path) {
     std::vector<std::string> warnings = file.warnings;
     const auto warn = [&](const std::string& text) { warnings.push_back(mesh_sentence(path, text)); };
-    if (file.gltf && !file.gltf->unread_extensions.empty())
-        warn(fmt::format("uses what is not read of glTF: {}; it is shown without.",
-                         fmt::join(file.gltf->unread_extensions, ", ")));
+    if (file.gltf && !file.gltf->unread.empty()) warn("uses " + file.gltf->unread + "; it is shown without.");
     if (files.outside())
         warn("names '" + *files.outside() + "', which lies outside its folder and was not opened.");
     if (graph.has_skin)

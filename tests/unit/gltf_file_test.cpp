@@ -141,11 +141,16 @@ TEST_F(GltfMesh, RefusesExtensionsThatItNeedsByName) {
     json file = panes_json("panes.bin");
     file["extensionsRequired"] = {"XYZ_b", "KHR_materials_unlit", "XYZ_a"};
     expect_refused(write_json(file), "needs the glTF extensions XYZ_a, XYZ_b, which are not read");
-    file["extensionsUsed"] = file["extensionsRequired"] = {"KHR_materials_unlit", "KHR_texture_transform"};
+    file["extensionsUsed"] =
+        file["extensionsRequired"] = {"KHR_materials_unlit", "KHR_texture_transform", "KHR_technique_webgl"};
     expect_depths(write_json(file), THREE_DEPTHS);
     file = panes_json("panes.bin");
     file["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] = 4;  // not listed
     expect_warning(write_json(file), "EXT_mesh_gpu_instancing");
+}
+
+TEST_F(GltfMesh, RefusesWhatIsNoJson) {
+    expect_refused(write("nan.gltf", "{\"asset\": {\"version\": \"2.0\"}, \"a\": NaN}"), "no JSON");
 }
 
 TEST_F(GltfMesh, RefusesPositionsThatAreNoFloats) {
