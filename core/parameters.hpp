@@ -106,6 +106,11 @@ private:
     std::array<std::optional<float>, PARAMETER_COUNT> values_;
 };
 
+/// Of a choice, a switch or a count; 0 for `auto`.
+inline int whole(const std::optional<float>& value) {
+    return static_cast<int>(value.value_or(0.0f));
+}
+
 using ParameterSettings = std::vector<std::pair<ParameterId, float>>;
 
 /// All values at their standard but these. Throws Error as ParameterValues::set.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/scene/camera.hpp"
 
@@ -10,7 +11,7 @@ namespace momentscope::ui {
 namespace {
 
 constexpr float STEEPEST = 1.5f;  // short of the poles, where up would be undefined
-constexpr float QUARTER = 1.57079633f;
+constexpr float QUARTER = 0.5f * std::numbers::pi_v<float>;
 constexpr NamedView VIEWS[] = {{"front", "Front", 0, 0},      {"back", "Back", 2 * QUARTER, 0},
                                {"left", "Left", -QUARTER, 0}, {"right", "Right", QUARTER, 0},
                                {"top", "Top", 0, STEEPEST},   {"below", "From below", 0, -STEEPEST}};

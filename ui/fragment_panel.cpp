@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/stress/judge.hpp"
 #include "ui/side_panels.hpp"
 
 namespace momentscope::ui {
@@ -77,7 +78,7 @@ void draw_row(const Ui& ui, const Measurement& m, const PixelHistoryRow& row, st
     cell(row.gl_transmittance ? fmt::format("{:.4f}", *row.gl_transmittance) : "–");
     cell(fmt::format("{:.4f}", row.transmittance));
     ImGui::TableNextColumn();
-    const bool large = std::abs(row.error()) > 0.02;  // about what is seen in a picture
+    const bool large = std::abs(row.error()) > FAILED_ERROR;
     if (large) ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.warning);
     ImGui::Text("%+.4f%s", row.error(), large ? " !" : "");
     if (large) ImGui::PopStyleColor();

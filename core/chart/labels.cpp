@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 namespace momentscope {
@@ -51,7 +52,8 @@ std::optional<Place> find_place(const Label& label, const glm::vec2& extent, con
         for (int i = 0; i < DIRECTIONS; ++i) {
             // To the right first, then above and below in turn.
             const int step = (i + 1) / 2 * (i % 2 == 0 ? 1 : -1);
-            const float angle = 6.2831853f * static_cast<float>(step) / static_cast<float>(DIRECTIONS);
+            const float angle =
+                2 * std::numbers::pi_v<float> * static_cast<float>(step) / static_cast<float>(DIRECTIONS);
             const Box box = box_at(label.at, extent, angle, distance);
             const bool inside = box.low.x >= bounds.low.x && box.low.y >= bounds.low.y &&
                                 box.high.x <= bounds.high.x && box.high.y <= bounds.high.y;

@@ -3,6 +3,7 @@
 #include "core/scene/builtin_scenes.hpp"
 
 #include "core/image/image.hpp"
+#include "core/scene/camera.hpp"
 #include "core/scene/shapes.hpp"
 
 #include <array>
@@ -76,8 +77,7 @@ void add_hall(Scene& scene) {
 }  // namespace
 
 glm::vec3 towards_camera(const Camera& camera) {
-    return {std::sin(camera.azimuth) * std::cos(camera.elevation), std::sin(camera.elevation),
-            std::cos(camera.azimuth) * std::cos(camera.elevation)};
+    return orbit_direction(camera.azimuth, camera.elevation);
 }
 
 std::uint32_t add_mesh(Scene& scene, Mesh mesh) {

@@ -16,10 +16,13 @@ float narrowing(float aspect) {
 
 }  // namespace
 
+glm::vec3 orbit_direction(float azimuth, float elevation) {
+    return {std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
+            std::cos(azimuth) * std::cos(elevation)};
+}
+
 glm::mat4 view_matrix(const Camera& camera) {
-    const glm::vec3 direction = {std::sin(camera.azimuth) * std::cos(camera.elevation),
-                                 std::sin(camera.elevation),
-                                 std::cos(camera.azimuth) * std::cos(camera.elevation)};
+    const glm::vec3 direction = orbit_direction(camera.azimuth, camera.elevation);
     return glm::lookAt(camera.target + camera.distance * direction, camera.target, glm::vec3(0, 1, 0));
 }
 

@@ -10,6 +10,10 @@ namespace momentscope {
 constexpr float NEAR_PLANE = 0.05f;  // scene units; built-in scenes are 1 to 50 units large
 constexpr float FAR_PLANE = 1000.0f;
 
+/// The unit vector to what stands there: azimuth about the y axis from z, elevation above the xz plane, in
+/// radians.
+glm::vec3 orbit_direction(float azimuth, float elevation);
+
 glm::mat4 view_matrix(const Camera& camera);  // world to eye, which looks along -z
 
 /// aspect = width / height. The field of view holds for 16:9 and wider; narrower pictures see as much from

@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "core/error.hpp"
+#include "core/scene/camera.hpp"
 
 namespace momentscope {
 
@@ -30,9 +31,7 @@ LightFrame light_frame(const ShadowSettings& settings, const Sphere& casters) {
             "give a --light-distance of {:.2f} or more.",
             distance, radius, std::ceil(100 * LEAST_DISTANCE * radius + 0.5f) / 100));
     const Light& light = settings.light;
-    const glm::vec3 direction = {std::sin(light.azimuth) * std::cos(light.elevation),
-                                 std::sin(light.elevation),
-                                 std::cos(light.azimuth) * std::cos(light.elevation)};
+    const glm::vec3 direction = orbit_direction(light.azimuth, light.elevation);
     LightFrame frame;
     frame.position = casters.center + distance * direction;
     const bool overhead = light.elevation > 1.5f;

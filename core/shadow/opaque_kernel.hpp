@@ -8,6 +8,8 @@ struct OpaqueKernel {
     ShadowTexel (*texel)(float depth);
     float (*shadowed)(const ShadowTexel& texel, float depth);
     bool unfiltered;
+    float bias;
+    float theta;
 };
 
 enum class OpaqueShadowId {

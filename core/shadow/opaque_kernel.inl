@@ -47,7 +47,11 @@ constexpr bool IS_UNFILTERED = false;
 
 template <>
 OpaqueKernel opaque_kernel<OpaqueShadowId::KERNEL_ID>() {
-    return {texel, shadowed, IS_UNFILTERED};
+#if MOMENT_COUNT > 0
+    return {texel, shadowed, IS_UNFILTERED, g::SHADOW_BIAS, g::SHADOW_PARAMETER};
+#else
+    return {texel, shadowed, IS_UNFILTERED, 0, 0};
+#endif
 }
 
 }  // namespace momentscope

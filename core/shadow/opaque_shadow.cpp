@@ -26,7 +26,9 @@ OpaqueShadow make_row(const OpaqueKernel& kernel, const char* file, int moment_c
             source,
             kernel.texel,
             kernel.shadowed,
-            kernel.unfiltered};
+            kernel.unfiltered,
+            kernel.bias,
+            kernel.theta};
 }
 
 }  // namespace

@@ -27,6 +27,8 @@ struct OpaqueShadow {
     float (*shadowed)(const ShadowTexel& texel, float depth);
 
     bool unfiltered;  // answers of texels are mixed, not texels
+    float bias;       // alpha of its moments; 0 where it has none
+    float theta;      // of the wrapping zone, in radians; 0 on the line
 
     int bits_per_texel() const { return bits * numbers; }
 };

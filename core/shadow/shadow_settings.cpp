@@ -9,15 +9,11 @@ namespace momentscope {
 namespace {
 
 std::string_view chosen(const ParameterValues& values, ParameterId id) {
-    return parameter(id).choices[static_cast<std::size_t>(values[id].value_or(0.0f))];
-}
-
-int whole(const ParameterValues& values, ParameterId id) {
-    return static_cast<int>(values[id].value_or(0.0f));
+    return parameter(id).choices[static_cast<std::size_t>(whole(values[id]))];
 }
 
 const OpaqueShadow& opaque_row(const ParameterValues& values) {
-    return opaque_shadows()[static_cast<std::size_t>(whole(values, ParameterId::opaque_shadow))];
+    return opaque_shadows()[static_cast<std::size_t>(whole(values[ParameterId::opaque_shadow]))];
 }
 
 }  // namespace
@@ -48,8 +44,8 @@ Configuration opaque_configuration(const ParameterValues& values) {
     if (row.moment_count == 0) return result;
     const bool circle = row.moment_count == 2;
     result.technique = &require_technique(circle ? "trig2-32" : "power4-32");
-    result.values.set(ParameterId::alpha, circle ? 4e-7f : 3e-7f);  // as in the math files
-    result.values.set(ParameterId::theta, 0.314159265f);
+    result.values.set(ParameterId::alpha, row.bias);
+    result.values.set(ParameterId::theta, row.theta);
     return result;
 }
 
@@ -57,8 +53,8 @@ ShadowSettings shadow_settings(const ParameterValues& values, const Light& of_sc
     return {.casters = chosen(values, ParameterId::shadow_technique) != "none",
             .transparent = light_configuration(values),
             .opaque = &opaque_row(values),
-            .size = whole(values, ParameterId::shadow_size),
-            .radius = whole(values, ParameterId::shadow_radius),
+            .size = whole(values[ParameterId::shadow_size]),
+            .radius = whole(values[ParameterId::shadow_radius]),
             .light = {values[ParameterId::light_azimuth].value_or(of_scene.azimuth),
                       values[ParameterId::light_elevation].value_or(of_scene.elevation)},
             .distance = values[ParameterId::light_distance]};

@@ -48,10 +48,6 @@ Technique moment_technique(const MomentKernel& kernel, const char* basis, int mo
             .order_dependent = kernel.bits == 16};
 }
 
-int whole(const std::optional<float>& value) {
-    return static_cast<int>(value.value_or(0.0f));
-}
-
 /// Sets of five numbers: what is added up in floats, and what is read where it is converted.
 int moment_transparency_bits(const MethodSettings& settings) {
     constexpr int READ_BITS[] = {0, 80, 96, 64};  // with b_0, a half float or a float

@@ -2,7 +2,7 @@
 // object at the two nearest powers of two of its scale on the screen, so that it moves with the object and stays as fine as
 // pixels, made uniform again after the interpolation between both.
 
-const float TWO_PI = 6.28318531f;
+const float TWO_PI = 2.0f * PI;
 const float LEAST_THRESHOLD = 1.0e-6f;
 
 FN float fraction_of(float x)

@@ -121,7 +121,7 @@ TEST_F(LightTest, OpaqueCastersSumToOne) {
     ASSERT_TRUE(measurement().light.has_value());
     EXPECT_NEAR(measurement().curve.total_absorbance, 1, 1e-4);
     EXPECT_STREQ(measurement().curve.technique->id, "power4-32");
-    EXPECT_EQ(measurement().curve.parameters.alpha, 3e-7f);
+    EXPECT_EQ(measurement().curve.parameters.alpha, 6e-5f) << "of hamburger-16, the standard";
     play("click @plot.eye");
     EXPECT_FALSE(measurement().light.has_value());
 }

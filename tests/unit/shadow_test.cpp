@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 #include "core/inspect/curve.hpp"
 #include "core/ray/random_ray.hpp"
@@ -99,6 +100,23 @@ TEST(LightFrame, RefusesALightAmongTheCasters) {
     ShadowSettings settings = shadow_settings({}, {});
     settings.distance = 1.0f;
     expect_error([&] { light_frame(settings, {glm::vec3(0), 2.0f}); }, "--light-distance of 2.1");
+}
+
+TEST(ShadowSettings, ThePlotOfOpaqueCastersHasTheBiasOfTheirMap) {
+    const auto configuration_of = [](const char* id) {
+        const auto row = static_cast<float>(&require_opaque_shadow(id) - opaque_shadows().data());
+        return opaque_configuration(values_with({{ParameterId::opaque_shadow, row}}));
+    };
+    for (const auto& [id, technique, bias] : {std::tuple("hamburger-32", "power4-32", 3e-7f),
+                                              {"hamburger-16", "power4-32", 6e-5f},
+                                              {"hausdorff", "power4-32", 3e-7f},
+                                              {"trigonometric", "trig2-32", 4e-7f}}) {
+        const Configuration configuration = configuration_of(id);
+        EXPECT_STREQ(configuration.technique->id, technique) << id;
+        EXPECT_EQ(configuration.values[ParameterId::alpha], bias) << id;
+    }
+    EXPECT_EQ(configuration_of("trigonometric").values[ParameterId::theta], 0.314159265f);
+    EXPECT_STREQ(configuration_of("pcf").technique->id, "sorted");
 }
 
 TEST(ShadowSettings, EveryChoiceMeansATechnique) {
