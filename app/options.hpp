@@ -59,6 +59,8 @@ struct Options {
 void add_scene_options(CLI::App& command, Options& options);
 void add_parameter_options(CLI::App& command, Options& options);  // one for each row of the registry
 
+constexpr const char* STANDARD_SIZE = "960x540";  // of pictures that are drawn once
+
 /// "WxH", each from 1 to MAX_PICTURE_SIDE.
 glm::ivec2 parse_size(const std::string& text);
 
@@ -84,8 +86,8 @@ int parse_count(const std::string& text, const char* what, int least, int most);
 int parse_ray_count(const std::string& text);
 std::uint32_t parse_seed(const std::string& text);
 
-/// Any number, also one that is not finite; `what` names it in the error.
-double parse_number(const std::string& text, const char* what);
+/// Any finite number; `what` names it in the error.
+double parse_bound(const std::string& text, const char* what);
 
 /// The parameters that were typed, over `standard`.
 ParameterValues parse_parameters(const Options& options, ParameterValues standard = {});

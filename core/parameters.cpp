@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <string>
 
 #include "core/error.hpp"
+#include "core/parse_number.hpp"
 
 namespace momentscope {
 
@@ -238,12 +238,11 @@ std::optional<float> parse_parameter(const Parameter& row, std::string_view text
     const auto choice =
         std::ranges::find(row.choices, text, [](const char* name) { return std::string_view(name); });
     if (choice != row.choices.end()) return static_cast<float>(choice - row.choices.begin());
-    float value = 0;
-    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (status != std::errc() || end != text.data() + text.size())
+    const auto value = parse_number<float>(text);
+    if (!value)
         throw Error(fmt::format("'{}' is no value of the {} --{}; give {}.", text, row.name, row.key,
                                 parameter_values_text(row)));
-    return value;
+    return *value;
 }
 
 std::string parameter_text(const Parameter& row, std::optional<float> value) {

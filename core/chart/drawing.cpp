@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <iterator>
+#include <numbers>
 
 #include "core/markup.hpp"
 
@@ -72,7 +73,7 @@ std::vector<glm::vec2> mark_outline(const Drawing::Mark& mark) {
         case MarkShape::circle:
         case MarkShape::ring:
             for (int i = 0; i < 24; ++i) {
-                const float angle = 6.2831853f * static_cast<float>(i) / 24;
+                const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / 24;
                 unit.emplace_back(std::cos(angle), std::sin(angle));
             }
     }
