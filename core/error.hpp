@@ -2,7 +2,8 @@
 #pragma once
 #include <stdexcept>
 #include <string>
-#include <utility>
+
+#include "core/plain_text.hpp"
 
 namespace momentscope {
 
@@ -10,15 +11,7 @@ namespace momentscope {
 /// what is wrong and what to do; the command line prints it, the window shows it as a message.
 class Error : public std::runtime_error {
 public:
-    explicit Error(std::string sentence) : std::runtime_error(on_one_line(std::move(sentence))) {}
-
-private:
-    // Names from outside may hold line breaks and terminal codes.
-    static std::string on_one_line(std::string text) {
-        for (char& c : text)
-            if (static_cast<unsigned char>(c) < ' ' || c == 127) c = ' ';
-        return text;
-    }
+    explicit Error(const std::string& sentence) : std::runtime_error(one_line(sentence)) {}
 };
 
 }  // namespace momentscope

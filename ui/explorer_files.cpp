@@ -1,10 +1,9 @@
 // explorer_files.cpp -- what the window opens and saves.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "core/error.hpp"
 #include "core/inspect/curve_output.hpp"
+#include "core/json_text.hpp"
 #include "core/output_file.hpp"
 #include "core/ray/ray_json.hpp"
 #include "ui/explorer.hpp"
@@ -127,7 +126,7 @@ void Explorer::export_to(const FileDialog::Choice& choice) {
     } else if (kind == "curves_json") {
         write_text_file(curves_to_json(ray, curves), choice.path);
     } else if (kind == "ray_json") {
-        write_text_file(ray_to_json(ray).dump(1) + "\n", choice.path);
+        write_text_file(json_text(ray_to_json(ray), 1) + "\n", choice.path);
     } else {
         if (!state_.ray && !measurement_.light && measurement_.capture.transmittance.empty() &&
             !ray.fragments.empty())

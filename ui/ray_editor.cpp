@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
 #include "core/image/image.hpp"
 #include "core/inspect/pixel_color.hpp"
+#include "core/json_text.hpp"
 #include "core/ray/random_ray.hpp"
 #include "core/ray/ray_json.hpp"
 #include "core/ray/ray_presets.hpp"
@@ -69,7 +69,7 @@ void draw_sources(const Ui& ui, const Measurement& m, ExplorerState& state) {
 void draw_clipboard(const Ui& ui, const Measurement& m, ExplorerState& state, std::string& message) {
     ImGui::SameLine();
     if (ImGui::Button("copy")) {
-        ImGui::SetClipboardText(ray_to_json(m.capture.ray).dump(1).c_str());
+        ImGui::SetClipboardText(json_text(ray_to_json(m.capture.ray), 1).c_str());
         message = "The ray was copied as JSON.";
     }
     ui.mark("editor.copy");

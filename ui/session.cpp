@@ -7,6 +7,7 @@
 #include "core/bounded_json.hpp"
 #include "core/error.hpp"
 #include "core/input_file.hpp"
+#include "core/json_text.hpp"
 #include "core/output_file.hpp"
 #include "core/ray/ray_json.hpp"
 #include "core/scene/scenes.hpp"
@@ -297,17 +298,21 @@ Session read_session_file(const std::filesystem::path& path) {
     return session;
 }
 
+void require_session_name(const std::string& scene) {
+    if (!is_utf8(scene))
+        throw Error(
+            "The name of the mesh file is no UTF-8, which a session needs; rename the file and open it again.");
+}
+
+std::string session_text(const ExplorerState& state) {
+    require_session_name(state.scene);
+    return json_text(session_to_json(state), 1) + "\n";
+}
+
 void write_session_file(const ExplorerState& state, const std::filesystem::path& path) {
     ExplorerState portable = state;
     portable.scene = portable_scene(state.scene, path);
-    std::string text;
-    try {
-        text = session_to_json(portable).dump(1) + "\n";
-    } catch (const json::exception&) {
-        throw Error(
-            "The name of the mesh file is no UTF-8, which a session needs; rename the file and open it again.");
-    }
-    write_text_file(text, path);
+    write_text_file(session_text(portable), path);
 }
 
 }  // namespace momentscope::ui

@@ -26,6 +26,12 @@ Session session_from_json(const std::string& text);
 /// Throws Error also when the file is missing or too large. A mesh file is named relative to the session's folder
 /// if it lies there, and else from the root, so that the session opens from every folder.
 Session read_session_file(const std::filesystem::path& path);
+
+/// Throws Error when a session cannot hold the name of the scene's file.
+void require_session_name(const std::string& scene);
+
+/// What is written. Throws Error as require_session_name does.
+std::string session_text(const ExplorerState& state);
 void write_session_file(const ExplorerState& state, const std::filesystem::path& path);
 
 }  // namespace momentscope::ui

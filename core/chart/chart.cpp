@@ -8,6 +8,8 @@
 
 #include "core/chart/chart_csv.hpp"
 #include "core/chart/pareto.hpp"
+#include "core/markup.hpp"
+#include "core/plain_text.hpp"
 
 namespace momentscope {
 
@@ -18,9 +20,9 @@ std::string count_text(const std::optional<int>& count, const char* otherwise) {
 }
 
 std::string table_line(const ChartRow& row, bool on_front) {
-    const std::string name =
-        on_front ? fmt::format("**`{}`**", row.configuration) : fmt::format("`{}`", row.configuration);
-    if (!row.numbers) return fmt::format("| {} | {} | | | | | | | | | | | |\n", name, row.unavailable);
+    const std::string name = fmt::format("{0}{1}{0}", on_front ? "**" : "", markdown_code(row.configuration));
+    if (!row.numbers)
+        return fmt::format("| {} | {} | | | | | | | | | | | |\n", name, markdown_cell(row.unavailable));
     const ChartNumbers& n = *row.numbers;
     return fmt::format(
         "| {} | {:.1f} | {:.1f} | {:.1f} | {:.1f} ({:.1f}) | {:.1f} ({:.1f}) | {} | {} | {} | {:.4f} | {:.2f} | {:.4f} | "
@@ -70,14 +72,14 @@ std::vector<std::size_t> front_of(std::span<const ChartRow> rows, Metric metric)
 }
 
 std::string chart_method(const Chart& chart) {
+    const auto text = [&](const char* name) { return one_line(setting(chart.settings, name)); };
     return fmt::format(
         "Pictures of {} pixels by Momentscope {} on {}. Times in milliseconds, {}: medians of {} rounds, in which "
         "configurations take turns; in parentheses from the lower to the upper quartile. Total is the sum of a technique's "
         "passes; the difference is that to `unsorted` in the same round. Errors against `sorted`. Stability: the "
         "greatest change of the RMSE from one picture to the next along {}.",
-        setting(chart.settings, "size"), setting(chart.settings, run_setting::VERSION),
-        setting(chart.settings, "gl"), setting(chart.settings, "times"), setting(chart.settings, "repeat"),
-        setting(chart.settings, "camera path"));
+        text("size"), text(run_setting::VERSION), text("gl"), text("times"), text("repeat"),
+        text("camera path"));
 }
 
 std::string short_name(const std::string& configuration) {
@@ -99,10 +101,10 @@ std::string chart_to_markdown(const Chart& chart, Metric metric) {
     for (const std::span<const ChartRow> rows : scenes_of(chart)) {
         fmt::format_to(
             std::back_inserter(text),
-            "\n## `{}`\n\nBold: on the Pareto front of total time and {}.\n\n"
+            "\n## {}\n\nBold: on the Pareto front of total time and {}.\n\n"
             "| configuration | pass 1 | pass 2 | composite | total | difference | stored bits | bits with factor | "
             "geometry passes | RMSE | ΔE | FLIP | stability |\n|---|{}\n",
-            rows.front().scene, metrics()[static_cast<std::size_t>(metric)].symbol,
+            markdown_code(rows.front().scene), metrics()[static_cast<std::size_t>(metric)].symbol,
             "---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|");
         const std::vector<std::size_t> front = front_of(rows, metric);
         for (std::size_t i = 0; i < rows.size(); ++i)

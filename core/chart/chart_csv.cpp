@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-
 #include "core/error.hpp"
 #include "core/markup.hpp"
+#include "core/parse_number.hpp"
 
 namespace momentscope {
 
@@ -39,13 +38,14 @@ public:
 private:
     template <typename T>
     T parsed(const std::string& field) const {
-        T value{};
-        const auto [end, status] = std::from_chars(field.data(), field.data() + field.size(), value);
-        if (status != std::errc() || end != field.data() + field.size()) refuse(field);
-        return value;
+        const auto value = parse_any_number<T>(field);  // a picture may be infinitely wrong
+        if (!value) refuse(field);
+        return *value;
     }
     [[noreturn]] void refuse(std::string_view what) const {
-        throw Error(fmt::format("'{}' is damaged at '{}'; remove it and make it again.", name_, what));
+        constexpr int MOST = 60;  // letters of a record that lost a quote and goes on for long
+        throw Error(
+            fmt::format("'{}' is damaged at '{:.{}}'; remove it and make it again.", name_, what, MOST));
     }
 
     std::vector<std::string> fields_;

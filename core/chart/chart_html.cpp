@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "core/chart/chart_drawing.hpp"
+#include "core/json_text.hpp"
 #include "core/markup.hpp"
 #include "core/scene/scenes.hpp"
 #include "core/techniques/configuration.hpp"
@@ -71,7 +72,7 @@ json json_of(const Spread& spread) {
 // The markup that embeds it must not end in a string.
 std::string script_text(const json& value) {
     std::string text;
-    for (const char letter : value.dump())
+    for (const char letter : json_text(value))
         text += letter == '<' ? std::string("\\u003c") : std::string(1, letter);
     return text;
 }
@@ -79,7 +80,7 @@ std::string script_text(const json& value) {
 json json_of(const Chart& chart, const ChartRow& row) {
     const ChartNumbers n = row.numbers.value_or(ChartNumbers());
     return {{"scene", markup_escaped(row.scene)},
-            {"configuration", row.configuration},
+            {"configuration", markup_escaped(row.configuration)},
             {"command", explore_command(chart, row)},
             {"moments", json_of(n.moments)},
             {"color", json_of(n.color)},
@@ -110,7 +111,7 @@ std::string unavailable_text(std::span<const ChartRow> rows) {
     std::string text;
     for (const ChartRow& row : rows)
         if (!row.numbers)
-            text += fmt::format("<li><code>{}</code> {}</li>\n", row.configuration,
+            text += fmt::format("<li><code>{}</code> {}</li>\n", markup_escaped(row.configuration),
                                 markup_escaped(row.unavailable));
     return text.empty() ? "" : fmt::format("<p>Without numbers:</p><ul>{}</ul>\n", text);
 }

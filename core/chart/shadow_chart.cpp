@@ -7,6 +7,7 @@
 
 #include "core/compare/difference.hpp"
 #include "core/error.hpp"
+#include "core/markup.hpp"
 #include "core/scene/scene.hpp"
 
 namespace momentscope {
@@ -131,8 +132,8 @@ std::string shadow_rows_to_csv(const std::vector<ShadowRow>& rows) {
         "scene,technique,map_size,bits_per_texel,render_ms,render_spread,filter_ms,filter_spread,shade_ms,shade_spread,"
         "differential_ms,differential_spread,rmse\n";
     for (const ShadowRow& row : rows) {
-        fmt::format_to(std::back_inserter(text), "{},{},{},{}", row.scene, row.technique, row.map_size,
-                       row.bits_per_texel);
+        fmt::format_to(std::back_inserter(text), "{},{},{},{}", csv_field(row.scene), row.technique,
+                       row.map_size, row.bits_per_texel);
         for (const Spread& spread : {row.render, row.filter, row.shade, row.differential})
             fmt::format_to(std::back_inserter(text), ",{:.3f},{:.3f}", spread.median, spread.range);
         text += row.rmse ? fmt::format(",{:.6f}\n", *row.rmse) : ",\n";
@@ -153,9 +154,9 @@ std::string shadow_rows_to_markdown(const std::vector<ShadowRow>& rows) {
                                s.median < 10 ? 1 : 0);
         };
         fmt::format_to(std::back_inserter(text),
-                       "| {0} | {1}² | {2} | {3} | {4} | {5} | {6} | {7} | {8} | {9} |\n", row.scene,
-                       row.map_size, row.technique, row.bits_per_texel, cell(row.render), cell(row.filter),
-                       cell(row.shade), cell(row.differential),
+                       "| {0} | {1}² | {2} | {3} | {4} | {5} | {6} | {7} | {8} | {9} |\n",
+                       markdown_cell(row.scene), row.map_size, row.technique, row.bits_per_texel,
+                       cell(row.render), cell(row.filter), cell(row.shade), cell(row.differential),
                        fourier == rows.end()
                            ? "–"
                            : fmt::format("{:.2f}", row.differential.median / fourier->differential.median),

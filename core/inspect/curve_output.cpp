@@ -7,6 +7,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "core/json_text.hpp"
 #include "core/markup.hpp"
 #include "core/ray/ray_json.hpp"
 #include "core/techniques/configuration.hpp"
@@ -84,7 +85,7 @@ std::string curves_to_json(const ViewRay& ray, const std::vector<Curve>& curves)
     root["ray"]["total_absorbance"] = total_absorbance(ray);
     root["curves"] = ordered_json::array();
     for (const Curve& curve : curves) root["curves"].push_back(curve_json(curve));
-    return root.dump(1) + "\n";
+    return json_text(root, 1) + "\n";
 }
 
 std::string curve_name(const Curve& curve, const std::vector<Curve>& curves) {
@@ -97,8 +98,7 @@ std::string curves_to_csv(const std::vector<Curve>& curves) {
     std::string text = "technique,depth,true,reconstructed,beta0,beta1";
     text += sharp ? ",sharp_lower,sharp_upper\n" : "\n";
     for (const Curve& curve : curves) {
-        std::string name = curve_name(curve, curves);
-        if (name.find(',') != std::string::npos) name = csv_quoted(name);
+        const std::string name = csv_field(curve_name(curve, curves));
         for (std::size_t i = 0; i < curve.depth.size(); ++i) {
             fmt::format_to(std::back_inserter(text), "{},{},{},", name, curve.depth[i], curve.truth[i]);
             if (!curve.reconstructed.empty())

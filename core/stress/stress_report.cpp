@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/json_text.hpp"
 #include "core/markup.hpp"
 #include "core/ray/ray_json.hpp"
 
@@ -17,7 +18,7 @@ namespace {
 
 // A worst ray of ten thousand fragments would be the whole file.
 std::string ray_text(const ViewRay& ray) {
-    return ray.fragments.size() > 64 ? "" : ray_to_json(ray).dump();
+    return ray.fragments.size() > 64 ? "" : json_text(ray_to_json(ray));
 }
 
 const char* STYLE =

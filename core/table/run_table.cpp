@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "core/error.hpp"
 #include "core/input_file.hpp"
+#include "core/markup.hpp"
+#include "core/parse_number.hpp"
 #include "core/version.hpp"
 
 namespace momentscope {
@@ -17,11 +18,27 @@ constexpr int MOST_SHARDS = 10'000;
 constexpr std::uintmax_t MOST_BYTES = std::uintmax_t{256} << 20;
 constexpr std::size_t SHORT_VALUE = 60;  // letters that a sentence bears
 
-std::optional<int> whole_number(std::string_view text) {
-    int value = 0;
-    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (status != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    return value;
+// A value takes one line, even when it names a file whose name has several.
+std::string escaped(std::string_view value) {
+    std::string result;
+    for (const char letter : value)
+        if (letter == '\\' || letter == '\n' || letter == '\r')
+            result += letter == '\n' ? "\\n" : letter == '\r' ? "\\r" : "\\\\";
+        else
+            result += letter;
+    return result;
+}
+
+std::string unescaped(std::string_view text) {
+    std::string result;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char next = text[i] == '\\' && i + 1 < text.size() ? text[++i] : '\0';
+        if (next == '\0')
+            result += text[i];
+        else
+            result += next == 'n' ? '\n' : next == 'r' ? '\r' : next;
+    }
+    return result;
 }
 
 std::vector<std::string_view> words_of(std::string_view text) {
@@ -55,8 +72,9 @@ std::string difference_text(const std::string& name, const std::string& value, c
 
 Shard parse_shard(std::string_view text) {
     const std::size_t slash = text.find('/');
-    const auto index = whole_number(text.substr(0, slash));
-    const auto count = slash == std::string_view::npos ? std::nullopt : whole_number(text.substr(slash + 1));
+    const auto index = parse_number<int>(text.substr(0, slash));
+    const auto count =
+        slash == std::string_view::npos ? std::nullopt : parse_number<int>(text.substr(slash + 1));
     if (!index || !count || *count < 1 || *count > MOST_SHARDS || *index < 1 || *index > *count)
         throw Error(
             fmt::format("'{}' is no shard; give its number and how many there are, as --shard 2/4.", text));
@@ -85,7 +103,7 @@ std::optional<std::string> difference_of(const RunSettings& settings, const RunS
 
 std::string run_table_text(const RunTable& table) {
     std::string text;
-    for (const auto& [name, value] : table.settings) text += fmt::format("# {}: {}\n", name, value);
+    for (const auto& [name, value] : table.settings) text += fmt::format("# {}: {}\n", name, escaped(value));
     text += table.columns + "\n";
     for (const std::string& row : table.rows) text += row + "\n";
     return text;
@@ -95,13 +113,14 @@ RunTable read_run_table(const std::filesystem::path& path) {
     const std::string text = read_input_file(path, MOST_BYTES, "CSV");
     RunTable table;
     for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t end = std::min(text.find('\n', begin), text.size());
-        const std::string line = text.substr(begin, end - begin);
-        begin = end + 1;
+        const std::string_view rest = std::string_view(text).substr(begin);
+        const bool has_columns = !table.columns.empty();
+        const std::string line(has_columns ? first_csv_record(rest) : rest.substr(0, rest.find('\n')));
+        begin += line.size() + 1;
         const std::size_t colon = line.find(": ");
-        if (table.columns.empty() && line.starts_with("# ") && colon != std::string::npos)
-            table.settings.emplace_back(line.substr(2, colon - 2), line.substr(colon + 2));
-        else if (table.columns.empty())
+        if (!has_columns && line.starts_with("# ") && colon != std::string::npos)
+            table.settings.emplace_back(line.substr(2, colon - 2), unescaped(line.substr(colon + 2)));
+        else if (!has_columns)
             table.columns = line;
         else
             table.rows.push_back(line);
@@ -128,7 +147,7 @@ RunTable merge_shards(const std::vector<std::filesystem::path>& paths) {
     for (const auto& path : paths) tables.push_back(read_run_table(path));
     const RunTable& first = tables.front();
     const int count = parse_shard(setting(first.settings, run_setting::SHARD)).count;
-    const auto row_count = whole_number(setting(first.settings, run_setting::ROWS));
+    const auto row_count = parse_number<int>(setting(first.settings, run_setting::ROWS));
     if (!row_count || *row_count < 0)
         throw Error(
             fmt::format("'{}' does not say how many rows its run has; make it again.", paths[0].string()));

@@ -23,7 +23,7 @@ struct Shard {
 Shard parse_shard(std::string_view text);
 std::string shard_text(const Shard& shard);
 
-/// What a run was: names and values in the order in which they are written, each on one line.
+/// What a run was: names and values in the order in which they are written.
 using RunSettings = std::vector<std::pair<std::string, std::string>>;
 
 /// The value of a name; empty when there is none.
@@ -34,7 +34,8 @@ std::string setting(const RunSettings& settings, std::string_view name);
 std::optional<std::string> difference_of(const RunSettings& settings, const RunSettings& wanted,
                                          std::string_view but = {});
 
-/// A CSV file: `# name: value` for every setting, the names of columns, and one line per row.
+/// A CSV file: `# name: value` for every setting, with line breaks and backslashes of values escaped by a
+/// backslash; the names of columns; one record per row.
 struct RunTable {
     RunSettings settings;
     std::string columns;

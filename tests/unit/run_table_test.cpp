@@ -76,6 +76,16 @@ TEST_F(RunTables, OtherRunsAreRefusedWithTheDifference) {
     expect_unmergeable(columns, "its columns are others");
 }
 
+TEST_F(RunTables, LineBreaksAndBackslashesSurvive) {
+    RunTable table = table_of({}, 2);
+    table.settings.emplace_back("scenes", "a\nb\r\\n\\ # x: y");
+    table.rows[0] = "\"a\n# b: \"\"c\",1";
+    const RunTable read = read_run_table(write("a.csv", table));
+    EXPECT_EQ(read.settings, table.settings);
+    EXPECT_EQ(read.columns, table.columns);
+    EXPECT_EQ(read.rows, table.rows);
+}
+
 TEST_F(RunTables, MissingDoubledAndUnfinishedShardsAreRefused) {
     expect_unmergeable(table_of({1, 2}, 5), "are both shard 1/2");
     RunTable short_one = table_of({2, 2}, 5);
