@@ -6,10 +6,12 @@
 #include <iterator>
 
 #include "core/error.hpp"
+#include "core/reachable.hpp"
 
 namespace momentscope {
 
 std::string read_input_file(const std::filesystem::path& path, std::uintmax_t most_bytes, const char* what) {
+    require_reachable(path);
     std::error_code status;
     if (!std::filesystem::is_regular_file(path, status))
         throw Error(fmt::format("There is no {} file '{}'; give the path of one.", what, path.string()));

@@ -6,11 +6,27 @@
 #include <fstream>
 
 #include "core/error.hpp"
+#include "core/reachable.hpp"
 
 namespace momentscope {
 
+namespace {
+
+// Beside the target and with its extension, which says what kind of picture it is. Its name is no longer than
+// any file system bears, even when the target's is as long as can be.
+std::filesystem::path partial_of(const std::filesystem::path& path) {
+    constexpr std::size_t MOST_STEM = 200, MOST_EXTENSION = 16;  // of 255 bytes
+    const std::string stem = path.stem().string(), extension = path.extension().string();
+    return path.parent_path() / fmt::format(".{}.partial{}", stem.substr(0, MOST_STEM),
+                                            extension.size() <= MOST_EXTENSION ? extension : "");
+}
+
+}  // namespace
+
 void require_writable(const std::filesystem::path& path) {
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    absolute_path(path);
+    require_reachable(path);
     std::error_code status;
     if (!path.has_filename() || std::filesystem::is_directory(path, status))
         throw Error(fmt::format("'{}' is a folder; give the name of a file.", path.string()));
@@ -26,8 +42,7 @@ void require_writable(const std::filesystem::path& path) {
 void replace_file(const std::filesystem::path& path,
                   const std::function<bool(const std::filesystem::path& partial)>& write) {
     require_writable(path);
-    std::filesystem::path partial = path;
-    partial.replace_filename(fmt::format(".{}.partial{}", path.stem().string(), path.extension().string()));
+    const std::filesystem::path partial = partial_of(path);
     const bool written = write(partial);
     std::error_code status;
     if (written) std::filesystem::rename(partial, path, status);

@@ -7,7 +7,7 @@
 namespace momentscope {
 
 /// Throws Error with the reason when a file could not be written there: a missing folder, no permission, a
-/// folder.
+/// folder, a name that is too long, a working folder that was deleted.
 void require_writable(const std::filesystem::path& path);
 
 /// Lets `write` make a temporary file beside the target, with the same extension, and renames it. `write`

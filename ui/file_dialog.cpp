@@ -25,6 +25,12 @@ std::string size_text(std::uintmax_t bytes) {
 
 }  // namespace
 
+fs::path working_folder() {
+    std::error_code code;
+    const fs::path folder = fs::current_path(code);
+    return code ? fs::path("/") : folder;
+}
+
 void FileDialog::open(Mode mode, const char* title, std::vector<FileKind> kinds,
                       const std::string& suggested_name) {
     mode_ = mode;

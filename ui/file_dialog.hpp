@@ -16,6 +16,9 @@ struct FileKind {
     const char* extension;  // ".json"; "" for any
 };
 
+/// The root when it was deleted.
+std::filesystem::path working_folder();
+
 class FileDialog {
 public:
     enum class Mode { open, save };
@@ -52,7 +55,7 @@ private:
     std::string title_;
     std::vector<FileKind> kinds_;
     std::size_t kind_ = 0;
-    std::filesystem::path folder_ = std::filesystem::current_path();
+    std::filesystem::path folder_ = working_folder();
     std::vector<Entry> entries_;
     std::string name_;
     std::string problem_;

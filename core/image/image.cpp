@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "core/output_file.hpp"
+#include "core/reachable.hpp"
 
 namespace momentscope {
 
@@ -21,8 +22,9 @@ void write_pixels(const std::filesystem::path& path, const OIIO::ImageSpec& spec
     });
 }
 
-std::string first_line(const std::string& text) {
-    return text.substr(0, text.find('\n'));
+// What a library says, as part of a sentence.
+std::string first_sentence(const std::string& text) {
+    return text.substr(0, std::min(text.find('\n'), text.find(". ")));
 }
 
 }  // namespace
@@ -42,13 +44,18 @@ float linear_from_srgb(float srgb) {
 }
 
 Image read_image(const std::filesystem::path& path) {
+    require_reachable(path);
+    std::error_code code;
+    if (!std::filesystem::exists(path, code))
+        throw Error(fmt::format("There is no picture '{}'; give the path of one, or the id of a technique.",
+                                path.string()));
     constexpr int MOST_SIDE = 16384;
     OIIO::ImageSpec as_stored;
     as_stored.attribute("oiio:UnassociatedAlpha", 1);
     const auto file = OIIO::ImageInput::open(path.string(), &as_stored);
     if (!file)
         throw Error(fmt::format("'{}' is no picture that can be read ({}).", path.string(),
-                                first_line(OIIO::geterror())));
+                                first_sentence(OIIO::geterror())));
     const OIIO::ImageSpec& spec = file->spec();
     if (spec.width < 1 || spec.height < 1 || spec.width > MOST_SIDE || spec.height > MOST_SIDE ||
         spec.nchannels < 1 || spec.depth > 1)
@@ -59,7 +66,7 @@ Image read_image(const std::filesystem::path& path) {
     std::vector<float> values(image.pixels.size() * channels);
     if (!file->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data()))
         throw Error(fmt::format("'{}' ends before its picture does ({}).", path.string(),
-                                first_line(file->geterror())));
+                                first_sentence(file->geterror())));
     const bool linear = spec.format.is_floating_point();
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         for (std::size_t c = 0; c < 3; ++c) {

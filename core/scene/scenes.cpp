@@ -2,6 +2,7 @@
 #include "core/scene/scenes.hpp"
 
 #include "core/error.hpp"
+#include "core/reachable.hpp"
 #include "core/scene/builtin_scenes.hpp"
 #include "core/scene/mesh_file.hpp"
 
@@ -71,14 +72,20 @@ std::string absolute_scene(const std::string& id_or_path) {
     return code ? id_or_path : path.lexically_normal().string();
 }
 
+void require_scene(const std::string& id_or_path) {
+    if (is_builtin_scene(id_or_path)) return;
+    require_reachable(id_or_path);
+    std::error_code code;
+    if (!std::filesystem::exists(id_or_path, code))
+        throw Error("There is no scene '" + id_or_path + "'; use one of " + scene_ids() +
+                    ", or the path of a mesh file.");
+}
+
 Scene load_scene(const std::string& id_or_path, float opacity, const std::stop_token& stop) {
     for (const SceneEntry& entry : ENTRIES) {
         if (id_or_path == entry.id) return entry.build();
     }
-    std::error_code code;  // a path that cannot even be looked up is no scene either
-    if (!std::filesystem::exists(id_or_path, code))
-        throw Error("There is no scene '" + id_or_path + "'; use one of " + scene_ids() +
-                    ", or the path of a mesh file.");
+    require_scene(id_or_path);
     return scene_of_mesh(id_or_path, opacity, stop);
 }
 

@@ -18,6 +18,9 @@ struct SceneEntry {
 /// All built-in scenes, in the order in which they are listed.
 std::span<const SceneEntry> scene_entries();
 
+/// Throws Error when it is neither the id of a built-in scene nor the path of anything.
+void require_scene(const std::string& id_or_path);
+
 /// The built-in scene of that id, or the mesh file at that path as one transparent object of
 /// the given opacity in [0, 1). Throws Error when it is neither, the file cannot be used, or a stop is
 /// requested while it is read.
