@@ -35,7 +35,8 @@ public:
         if (context_ == nullptr ||
             OSMesaMakeCurrent(context_, pixels_.data(), GL_UNSIGNED_BYTE, size.x, size.y) == GL_FALSE ||
             gladLoadGL(OSMesaGetProcAddress) == 0)
-            throw Error("OSMesa gives no OpenGL 4.5 context; install libosmesa6 22 or newer.");
+            throw Error(
+                "OSMesa gives no OpenGL 4.5 context; install libosmesa6 22 or newer, or give the program more memory.");
     }
     ~OsMesaContext() override { OSMesaDestroyContext(context_); }
     OsMesaContext(const OsMesaContext&) = delete;

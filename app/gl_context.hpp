@@ -5,17 +5,25 @@
 #include <string_view>
 #include <vector>
 
+#include "app/crash_sentence.hpp"
+
 struct GLFWwindow;
 
 namespace momentscope {
 
-/// A current OpenGL 4.5 core context with loaded functions; it stays current until it dies.
+/// A current OpenGL 4.5 core context with loaded functions; it stays current until it dies. When its library
+/// crashes, with an unknown driver or little memory, the user reads why.
 class GlContext {
 public:
     virtual ~GlContext() = default;
 
     /// The window, or null when there is none.
     virtual GLFWwindow* window() const { return nullptr; }
+
+private:
+    CrashSentence crash_{
+        "OpenGL crashed; leave GALLIUM_DRIVER unset, give the program more memory or a smaller --size, and report it "
+        "if nothing helps."};
 };
 
 /// "glfw": a window of that size. "osmesa": software rendering without a display; the default framebuffer has

@@ -1,5 +1,23 @@
 #include "app/command_line.hpp"
+#include "app/crash_sentence.hpp"
+
+namespace {
+
+void guard_libraries(int /*argc*/, char** /*argv*/, char** /*environment*/) {
+    momentscope::say_on_crash(
+        "A library crashed while the program started; give it more memory, or install its libraries anew.");
+}
+
+// The dynamic loader calls it before the libraries make their static objects, for which little memory may not
+// do.
+#ifndef __SANITIZE_ADDRESS__
+[[gnu::section(".preinit_array"), gnu::used]] void (*const before_libraries)(int, char**,
+                                                                             char**) = guard_libraries;
+#endif
+
+}  // namespace
 
 int main(int argc, char** argv) {
+    momentscope::say_on_crash(nullptr);
     return momentscope::run_command_line(argc, argv);
 }

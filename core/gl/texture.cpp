@@ -24,6 +24,7 @@ GlTexture make_texture(GLenum format, glm::ivec2 size) {
     glCreateTextures(GL_TEXTURE_2D, 1, &name);
     GlTexture texture(name);
     glTextureStorage2D(texture, 1, format, size.x, size.y);
+    check_gl(fmt::format("making a texture of {}x{} pixels", size.x, size.y));
     use_without_filter(texture);
     return texture;
 }
@@ -33,6 +34,7 @@ GlTexture make_layered_texture(GLenum format, glm::ivec2 size, int layers) {
     glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &name);
     GlTexture texture(name);
     glTextureStorage3D(texture, 1, format, size.x, size.y, layers);
+    check_gl(fmt::format("making {} textures of {}x{} pixels", layers, size.x, size.y));
     use_without_filter(texture);
     return texture;
 }

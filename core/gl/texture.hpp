@@ -8,7 +8,8 @@
 
 namespace momentscope {
 
-/// A texture of one level without filtering, contents undefined. format is sized, as GL_RGBA32F.
+/// A texture of one level without filtering, contents undefined. format is sized, as GL_RGBA32F. Throws Error
+/// when there is not enough memory.
 GlTexture make_texture(GLenum format, glm::ivec2 size);
 
 /// The same with `layers` layers.

@@ -72,7 +72,7 @@ void limit_process(unsigned seconds) {
     limit(RLIMIT_DATA, MEMORY_LIMIT);
 #endif
     // A crash must end this process in silence, whatever handlers the program has.
-    for (const int signal : {SIGALRM, SIGSEGV, SIGABRT, SIGBUS, SIGFPE}) ::signal(signal, SIG_DFL);
+    for (const int signal : {SIGALRM, SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL}) ::signal(signal, SIG_DFL);
     ::alarm(seconds);
     const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
     if (nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);

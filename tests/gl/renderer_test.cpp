@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "core/compare/difference.hpp"
+#include "core/gl/texture.hpp"
 #include "core/inspect/curve.hpp"
 #include "core/render/scene_size.hpp"
 #include "core/scene/shapes.hpp"
@@ -244,6 +245,12 @@ std::string refusal(const std::function<void()>& run) {
         return error.what();
     }
     return "nothing was refused";
+}
+
+TEST_F(RendererTest, TexturesThatTheMemoryDoesNotHoldAreNamed) {
+    const std::string said = refusal([] { make_layered_texture(GL_RGBA32F, {16384, 16384}, 2048); });
+    EXPECT_NE(said.find("memory ran out while making 2048 textures of 16384x16384"), std::string::npos)
+        << said;
 }
 
 TEST_F(RendererTest, RefusesScenesThatAreTooLargeBeforeTheyTakeMemory) {
