@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
 #include "app/gl_context.hpp"
 #include "app/progress.hpp"
+#include "app/terminal.hpp"
 #include "core/chart/advice_text.hpp"
 #include "core/chart/chart_run.hpp"
 #include "core/chart/held_out.hpp"
@@ -24,10 +23,10 @@ constexpr int MOST_BITS = 1'000'000;
 AdviceBounds parse_bounds(const Options& options) {
     AdviceBounds bounds;
     bounds.metric = require_metric(options.metric.empty() ? "rmse" : options.metric).id;
-    bounds.max_error = parse_number(options.max_error, "greatest error");
+    bounds.max_error = parse_bound(options.max_error, "greatest error");
     if (!options.max_bits.empty())
         bounds.max_bits = parse_count(options.max_bits, "number of bits per pixel", 1, MOST_BITS);
-    if (!options.max_ms.empty()) bounds.max_ms = parse_number(options.max_ms, "time in milliseconds");
+    if (!options.max_ms.empty()) bounds.max_ms = parse_bound(options.max_ms, "time in milliseconds");
     bounds.order_independent = options.order_independent;
     require_sensible(bounds);
     return bounds;
@@ -147,6 +146,7 @@ ui::ExplorerState recipe(const Options& options, const AdviceBounds& bounds,
 
 void run_advise_command(const Options& options) {
     const AdviceBounds bounds = parse_bounds(options);
+    ui::require_session_name(options.scene);
     if (!options.output.empty()) {
         if (std::filesystem::path(options.output).extension() != ".json")
             throw Error(fmt::format("A recipe is a .json; '{}' is not.", options.output));
@@ -156,19 +156,17 @@ void run_advise_command(const Options& options) {
     HeldOutErrors held_out(evidence.rows.size());
     const Advice advice = checked(evidence, bounds, held_out);
     if (!advice.winner) throw Error(no_advice_text(evidence.rows, bounds, held_out, advice));
-    std::fputs(fmt::format("{}, {}x{}: {}, also at views turned by {}\n\n{}", options.scene, evidence.size.x,
-                           evidence.size.y, bounds_text(bounds), HELD_OUT_TEXT,
-                           advice_text(evidence.rows, bounds, held_out, advice))
-                   .c_str(),
-               stdout);
+    print(fmt::format("{}, {}x{}: {}, also at views turned by {}\n\n{}", one_line(options.scene),
+                      evidence.size.x, evidence.size.y, bounds_text(bounds), HELD_OUT_TEXT,
+                      advice_text(evidence.rows, bounds, held_out, advice)));
     const ui::ExplorerState state = recipe(
         options, bounds, parse_configuration(evidence.rows[*advice.winner].configuration, evidence.values));
     if (options.output.empty()) {
-        std::puts(("\n" + ui::session_to_json(state).dump(1)).c_str());
+        print("\n" + ui::session_text(state));
         return;
     }
     ui::write_session_file(state, options.output);
-    std::puts(fmt::format("\nmomentscope explore --session {} opens it.", options.output).c_str());
+    print(fmt::format("\nmomentscope explore --session {} opens it.\n", one_line(options.output)));
 }
 
 }  // namespace momentscope

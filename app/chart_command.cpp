@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "app/chart_output.hpp"
 #include "app/commands.hpp"
 #include "app/gl_context.hpp"
 #include "app/progress.hpp"
+#include "app/terminal.hpp"
 #include "core/chart/chart.hpp"
 #include "core/chart/chart_run.hpp"
 #include "core/error.hpp"
@@ -18,6 +18,8 @@ namespace {
 
 std::vector<std::string> parse_scenes(const std::string& text) {
     std::vector<std::string> scenes;
+    std::error_code code;
+    if (text != "all" && std::filesystem::exists(text, code)) return {text};  // a file whose name has commas
     if (text == "all")
         for (const SceneEntry& entry : scene_entries()) scenes.emplace_back(entry.id);
     else
@@ -39,12 +41,16 @@ ChartPlan parse_plan(const Options& options) {
 class UnfinishedChart {
 public:
     explicit UnfinishedChart(const std::string& output) {
-        if (!output.empty()) path_ = output + ".partial";
+        if (output.empty()) return;
+        constexpr std::size_t MOST_NAME = 200;  // bytes of 255, so that the file beside has a name, too
+        const std::filesystem::path path(output);
+        path_ = path.parent_path() / (path.filename().string().substr(0, MOST_NAME) + ".partial");
     }
 
     RunTable read(const RunSettings& settings) const {
         RunTable table = {settings, {}, {}};
-        if (path_.empty() || !std::filesystem::exists(path_)) return table;
+        std::error_code code;
+        if (path_.empty() || !std::filesystem::exists(path_, code)) return table;
         table = read_run_table(path_);
         if (const auto difference = difference_of(table.settings, settings))
             throw Error(fmt::format(
@@ -79,8 +85,7 @@ private:
 
 RunTable measured(const ChartPlan& plan, const UnfinishedChart& unfinished) {
     const ParameterValues& values = plan.settings.values;
-    for (const std::string& id : plan.scenes)
-        if (!is_builtin_scene(id) && !std::filesystem::exists(id)) load_scene(id, 0);  // says what there is
+    for (const std::string& id : plan.scenes) require_scene(id);
     const auto context = make_gl_context("osmesa", {16, 16});
     const RunTable kept = unfinished.read(chart_settings(plan, gl_info()));
     Progress progress("Chart");
@@ -107,12 +112,12 @@ void run_chart_command(const Options& options) {
     const UnfinishedChart unfinished(options.output);
     const RunTable table = measured(plan, unfinished);
     if (path.empty()) {
-        std::fputs(chart_to_markdown(chart_of(table, "the chart"), metric).c_str(), stdout);
+        print(chart_to_markdown(chart_of(table, "the chart"), metric));
         return;
     }
     write_chart(table, metric, path);
     unfinished.remove();
-    std::puts(fmt::format("{} rows in {}", table.rows.size(), path.string()).c_str());
+    print(fmt::format("{} rows in {}\n", table.rows.size(), one_line(path.string())));
 }
 
 void run_merge_command(const Options& options) {
@@ -121,7 +126,7 @@ void run_merge_command(const Options& options) {
     const std::vector<std::filesystem::path> files(options.files.begin(), options.files.end());
     const RunTable table = merge_shards(files);
     write_chart(table, metric, options.output);
-    std::puts(fmt::format("{} rows in {}", table.rows.size(), options.output).c_str());
+    print(fmt::format("{} rows in {}\n", table.rows.size(), one_line(options.output)));
 }
 
 }  // namespace momentscope

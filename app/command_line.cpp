@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <new>
+#include <system_error>
 
 #include "app/commands.hpp"
 #include "app/ignored_options.hpp"
+#include "app/terminal.hpp"
 #include "core/error.hpp"
 
 namespace momentscope {
@@ -253,13 +256,11 @@ void run(const CLI::App& app, const Options& options, const std::string& what) {
 }
 
 int fail(const std::string& sentence) {
-    std::fputs(fmt::format("momentscope: {}\n", sentence).c_str(), stderr);
+    warn(sentence);
     return 1;
 }
 
-}  // namespace
-
-int run_command_line(int argc, const char* const* argv) {
+int parse_and_run(int argc, const char* const* argv) {
     CLI::App app(ABOUT, "momentscope");
     Options options;
     std::string what;
@@ -269,20 +270,31 @@ int run_command_line(int argc, const char* const* argv) {
     } catch (const CLI::Success& help) {
         return app.exit(help);
     } catch (const CLI::ParseError& error) {
-        return fail(Error(fmt::format("{}; momentscope --help lists what there is.", error.what())).what());
+        return fail(fmt::format("{}; momentscope --help lists what there is.", error.what()));
     }
+    refuse_ignored_options(app, options);
+    run(app, options, what);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+        throw Error("Standard output cannot be written; free space, or send it elsewhere.");
+    return 0;
+}
+
+}  // namespace
+
+int run_command_line(int argc, const char* const* argv) {
+    std::signal(SIGXFSZ, SIG_IGN);  // writing beyond the largest file allowed fails like on a full disk
     try {
-        refuse_ignored_options(app, options);
-        run(app, options, what);
-        return 0;
+        return parse_and_run(argc, argv);
     } catch (const Error& error) {
         return fail(error.what());
     } catch (const std::bad_alloc&) {
         return fail("Memory ran out; try a smaller --size or a smaller scene.");
+    } catch (const std::system_error& error) {  // a thread, for instance
+        return fail(fmt::format(
+            "The system refuses what the program needs ({}); close other programs, or check limits.",
+            error.code().message()));
     } catch (const std::exception& error) {  // what nobody thought of must not end in a stack trace
-        return fail(
-            Error(fmt::format("Something failed that should not: {}; please report it.", error.what()))
-                .what());
+        return fail(fmt::format("Something failed that should not: {}; please report it.", error.what()));
     }
 }
 

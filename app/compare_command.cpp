@@ -2,16 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <memory>
-#include <regex>
 
 #include "app/commands.hpp"
 #include "app/gl_context.hpp"
+#include "app/terminal.hpp"
 #include "core/compare/difference.hpp"
 #include "core/compare/false_color.hpp"
 #include "core/error.hpp"
 #include "core/output_file.hpp"
+#include "core/parse_number.hpp"
 #include "core/render/renderer.hpp"
 
 namespace momentscope {
@@ -20,12 +20,15 @@ namespace {
 
 PixelRegion parse_region(const std::string& text, const Image& image) {
     if (text.empty()) return {0, 0, image.width, image.height};
-    std::smatch parts;
-    const std::regex form("(\\d{1,5}),(\\d{1,5}),(\\d{1,5}),(\\d{1,5})");
-    if (!std::regex_match(text, parts, form))
+    constexpr int MOST = 99'999;  // pixels, so that sums are safe
+    std::vector<int> numbers;
+    for (const std::string& part : split_list({text})) {
+        const auto number = parse_number<int>(part);
+        if (number && *number >= 0 && *number <= MOST) numbers.push_back(*number);
+    }
+    if (numbers.size() != 4 || split_list({text}).size() != 4)
         throw Error(fmt::format("'{}' is no region; give x,y,width,height in pixels, as 10,20,64,48.", text));
-    const PixelRegion region = {std::stoi(parts[1]), std::stoi(parts[2]), std::stoi(parts[3]),
-                                std::stoi(parts[4])};
+    const PixelRegion region = {numbers[0], numbers[1], numbers[2], numbers[3]};
     if (region.width < 1 || region.height < 1 || region.x + region.width > image.width ||
         region.y + region.height > image.height)
         throw Error(fmt::format("The region {} does not lie within pictures of {}x{}.", text, image.width,
@@ -47,7 +50,7 @@ public:
             renderer_ = std::make_unique<Renderer>();
             renderer_->set_scene(scene_);
         }
-        const glm::ivec2 size = parse_size(options_.size.empty() ? "960x540" : options_.size);
+        const glm::ivec2 size = parse_size(options_.size.empty() ? STANDARD_SIZE : options_.size);
         renderer_->render({scene_.camera, size, configuration.technique, configuration.values});
         return renderer_->read_picture();
     }
@@ -114,12 +117,12 @@ void run_compare(const Options& options) {
         if (only != nullptr && only != &row) continue;
         const std::vector<float> map = difference_map(reference, test, row.id);
         const double mean = mean_difference(part_of(map, reference.width, region), row.id);
-        std::puts(fmt::format("{:<32}{:.6g}", fmt::format("{} ({})", row.name, row.key), mean).c_str());
+        print(fmt::format("{:<32}{:.6g}\n", fmt::format("{} ({})", row.name, row.key), mean));
         if (options.output.empty()) continue;
         write_image(false_color(map, reference.width, reference.height, row.full_scale), options.output);
-        std::puts(fmt::format("map: black is 0, the brightest {:g} and more", row.full_scale).c_str());
+        print(fmt::format("map: black is 0, the brightest {:g} and more\n", row.full_scale));
     }
-    if (const std::string note = note_on_alpha(reference, test); !note.empty()) std::puts(note.c_str());
+    if (const std::string note = note_on_alpha(reference, test); !note.empty()) print(note + "\n");
 }
 
 }  // namespace momentscope

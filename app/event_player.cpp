@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
 
 #include "core/error.hpp"
 #include "core/input_file.hpp"
+#include "core/json_text.hpp"
+#include "core/parse_number.hpp"
 #include "ui/session.hpp"
 #include "ui/shortcut.hpp"
 
@@ -27,15 +28,8 @@ std::vector<std::string> words_of(const std::string& line) {
     return words;
 }
 
-std::optional<float> as_number(const std::string& text) {
-    float value = 0;
-    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (status != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    return value;
-}
-
 float need_number(const std::vector<std::string>& words, std::size_t at, float least, float most) {
-    const auto value = at < words.size() ? as_number(words[at]) : std::nullopt;
+    const auto value = at < words.size() ? parse_number<float>(words[at]) : std::nullopt;
     if (!value || !(*value >= least && *value <= most))
         throw Error(fmt::format("'{}' needs a number from {:g} to {:g}", words[0], least, most));
     return *value;
@@ -74,8 +68,8 @@ ImVec2 EventPlayer::place(const std::vector<std::string>& words, std::size_t& ne
     if (found == anchors.end()) throw Error(fmt::format("there is no control '{}' in the window now", first));
     ++next;
     ImVec2 share = {0.5f, 0.5f};
-    if (next + 1 < words.size() && as_number(words[next]) && as_number(words[next + 1])) {
-        share = {*as_number(words[next]), *as_number(words[next + 1])};
+    if (next + 1 < words.size() && parse_number<float>(words[next]) && parse_number<float>(words[next + 1])) {
+        share = {*parse_number<float>(words[next]), *parse_number<float>(words[next + 1])};
         next += 2;
     }
     const ui::Rect& rect = found->second;
@@ -142,8 +136,7 @@ void EventPlayer::wait(double seconds) {
 
 void EventPlayer::expect(const std::string& pointer, const std::string& value) const {
     const nlohmann::json session =
-        nlohmann::json::parse(ui::session_to_json(window_.explorer().state())
-                                  .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+        nlohmann::json::parse(json_text(ui::session_to_json(window_.explorer().state())));
     nlohmann::json wanted = nlohmann::json::parse(value, nullptr, false);
     if (wanted.is_discarded()) wanted = value;  // a bare word is a text
     nlohmann::json found;
@@ -155,7 +148,8 @@ void EventPlayer::expect(const std::string& pointer, const std::string& value) c
     const bool close =
         found.is_number() && wanted.is_number() &&
         std::abs(found.get<double>() - wanted.get<double>()) <= 1e-6 * (1 + std::abs(wanted.get<double>()));
-    if (!close && found != wanted) throw Error(fmt::format("{} is {}, not {}", pointer, found.dump(), value));
+    if (!close && found != wanted)
+        throw Error(fmt::format("{} is {}, not {}", pointer, json_text(found), value));
 }
 
 bool EventPlayer::play_mouse(const std::vector<std::string>& words) {

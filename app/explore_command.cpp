@@ -4,6 +4,7 @@
 
 #include "app/commands.hpp"
 #include "app/event_player.hpp"
+#include "app/terminal.hpp"
 #include "core/error.hpp"
 #include "core/image/image.hpp"
 #include "core/output_file.hpp"
@@ -20,10 +21,8 @@ constexpr double DRAG_MILLISECONDS = 50;  // 20 pictures a second
 ui::ExplorerState state_of_session(const Options& options) {
     ui::Session session = ui::read_session_file(options.session);
     if (!session.ignored.empty())
-        std::fputs(fmt::format("momentscope: The session has what this version does not know: {}.\n",
-                               fmt::join(session.ignored, ", "))
-                       .c_str(),
-                   stderr);
+        warn(fmt::format("The session has what this version does not know: {}.",
+                         fmt::join(session.ignored, ", ")));
     session.state.parameters = parse_parameters(options, session.state.parameters);
     return session.state;
 }
@@ -71,7 +70,7 @@ void explore_headless(const Options& options, glm::ivec2 size, float scale) {
     pick_option(options, window.explorer());
     window.settle();
     const std::string warning = window.explorer().warning();
-    if (!warning.empty()) std::fputs(fmt::format("momentscope: {}\n", warning).c_str(), stderr);
+    if (!warning.empty()) warn(warning);
     const std::string& message = window.explorer().message();
     if (!message.empty() && message != warning) throw Error(message);
     if (!options.events.empty()) EventPlayer(window).play_file(options.events);

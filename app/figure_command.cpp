@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstdio>
 #include <map>
 #include <memory>
 
@@ -10,9 +9,11 @@
 #include "app/figure_picture.hpp"
 #include "app/gl_context.hpp"
 #include "app/progress.hpp"
+#include "app/terminal.hpp"
 #include "core/error.hpp"
 #include "core/figures/figure.hpp"
 #include "core/output_file.hpp"
+#include "core/reachable.hpp"
 #include "core/render/light_view.hpp"
 #include "core/scene/camera.hpp"
 #include "core/scene/scenes.hpp"
@@ -98,8 +99,7 @@ void run_figure(const Options& options) {
     for (const Figure& figure : figures())
         if (all || &figure == &require_figure(options.figure)) chosen.push_back(&figure);
     std::filesystem::path folder =
-        std::filesystem::absolute(options.output.empty() ? "figures" : options.output);
-    folder = folder.lexically_normal();
+        absolute_path(options.output.empty() ? "figures" : options.output).lexically_normal();
     if (!folder.has_filename()) folder = folder.parent_path();  // a slash at its end
     std::error_code code;
     std::filesystem::create_directories(folder, code);
@@ -121,7 +121,7 @@ void run_figure(const Options& options) {
         const std::vector<Finding> findings = figure.measure(shots);
         page +=
             figure_section(figure, findings, fmt::format("{}/{}", folder.filename().string(), name)) + "\n";
-        std::fputs(text_of(figure, findings).c_str(), stdout);
+        print(text_of(figure, findings));
     }
     progress.show(chosen.size(), chosen.size());
     if (all) write_text_file(page, std::filesystem::path(folder).concat(".md"));

@@ -1,9 +1,8 @@
 #include <fmt/format.h>
 
-#include <cstdio>
-
 #include "app/commands.hpp"
 #include "app/gl_context.hpp"
+#include "app/terminal.hpp"
 #include "core/error.hpp"
 #include "core/inspect/curve_output.hpp"
 #include "core/inspect/sharp_bounds.hpp"
@@ -42,7 +41,7 @@ std::optional<std::size_t> parse_receiver(const std::string& text, const ViewRay
 }
 
 Subject capture_scene_pixel(const Options& options, const Configuration& configuration) {
-    const glm::ivec2 size = parse_size(options.size.empty() ? "960x540" : options.size);
+    const glm::ivec2 size = parse_size(options.size.empty() ? STANDARD_SIZE : options.size);
     std::optional<glm::ivec2> pixel;
     if (!options.pixel.empty()) pixel = parse_pixel(options.pixel, size);
     const Scene scene = load_scene_option(options, configuration.values);
@@ -154,7 +153,7 @@ void run_inspect(const Options& options) {
             : curves_to_table(ray, curves) + (subject.light ? text_of_light(*subject.light, subject.cast)
                                                             : text_of_verdicts(subject.capture, curves));
     if (options.output.empty())
-        std::fputs(text.c_str(), stdout);
+        print(text);
     else
         write_text_file(text, options.output);
 }

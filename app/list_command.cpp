@@ -1,11 +1,12 @@
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "app/terminal.hpp"
 #include "core/error.hpp"
 #include "core/figures/figure.hpp"
+#include "core/json_text.hpp"
 #include "core/markup.hpp"
 #include "core/stress/condition.hpp"
 #include "core/techniques/techniques_page.hpp"
@@ -100,7 +101,7 @@ void print_table(const json& rows, const std::vector<std::string>& columns) {
             line += text;
             if (column != columns.back()) line += std::string(widest - width_of(text) + 2, ' ');
         }
-        std::puts(line.c_str());
+        print(line + "\n");
     }
 }
 
@@ -108,7 +109,7 @@ void print_markdown(const json& rows, const std::vector<std::string>& columns) {
     const auto print_row = [&](auto cell_of) {
         std::string line = "|";
         for (const std::string& column : columns) line += fmt::format(" {} |", cell_of(column));
-        std::puts(line.c_str());
+        print(line + "\n");
     };
     print_row([](const std::string& column) { return column; });
     print_row([](const std::string&) { return "---"; });
@@ -120,7 +121,7 @@ void print_markdown(const json& rows, const std::vector<std::string>& columns) {
 
 void run_list(const std::string& what, const std::string& format) {
     if (format == "markdown" && what == "techniques") {
-        std::fputs(techniques_page().c_str(), stdout);
+        print(techniques_page());
         return;
     }
     if (format != "table" && format != "json" && format != "markdown")
@@ -156,7 +157,7 @@ void run_list(const std::string& what, const std::string& format) {
             what));
     }
     if (format == "json")
-        std::puts(rows.dump(2).c_str());
+        print(json_text(rows, 2) + "\n");
     else if (format == "markdown")
         print_markdown(rows, columns);
     else

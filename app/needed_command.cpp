@@ -1,14 +1,15 @@
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
 #include "app/gl_context.hpp"
 #include "app/needed_picture.hpp"
 #include "app/progress.hpp"
+#include "app/terminal.hpp"
 #include "core/error.hpp"
 #include "core/inspect/moments_needed.hpp"
+#include "core/json_text.hpp"
 #include "core/output_file.hpp"
 #include "core/render/renderer.hpp"
 
@@ -94,7 +95,7 @@ void run_needed(const Options& options) {
     const NeededMap map = measure(options, orders, values);
     const NeedHistogram histogram = count_needs(map.pixels);
     const double memory = tiled_memory(map.pixels, map.picture.width, TILE);
-    const std::string text = json_of(histogram, memory, options, values).dump(2) + "\n";
+    const std::string text = json_text(json_of(histogram, memory, options, values), 2) + "\n";
     if (kind == ".json") write_text_file(text, path);
     if (kind == ".png")
         write_needed_picture(
@@ -102,7 +103,7 @@ void run_needed(const Options& options) {
             fmt::format("{}: the fewest {} moments so that T is certain within {:g} at every fragment",
                         options.scene, options.basis, *values[ParameterId::tolerance]),
             path);
-    std::fputs(options.format == "json" ? text.c_str() : table_of(histogram, memory, values).c_str(), stdout);
+    print(options.format == "json" ? text : table_of(histogram, memory, values));
 }
 
 }  // namespace momentscope

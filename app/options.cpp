@@ -2,25 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <set>
 
+#include "app/terminal.hpp"
 #include "core/chart/grid.hpp"
 #include "core/error.hpp"
+#include "core/parse_number.hpp"
 
 namespace momentscope {
 
 namespace {
-
-template <typename T>
-std::optional<T> number(std::string_view text) {
-    T value{};
-    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (status != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    return value;
-}
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
     std::vector<std::string_view> parts;
@@ -52,8 +44,8 @@ void add_parameter_options(CLI::App& command, Options& options) {
 
 glm::ivec2 parse_size(const std::string& text) {
     const auto parts = split(text, 'x');
-    const auto width = parts.size() == 2 ? number<int>(parts[0]) : std::nullopt;
-    const auto height = parts.size() == 2 ? number<int>(parts[1]) : std::nullopt;
+    const auto width = parts.size() == 2 ? parse_number<int>(parts[0]) : std::nullopt;
+    const auto height = parts.size() == 2 ? parse_number<int>(parts[1]) : std::nullopt;
     if (!width || !height || std::min(*width, *height) < 1 || std::max(*width, *height) > MAX_PICTURE_SIDE)
         throw Error(
             fmt::format("The size '{}' is no WIDTHxHEIGHT from 1x1 to {}x{}; give one such as 960x540.", text,
@@ -63,8 +55,8 @@ glm::ivec2 parse_size(const std::string& text) {
 
 glm::ivec2 parse_pixel(const std::string& text, glm::ivec2 size) {
     const auto parts = split(text, ',');
-    const auto x = parts.size() == 2 ? number<int>(parts[0]) : std::nullopt;
-    const auto y = parts.size() == 2 ? number<int>(parts[1]) : std::nullopt;
+    const auto x = parts.size() == 2 ? parse_number<int>(parts[0]) : std::nullopt;
+    const auto y = parts.size() == 2 ? parse_number<int>(parts[1]) : std::nullopt;
     if (!x || !y || *x < 0 || *y < 0 || *x >= size.x || *y >= size.y)
         throw Error(fmt::format("The pixel '{}' is no X,Y from 0,0 to {},{}; give one within the picture.",
                                 text, size.x - 1, size.y - 1));
@@ -72,7 +64,7 @@ glm::ivec2 parse_pixel(const std::string& text, glm::ivec2 size) {
 }
 
 float parse_scale(const std::string& text) {
-    const auto scale = number<float>(text);
+    const auto scale = parse_number<float>(text);
     if (!scale || !(*scale >= 0.5f && *scale <= 4))
         throw Error(
             fmt::format("'{}' is no scale of the window's text; give --ui-scale from 0.5 to 4.", text));
@@ -82,7 +74,7 @@ float parse_scale(const std::string& text) {
 std::vector<float> parse_depths(const std::string& text) {
     std::vector<float> depths;
     for (const std::string_view part : split(text, ',')) {
-        const auto depth = number<float>(part);
+        const auto depth = parse_number<float>(part);
         if (!depth || !(*depth >= -1 && *depth <= 1))
             throw Error(
                 fmt::format("The depth '{}' is no number from -1 to 1; give --depths as -0.5,0,0.25.", part));
@@ -92,7 +84,7 @@ std::vector<float> parse_depths(const std::string& text) {
 }
 
 int parse_count(const std::string& text, const char* what, int least, int most) {
-    const auto count = number<int>(text);
+    const auto count = parse_number<int>(text);
     if (!count || *count < least || *count > most)
         throw Error(
             fmt::format("'{}' is no {}; give a whole number from {} to {}.", text, what, least, most));
@@ -107,9 +99,9 @@ std::uint32_t parse_seed(const std::string& text) {
     return static_cast<std::uint32_t>(parse_count(text, "seed", 0, 2'000'000'000));
 }
 
-double parse_number(const std::string& text, const char* what) {
-    const auto value = number<double>(text);
-    if (!value) throw Error(fmt::format("'{}' is no {}; give a number.", text, what));
+double parse_bound(const std::string& text, const char* what) {
+    const auto value = parse_number<double>(text);
+    if (!value) throw Error(fmt::format("'{}' is no {}; give a number above 0.", text, what));
     return *value;
 }
 
@@ -123,7 +115,7 @@ ParameterValues parse_parameters(const Options& options, ParameterValues values)
 }
 
 double parse_rate(const std::string& text) {
-    const auto rate = number<double>(text);
+    const auto rate = parse_number<double>(text);
     if (!rate || !(*rate >= 0 && *rate <= 1))
         throw Error(fmt::format("'{}' is no rate; give a number from 0 to 1, such as 0.0001.", text));
     return *rate;
@@ -176,8 +168,7 @@ std::vector<Configuration> charted_configurations(const Options& options, const 
 
 Scene load_scene_and_warn(const std::string& id_or_path, float opacity) {
     Scene scene = load_scene(id_or_path, opacity);
-    for (const std::string& warning : scene.warnings)
-        std::fputs(fmt::format("momentscope: {}\n", warning).c_str(), stderr);
+    for (const std::string& warning : scene.warnings) warn(warning);
     return scene;
 }
 

@@ -7,7 +7,7 @@
 namespace momentscope {
 
 void run_render(const Options& options) {
-    const glm::ivec2 size = parse_size(options.size.empty() ? "960x540" : options.size);
+    const glm::ivec2 size = parse_size(options.size.empty() ? STANDARD_SIZE : options.size);
     const ParameterValues parameters = parse_parameters(options);
     const auto configurations = parse_configurations(options, "power6-32");
     if (configurations.size() != 1)

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <iterator>
 
 #include "app/commands.hpp"
 #include "app/gl_context.hpp"
 #include "app/progress.hpp"
+#include "app/terminal.hpp"
 #include "core/chart/shadow_chart.hpp"
 #include "core/error.hpp"
 #include "core/output_file.hpp"
@@ -62,7 +62,7 @@ void run_shadow_chart(const Options& options, const std::vector<std::string>& sc
     }
     const std::string text = csv ? shadow_rows_to_csv(rows) : shadow_rows_to_markdown(rows);
     if (path.empty())
-        std::fputs(text.c_str(), stdout);
+        print(text);
     else
         write_text_file(text, path);
 }

@@ -6,6 +6,7 @@
 #include "app/commands.hpp"
 #include "app/progress.hpp"
 #include "app/stress_picture.hpp"
+#include "app/terminal.hpp"
 #include "core/error.hpp"
 #include "core/output_file.hpp"
 #include "core/stress/stress_report.hpp"
@@ -57,7 +58,7 @@ void run_stress_command(const Options& options) {
         write_stress_picture(cells, stress, path);
     else if (!path.empty())
         write_text_file(report_text(path, cells, stress), path);
-    std::fputs(stress_to_text(cells).c_str(), stdout);
+    print(stress_to_text(cells));
 }
 
 }  // namespace momentscope

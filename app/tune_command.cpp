@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "app/commands.hpp"
 #include "app/gl_context.hpp"
 #include "app/progress.hpp"
+#include "app/terminal.hpp"
 #include "core/error.hpp"
 #include "core/ray/ray_json.hpp"
 #include "core/render/renderer.hpp"
@@ -48,38 +48,41 @@ void print_trials(const Technique& technique, const TuneResult& result) {
         if (!technique.uses(id)) continue;
         const Parameter& row = parameter(id);
         const bool judged = id == ParameterId::alpha;
-        fmt::print("\n{} --{}{}\n{:>12}  rms error of T{}\n", row.name, row.key,
-                   judged ? " (at beta = 0)" : "", "value",
-                   judged ? "  failures  of exact arithmetic on the stored moments" : "");
+        print(fmt::format("\n{} --{}{}\n{:>12}  rms error of T{}\n", row.name, row.key,
+                          judged ? " (at beta = 0)" : "", "value",
+                          judged ? "  failures  of exact arithmetic on the stored moments" : ""));
         for (const Trial& trial : result.trials) {
             if (trial.parameter != id) continue;
             const std::string failures = judged ? fmt::format("  {:<8}  {:<8}", percent(trial.failure_rate),
                                                               percent(trial.inherent_rate))
                                                 : "";
-            fmt::print("{:>12.3g}  {:<14.4g}{}{}{}\n", trial.value, trial.error, failures,
-                       preset_name(technique, trial), trial.value == result.values[id] ? "  <- chosen" : "");
+            print(fmt::format("{:>12.3g}  {:<14.4g}{}{}{}\n", trial.value, trial.error, failures,
+                              preset_name(technique, trial),
+                              trial.value == result.values[id] ? "  <- chosen" : ""));
         }
     }
 }
 
 void print_result(const Technique& technique, const TuneResult& result) {
     if (!result.safe)
-        fmt::print("\nNo moment bias keeps the failure rate below the bound; this one fails least ({}).\n",
-                   percent(result.failure_rate));
+        print(fmt::format(
+            "\nNo moment bias keeps the failure rate below the bound; this one fails least ({}).\n",
+            percent(result.failure_rate)));
     std::string options;
     for (const ParameterId id : {ParameterId::alpha, ParameterId::theta, ParameterId::beta})
         if (technique.uses(id)) options += fmt::format(" --{} {:.3g}", parameter(id).key, *result.values[id]);
-    fmt::print("\n{}: --technique {}{}\nrms error of T {:.4g}, before {:.4g}; failures {}\n", technique.name,
-               technique.id, options, result.error, result.error_before, percent(result.failure_rate));
+    print(fmt::format("\n{}: --technique {}{}\nrms error of T {:.4g}, before {:.4g}; failures {}\n",
+                      technique.name, technique.id, options, result.error, result.error_before,
+                      percent(result.failure_rate)));
 }
 
 void print_overdraw(const std::vector<OverdrawTrial>& trials, double most_failures) {
-    fmt::print(
+    print(fmt::format(
         "\nSmallest safe moment bias by overdraw (thin fragments in two layers, up to {} rays each)\n{:>10}{:>12}\n",
-        OVERDRAW_RAYS, "fragments", "alpha");
+        OVERDRAW_RAYS, "fragments", "alpha"));
     for (const OverdrawTrial& trial : trials) {
         const auto least = least_safe_bias(trial.result, most_failures);
-        fmt::print("{:>10}{:>12}\n", trial.fragments, least ? fmt::format("{:.2g}", *least) : "none");
+        print(fmt::format("{:>10}{:>12}\n", trial.fragments, least ? fmt::format("{:.2g}", *least) : "none"));
     }
 }
 

@@ -1,144 +1,18 @@
 // command_line_test.cpp -- the program itself: each wrong input fails with one line, each right one prints or
-// writes. It runs in a forked process, which spares it the dynamic loader's quarter of a second. What starts
-// threads, such as pictures, must not be called here but in a forked process.
-#include "app/command_line.hpp"
-#include "core/image/image.hpp"
+// writes.
 #include "core/techniques/technique.hpp"
-#include "tests/unit/expect_error.hpp"
+#include "tests/unit/command_line_fixture.hpp"
 
-#include <fcntl.h>
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
-#include <wordexp.h>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 using namespace momentscope;
+using namespace momentscope::test;
 
 namespace {
 
-namespace fs = std::filesystem;
 using nlohmann::json;
-
-std::string content_of(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
-struct Outcome {
-    bool exited = false;  // and was not killed by a signal
-    int code = 0;
-    std::string output;
-    std::string errors;
-};
-
-/// The words of a line, which are quoted as for a shell.
-std::vector<std::string> words_of(const std::string& line) {
-    wordexp_t words{};
-    if (::wordexp(line.c_str(), &words, WRDE_NOCMD) != 0) throw std::invalid_argument(line);
-    std::vector<std::string> all(words.we_wordv, words.we_wordv + words.we_wordc);
-    ::wordfree(&words);
-    return all;
-}
-
-void redirect(const char* path, int flags, int to) {
-    const int file = ::open(path, flags, 0644);
-    if (file < 0 || ::dup2(file, to) < 0) ::_exit(99);
-}
-
-/// The rest of a forked process: the program, whose output goes into files of the folder. It ends after a
-/// minute.
-[[noreturn]] void become_program(const fs::path& folder, std::vector<std::string> words) {
-    ::alarm(60);
-    if (::chdir(folder.c_str()) != 0) ::_exit(99);
-    redirect("/dev/null", O_RDONLY, STDIN_FILENO);
-    redirect("stdout.txt", O_WRONLY | O_CREAT | O_TRUNC, STDOUT_FILENO);
-    redirect("stderr.txt", O_WRONLY | O_CREAT | O_TRUNC, STDERR_FILENO);
-    words.insert(words.begin(), "momentscope");
-    std::vector<const char*> arguments;
-    for (const std::string& word : words) arguments.push_back(word.c_str());
-    const int code = run_command_line(static_cast<int>(arguments.size()), arguments.data());
-    std::fflush(nullptr);
-    ::_exit(code);
-}
-
-/// Runs the program in a folder of its own, whose `out` is the only place where it may write. There is no
-/// display.
-class CommandLine : public testing::Test {
-protected:
-    CommandLine() : folder_(fs::temp_directory_path() / ("momentscope_line_" + std::to_string(::getpid()))) {
-        fs::create_directories(folder_ / "out");
-        ::unsetenv("DISPLAY");
-        ::unsetenv("WAYLAND_DISPLAY");
-        write("ray.json",
-              R"({"fragments": [{"depth": 0.5, "opacity": 0.75}, {"depth": -0.5, "opacity": 0.5}]})");
-    }
-    ~CommandLine() override {
-        std::error_code ignored;
-        fs::remove_all(folder_, ignored);
-    }
-
-    void write(const std::string& name, const std::string& content) const {
-        std::ofstream(folder_ / name, std::ios::binary) << content;
-    }
-
-    void write_picture(const Image& picture, const char* name) const {
-        const pid_t child = ::fork();
-        if (child == 0) {
-            write_image(picture, folder_ / name);
-            ::_exit(0);
-        }
-        ::waitpid(child, nullptr, 0);
-    }
-
-    Outcome run(const std::string& arguments) const {
-        const std::vector<std::string> words = words_of(arguments);
-        std::fflush(nullptr);
-        const pid_t child = ::fork();
-        if (child == 0) become_program(folder_, words);
-        int status = 0;
-        ::waitpid(child, &status, 0);
-        return {WIFEXITED(status), WEXITSTATUS(status), content_of(folder_ / "stdout.txt"),
-                content_of(folder_ / "stderr.txt")};
-    }
-
-    /// One line on stderr that contains `part`, nothing on stdout, a code of failure, and no file.
-    void expect_refused(const std::string& arguments, const std::string& part) {
-        SCOPED_TRACE(arguments);
-        const Outcome outcome = run(arguments);
-        EXPECT_TRUE(outcome.exited);
-        EXPECT_EQ(outcome.code, 1);  // not 124 (hung) nor 128 + a signal
-        EXPECT_EQ(outcome.output, "");
-        ASSERT_TRUE(outcome.errors.starts_with("momentscope: ")) << outcome.errors;
-        ASSERT_EQ(outcome.errors.back(), '\n');
-        expect_one_sentence(outcome.errors.substr(13, outcome.errors.size() - 14));
-        EXPECT_NE(outcome.errors.find(part), std::string::npos) << outcome.errors;
-        EXPECT_TRUE(fs::is_empty(folder_ / "out")) << fs::directory_iterator(folder_ / "out")->path();
-    }
-
-    void expect_all_refused(const std::string& before, const std::vector<std::string>& wrong,
-                            const std::string& part) {
-        for (const std::string& value : wrong) expect_refused(before + value + " -o out/x", part);
-    }
-
-    Outcome expect_success(const std::string& arguments) const {
-        Outcome outcome = run(arguments);
-        EXPECT_EQ(outcome.code, 0) << arguments;
-        EXPECT_EQ(outcome.errors, "") << arguments;
-        return outcome;
-    }
-
-    fs::path folder_;
-};
 
 TEST_F(CommandLine, RefusesUnknownScenesTechniquesOptionsAndFormats) {
     expect_refused("render --scene nowhere -o out/x.png", "no scene 'nowhere'");
@@ -328,6 +202,17 @@ TEST_F(CommandLine, AnUnfinishedChartOfOtherSettingsIsKept) {
     expect_refused("chart --scene planes --size 32x18 -o x.csv", "unfinished chart of another run");
     EXPECT_TRUE(fs::exists(folder_ / "x.csv.partial"));
     EXPECT_FALSE(fs::exists(folder_ / "x.csv"));
+}
+
+TEST_F(CommandLine, RefusesPicturesThatAreNone) {
+    expect_refused("compare none.png none.png", "no picture 'none.png'");
+    expect_refused("compare ray.json ray.json", "no picture that can be read");
+    write_picture(Image(4, 3), "a.exr");
+    for (const char* region :
+         {"1,2,3", "1,2,3,4,5", "1,2,3,x", "-1,0,2,2", "0,0,100000,1", "0,0,1.5,1", ",,,"})
+        expect_refused(std::string("compare a.exr a.exr --region=") + region, "is no region");
+    expect_refused("compare a.exr a.exr --region 0,0,5,3", "does not lie within");
+    expect_success("compare a.exr a.exr --region 1,0,3,3");
 }
 
 TEST_F(CommandLine, CompareTellsOfAlphaAndRefusesWhatIsNoNumber) {
