@@ -260,7 +260,17 @@ int fail(const std::string& sentence) {
     return 1;
 }
 
+// CLI11 takes "--renormalize=" for "--renormalize".
+void refuse_empty_assignments(int argc, const char* const* argv) {
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view word = argv[i];
+        if (word.starts_with("--") && word.ends_with("=") && word.find('=') == word.size() - 1)
+            throw Error(fmt::format("'{}' has no value; write one behind it, or leave it out.", word));
+    }
+}
+
 int parse_and_run(int argc, const char* const* argv) {
+    refuse_empty_assignments(argc, argv);
     CLI::App app(ABOUT, "momentscope");
     Options options;
     std::string what;

@@ -189,6 +189,15 @@ void check_explore(const CLI::App& command, const Options& options) {
     refuse(command, {{"--compare", !options.ray.empty(), "beside --ray, which has no picture"}});
 }
 
+// An option that needs no value is switched on by none, but not by an empty one.
+void refuse_empty_switches(const CLI::App& command) {
+    for (const CLI::Option* option : command.get_options())
+        if (option->get_items_expected_min() == 0 &&
+            std::ranges::find(option->results(), "") != option->results().end())
+            throw Error(
+                fmt::format("{} has no value; give on or off, or leave the value out.", option->get_name()));
+}
+
 constexpr struct {
     const char* command;
     void (*check)(const CLI::App& command, const Options& options);
@@ -201,6 +210,7 @@ constexpr struct {
 
 void refuse_ignored_options(const CLI::App& app, const Options& options) {
     const auto chosen = app.get_subcommands();
+    refuse_empty_switches(chosen.empty() ? app : *chosen.front());
     if (chosen.empty()) return check_explore(app, options);
     for (const CLI::Option* option : app.get_options())
         if (option->count() > 0)

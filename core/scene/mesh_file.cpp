@@ -1,6 +1,7 @@
 // mesh_file.cpp -- what Assimp reads becomes one mesh; everything odd in a file becomes a sentence.
 #include "core/scene/mesh_file.hpp"
 
+#include "core/plain_text.hpp"
 #include "core/scene/folder_files.hpp"
 #include "core/scene/gltf_file.hpp"
 #include "core/scene/isolated_read.hpp"
@@ -51,9 +52,7 @@ std::uintmax_t check_file(const std::filesystem::path& path) {
 
 /// Assimp's message as part of a sentence: one line, not too long, without a full stop.
 std::string tidy(std::string message) {
-    for (char& c : message) {
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
-    }
+    message = one_line(message);
     message.resize(std::min(message.size(), std::size_t{160}));
     while (!message.empty() && (message.back() == ' ' || message.back() == '.')) message.pop_back();
     return message.empty() ? "no reason given" : message;

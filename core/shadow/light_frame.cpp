@@ -7,9 +7,14 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "core/error.hpp"
+#include "core/glsl.hpp"
 #include "core/scene/camera.hpp"
 
 namespace momentscope {
+
+namespace glsl::light {
+#include "shaders/shared/light_place.glsl"
+}  // namespace glsl::light
 
 namespace {
 
@@ -49,14 +54,11 @@ LightFrame light_frame(const ShadowSettings& settings, const Sphere& casters) {
 LightPlace light_place(const LightFrame& frame, int map_size, const glm::vec3& world) {
     const glm::vec4 in_light = frame.view * glm::vec4(world, 1);
     const glm::vec4 clip = frame.projection * in_light;
-    LightPlace place;
-    if (!(-in_light.z > frame.near_plane)) return place;
-    place.texel = (glm::vec2(clip) / clip.w * 0.5f + 0.5f) * static_cast<float>(map_size);
-    place.depth = to_depth(-in_light.z, frame.warp);
-    place.within = place.texel.x >= 0 && place.texel.y >= 0 &&
-                   place.texel.x <= static_cast<float>(map_size) &&
-                   place.texel.y <= static_cast<float>(map_size);
-    return place;
+    if (!(-in_light.z > frame.near_plane)) return {};
+    const glm::vec3 depth = depth_warp_factors(frame.warp);
+    const auto place =
+        glsl::light::light_place_of(in_light, clip, {depth.x, depth.y, static_cast<float>(map_size)});
+    return {place.texel, place.depth, place.within};
 }
 
 }  // namespace momentscope

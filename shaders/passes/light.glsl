@@ -1,6 +1,7 @@
 // light.glsl -- how much of the light reaches a point: what opaque casters let through times what transparent ones do (Section 6).
-// core/shadow/light_frame.cpp, shadow_filter.cpp and light_receiver.cpp say the same in C++.
+// core/shadow/shadow_filter.cpp and light_receiver.cpp say the same in C++.
 #include "passes/light_block.glsl"
+#include "shared/light_place.glsl"
 
 layout(binding = 12) uniform sampler2D opaque_map;             // filtered texels, or depths of UNFILTERED ones
 #if defined(NO_TRANSPARENT_CASTERS)
@@ -27,20 +28,10 @@ layout(binding = 13) uniform sampler2DArray transparent_map;   // filtered sums
 #endif
 #endnamespace
 
-/// A point as the light sees it: place in texels from the map's lower left, depth in [-1, 1] of the depth range, beyond it cut.
-struct LightPlace { vec2 texel; float depth; bool within; };
-
 LightPlace light_place(vec3 eye_space)
 {
     vec4 in_light = light.view_from_eye * vec4(eye_space, 1.0);
-    vec4 clip = light.projection * in_light;
-    LightPlace place;
-    float size = light.range.z;
-    place.texel = (clip.xy / clip.w * 0.5 + 0.5) * size;
-    place.depth = clamp((-in_light.z - light.range.x) * light.range.y - 1.0, -1.0, 1.0);
-    place.within = -in_light.z > light.range.x && min(place.texel.x, place.texel.y) >= 0.0
-        && max(place.texel.x, place.texel.y) <= size;
-    return place;
+    return light_place_of(in_light, light.projection * in_light, light.range.xyz);
 }
 
 /// The four texels around a place and how much of each, in the order (0, 0), (1, 0), (0, 1), (1, 1).
