@@ -4,7 +4,7 @@
 Each is refused: exit code 1, one sentence on stderr, nothing on stdout, no file written, in time. The same command
 without the fault is accepted first, so that the fault is what is refused.
 
-usage: command_lines.py MOMENTSCOPE [--count N] [--seconds S] [--seed N]
+usage: command_lines.py MOMENTSCOPE [--count N] [--seconds S] [--seed N] [--jobs N]
 """
 
 import argparse
@@ -280,9 +280,10 @@ def main():
     parser.add_argument("--count", type=int, default=5000)
     parser.add_argument("--seconds", type=float, default=float("inf"))
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
     options = parser.parse_args()
     failed, count, begun = 0, 0, time.monotonic()
-    with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+    with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         program = Program(str(pathlib.Path(options.program).resolve()), pathlib.Path(folder))
         make_files(program)
         rng = random.Random(options.seed)
@@ -297,7 +298,7 @@ def main():
             left_over.unlink()
         lines = wrong_lines(program, rng)
         while count < options.count and time.monotonic() - begun < options.seconds:
-            batch = [next(lines) for _ in range(min(64, options.count - count))]
+            batch = [next(lines) for _ in range(min(16, options.count - count))]
             for (line, fault), wrong in zip(batch, pool.map(lambda one: fault_of(program, one[0]), batch)):
                 count += 1
                 if wrong:

@@ -133,6 +133,27 @@ TEST_F(SessionTest, MissingKeysAreStandardAndUnknownOnesAreNamed) {
     EXPECT_THROW(ui::read_session_file("/nowhere/x.json"), Error);
 }
 
+// Beside the mesh by the mesh's own name, elsewhere by a path from the root; both lead to the mesh.
+TEST_F(SessionTest, AMeshIsNamedSoThatTheSessionOpensFromEveryFolder) {
+    fs::create_directories(folder_ / "meshes");
+    std::ofstream(folder_ / "meshes" / "m.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    ui::ExplorerState state;
+    state.scene = fs::relative(folder_ / "meshes" / "m.obj").string();
+    const auto saved_name = [&](const fs::path& session) {
+        ui::write_session_file(state, session);
+        EXPECT_EQ(ui::read_session_file(session).state.scene, (folder_ / "meshes" / "m.obj").string());
+        std::ifstream file(session);
+        return nlohmann::json::parse(file)["scene"].get<std::string>();
+    };
+    EXPECT_EQ(saved_name(folder_ / "meshes" / "s.json"), "m.obj");
+    EXPECT_EQ(saved_name(folder_ / "s.json"), "meshes/m.obj");
+    fs::create_directories(folder_ / "sessions");
+    EXPECT_EQ(saved_name(folder_ / "sessions" / "s.json"), (folder_ / "meshes" / "m.obj").string());
+    state.scene = "planes";
+    ui::write_session_file(state, folder_ / "s.json");
+    EXPECT_EQ(ui::read_session_file(folder_ / "s.json").state.scene, "planes");
+}
+
 TEST_F(SessionTest, ANameThatIsNoUtf8IsExplained) {
     ui::ExplorerState state;
     state.scene = "m\xe9.obj";

@@ -185,11 +185,12 @@ TEST(Layered, IsThePublishedAlgorithmAndExactWithEnoughLayers) {
     }
 }
 
-// Depths 1e-6 apart are the same 16-bit number: the one that came first is in front.
+// Depths 1e-6 apart are the same 16-bit number: the one that came last is in front, as among equal depths in
+// `sorted`.
 TEST(Layered, SixteenBitDepthsTie) {
     ViewRay ray;
-    ray.fragments = {{.depth = 0.100001f, .view_depth = 0, .opacity = 0.5f, .color = {1, 0, 0}},
-                     {.depth = 0.1f, .view_depth = 0, .opacity = 0.5f, .color = {0, 1, 0}}};
+    ray.fragments = {{.depth = 0.1f, .view_depth = 0, .opacity = 0.5f, .color = {0, 1, 0}},
+                     {.depth = 0.100001f, .view_depth = 0, .opacity = 0.5f, .color = {1, 0, 0}}};
     const Technique& technique = require_technique("mlab");
     EXPECT_GT(color_of(ray, technique, values_with({{ParameterId::layer_bits, 2.0f}})).g, 0.49);
     EXPECT_LT(color_of(ray, technique, values_with({{ParameterId::layer_bits, 0.0f}})).g, 0.26);

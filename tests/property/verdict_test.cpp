@@ -116,14 +116,14 @@ TEST(VerdictTest, PeelingLosesTies) {
     EXPECT_NE(verdict.sentence.find("1 of 3 fragments is lost"), std::string::npos) << verdict.sentence;
 }
 
-// A half float of 2048 stands still when 0.5 is added to it.
+// Half floats from 2048 on are 2 apart, so that nothing is left of 0.7 that is added.
 TEST(VerdictTest, SaysWhatSixteenBitsLose) {
     ViewRay ray;
-    for (int i = 0; i < 900; ++i) ray.fragments.push_back(plain_fragment(0.1f, 0.99995f, 0));
+    for (int i = 0; i < 50; ++i) ray.fragments.push_back(plain_fragment(0.1f, 0.99995f, 0));
     const auto sentence = [&](const char* technique) {
         return pixel_verdict(ray, require_technique(technique), {}, BEHIND).sentence;
     };
-    EXPECT_EQ(sentence("power4-16").find("b₀ ="), std::string::npos) << "9000 of 10 each is fine";
+    EXPECT_EQ(sentence("power4-16").find("b₀ ="), std::string::npos) << "500 in steps of 10 is fine";
     for (int i = 0; i < 5000; ++i) ray.fragments.push_back(plain_fragment(0.1f, 0.5f, 0));
     EXPECT_NE(sentence("power4-16").find("b₀ ="), std::string::npos);
     EXPECT_EQ(sentence("power4-32").find("b₀ ="), std::string::npos);

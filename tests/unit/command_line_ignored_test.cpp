@@ -105,20 +105,4 @@ TEST_F(CommandLine, PeelingTellsWhatItLoses) {
               std::string::npos);
 }
 
-// Saved beside its mesh a session names it so, elsewhere from the root; both open from another folder.
-TEST_F(CommandLine, SessionsOpenFromAnotherFolder) {
-    write("out/triangle.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    const std::string advise =
-        "advise --scene out/triangle.obj --size 16x9 --repeat 1 --technique wboit --max-error 2 -o ";
-    expect_success(advise + "out/beside.json");
-    expect_success(advise + "away.json");
-    EXPECT_EQ(json::parse(content_of(folder_ / "out/beside.json"))["scene"], "triangle.obj");
-    EXPECT_EQ(json::parse(content_of(folder_ / "away.json"))["scene"],
-              (folder_ / "out/triangle.obj").string());
-    fs::create_directories(folder_ / "elsewhere");
-    for (const char* session : {"../out/beside.json", "../away.json"})
-        expect_words_succeed({"--headless", "--session", session, "--screenshot", "x.png"},
-                             [] { (void)::chdir("elsewhere"); });
-}
-
 }  // namespace

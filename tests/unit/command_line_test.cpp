@@ -149,7 +149,7 @@ TEST_F(CommandLine, RefusesWrongChartsAndShards) {
     expect_refused(chart + "--scene planes --technique at:layers=2", "no parameter 'layers'");
     expect_refused(chart + "--repeat 0", "number of rounds");
     expect_refused(chart + "--shard 5/4", "'5/4' is no shard");
-    expect_refused(chart + "--metric psnr", "no metric 'psnr'");
+    expect_refused("chart --size 16x9 -o out/x.md --metric psnr", "no metric 'psnr'");
     expect_refused("chart --scene planes -o out/x.jpg", "none of .csv");
     expect_refused("chart --scene planes --shard 1/2 -o out/x.html", "ends in .csv");
     expect_refused("stress --shard 0/2 -o out/x.csv", "is no shard");
