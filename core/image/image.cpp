@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+#include <string_view>
 
 #include "core/error.hpp"
 #include "core/output_file.hpp"
@@ -20,6 +23,32 @@ void write_pixels(const std::filesystem::path& path, const OIIO::ImageSpec& spec
         auto file = OIIO::ImageOutput::create(partial.string());
         return file && file->open(partial.string(), spec) && file->write_image(type, pixels) && file->close();
     });
+}
+
+/// Places of red, green and blue, which are one of a grey picture, and of alpha.
+struct Channels {
+    std::array<std::size_t, 3> color;
+    std::optional<std::size_t> alpha;
+};
+
+// By name, for files may hold depths and much else; by place where they have no such names.
+Channels channels_of(const OIIO::ImageSpec& spec) {
+    const auto named = [&](std::string_view name) {
+        const auto found = std::ranges::find(spec.channelnames, name);
+        return found == spec.channelnames.end()
+                   ? std::nullopt
+                   : std::optional<std::size_t>(found - spec.channelnames.begin());
+    };
+    const auto red = named("R"), green = named("G"), blue = named("B");
+    Channels channels{};
+    if (red && green && blue)
+        channels.color = {*red, *green, *blue};
+    else if (spec.nchannels >= 3 && !named("Y"))
+        channels.color = {0, 1, 2};
+    else
+        channels.color.fill(named("Y").value_or(0));
+    if (spec.alpha_channel >= 0) channels.alpha = static_cast<std::size_t>(spec.alpha_channel);
+    return channels;
 }
 
 // What a library says, as part of a sentence.
@@ -61,6 +90,7 @@ Image read_image(const std::filesystem::path& path) {
         spec.nchannels < 1 || spec.depth > 1)
         throw Error(fmt::format("'{}' is a picture of {}x{} pixels, more than can be compared.",
                                 path.string(), spec.width, spec.height));
+    const Channels where = channels_of(spec);
     const auto channels = static_cast<std::size_t>(spec.nchannels);
     Image image(spec.width, spec.height);
     std::vector<float> values(image.pixels.size() * channels);
@@ -70,11 +100,10 @@ Image read_image(const std::filesystem::path& path) {
     const bool linear = spec.format.is_floating_point();
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         for (std::size_t c = 0; c < 3; ++c) {
-            const float value = values[i * channels + (channels >= 3 ? c : 0)];
+            const float value = values[i * channels + where.color[c]];
             image.pixels[i][static_cast<int>(c)] = linear ? value : linear_from_srgb(value);
         }
-        image.pixels[i].a =
-            channels % 2 == 0 ? values[i * channels + channels - 1] : 1;  // grey or RGB, and alpha
+        image.pixels[i].a = where.alpha ? values[i * channels + *where.alpha] : 1;
     }
     return image;
 }

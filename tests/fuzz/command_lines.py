@@ -4,7 +4,7 @@
 Each is refused: exit code 1, one sentence on stderr, nothing on stdout, no file written, in time. The same command
 without the fault is accepted first, so that the fault is what is refused.
 
-usage: command_lines.py MOMENTSCOPE [--count N] [--seconds S] [--seed N] [--jobs N]
+usage: command_lines.py COMMAND_LINE_SERVER [--count N] [--seconds S] [--seed N] [--jobs N]
 """
 
 import argparse
@@ -12,14 +12,14 @@ import concurrent.futures
 import json
 import os
 import pathlib
+import queue
 import random
 import re
+import signal
 import subprocess
 import sys
 import tempfile
 import time
-
-TIMEOUT = 60  # seconds; a refusal needs a fraction of one
 
 RAY = '{"fragments": [{"depth": -0.2, "opacity": 0.5}, {"depth": 0.4, "opacity": 0.7}]}'
 
@@ -87,13 +87,31 @@ OTHER_POSITIONALS = {"compare": [["one.png"], ["one.png", "one.png", "one.png"],
                      "list": [["nosuch"], [""], ["scenes", "techniques"], ["Scenes"]]}
 
 
+class Result:
+    def __init__(self, returncode, stdout, stderr):
+        self.returncode, self.stdout, self.stderr = returncode, stdout, stderr
+
+
 class Program:
-    def __init__(self, path, folder):
-        self.path, self.folder = path, folder
+    """Runs command lines in a folder, some at a time, each by a server (command_line_server.cpp) that forks."""
+
+    def __init__(self, server, folder, jobs):
+        self.folder, self.idle = folder, queue.SimpleQueue()
+        for job in range(jobs):
+            files = [folder / f".stdout-{job}", folder / f".stderr-{job}"]
+            process = subprocess.Popen([server, *files], cwd=folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                       env={**os.environ, "DISPLAY": "", "WAYLAND_DISPLAY": ""})
+            self.idle.put((process, files))
 
     def run(self, arguments):
-        return subprocess.run([self.path, *arguments], cwd=self.folder, stdin=subprocess.DEVNULL, capture_output=True,
-                              timeout=TIMEOUT, check=False)
+        words = [as_bytes(word) for word in arguments]
+        process, files = self.idle.get()
+        process.stdin.write(b"%d\n" % len(words) + b"".join(word + b"\0" for word in words))
+        process.stdin.flush()
+        code = int(process.stdout.readline())
+        result = Result(code, *(file.read_bytes() for file in files))
+        self.idle.put((process, files))
+        return result
 
     def json(self, *arguments):
         return json.loads(self.run([*arguments, "--format", "json"]).stdout)
@@ -238,13 +256,10 @@ def as_bytes(word):
 
 def fault_of(program, line):
     """What is wrong with how the program refuses a line, or None."""
-    try:
-        result = program.run([as_bytes(word) for word in line])
-    except subprocess.TimeoutExpired:
-        return f"hangs for {TIMEOUT} seconds"
-    except ValueError:
-        return None  # a NUL, which no shell can pass
+    result = program.run(line)
     said = result.stderr
+    if result.returncode == -signal.SIGALRM:
+        return "hangs"
     if result.returncode != 1:
         return f"exit code {result.returncode}"
     if result.stdout:
@@ -276,7 +291,7 @@ def make_files(program):
 
 def main():
     parser = argparse.ArgumentParser()
-    parser.add_argument("program")
+    parser.add_argument("server")
     parser.add_argument("--count", type=int, default=5000)
     parser.add_argument("--seconds", type=float, default=float("inf"))
     parser.add_argument("--seed", type=int, default=1)
@@ -284,7 +299,7 @@ def main():
     options = parser.parse_args()
     failed, count, begun = 0, 0, time.monotonic()
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        program = Program(str(pathlib.Path(options.program).resolve()), pathlib.Path(folder))
+        program = Program(str(pathlib.Path(options.server).resolve()), pathlib.Path(folder), options.jobs)
         make_files(program)
         rng = random.Random(options.seed)
         condition = program.json("list", "conditions")[0]["id"]
@@ -303,7 +318,7 @@ def main():
                 count += 1
                 if wrong:
                     failed += 1
-                    print(f"{shown(line)}\n  ({fault}) {wrong}")
+                    print(f"{shown(line)}\n  ({fault}) {wrong}", flush=True)
         for written in program.folder.glob("OUT*"):
             failed += 1
             print(f"{written.name} was written")

@@ -1,6 +1,7 @@
 // image_test.cpp -- pictures in memory and in files.
 #include "core/image/image.hpp"
 
+#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -53,6 +54,25 @@ TEST(ToneMap, ChangesPngAndNotExr) {
     EXPECT_NEAR(shown.b, 0.75f, 5e-3f);
     EXPECT_EQ(read_image(folder / "a.exr").at(0, 0), image.at(0, 0));
     fs::remove_all(folder);
+}
+
+// Files of renderers hold depths beside colours, in any order.
+TEST(ReadImage, FindsChannelsByTheirNames) {
+    const fs::path path = fs::temp_directory_path() / "momentscope-channels-test.exr";
+    OIIO::ImageSpec spec(1, 1, 6, OIIO::TypeDesc::FLOAT);
+    spec.channelnames = {"B", "N", "A", "Z", "R", "G"};
+    const float values[] = {0.3f, 9, 0.5f, 7, 0.1f, 0.2f};
+    const auto file = OIIO::ImageOutput::create(path.string());
+    ASSERT_TRUE(file && file->open(path.string(), spec) && file->write_image(OIIO::TypeDesc::FLOAT, values) &&
+                file->close());
+    EXPECT_EQ(read_image(path).at(0, 0), glm::vec4(0.1f, 0.2f, 0.3f, 0.5f));
+    spec.nchannels = 2;
+    spec.channelnames = {"Y", "Z"};
+    const auto grey = OIIO::ImageOutput::create(path.string());
+    ASSERT_TRUE(grey && grey->open(path.string(), spec) && grey->write_image(OIIO::TypeDesc::FLOAT, values) &&
+                grey->close());
+    EXPECT_EQ(read_image(path).at(0, 0), glm::vec4(0.3f, 0.3f, 0.3f, 1.0f)) << "Z is no alpha";
+    fs::remove(path);
 }
 
 // Rows of a map count from below; a picture without an alpha channel is taken as it is.
