@@ -17,7 +17,7 @@ std::vector<float> even_depths(std::size_t samples) {
 
 double shown_absorbance(double t, double total) {
     const auto opaque = static_cast<double>(fragment_absorbance(1.0f));
-    return t > 0 ? -std::log(t) : std::max(opaque, total);
+    return t > 0 ? 0 - std::log(t) : std::max(opaque, total);  // of T = 1 it is 0, not -0
 }
 
 MomentVector sum_moments(const ViewRay& ray, const Technique& technique,

@@ -124,12 +124,12 @@ std::string curves_to_table(const ViewRay& ray, const std::vector<Curve>& curves
         if (!curve.sharp_lower.empty()) fmt::format_to(out, "{:>13}{:>13}", "sharp lower", "sharp upper");
         text += "\n";
         for (std::size_t i = 0; i < curve.depth.size(); ++i) {
-            fmt::format_to(out, "{:>12.6f}{:>12.6f}", curve.depth[i], curve.truth[i]);
-            if (!curve.reconstructed.empty()) fmt::format_to(out, "{:>15.6f}", curve.reconstructed[i]);
+            fmt::format_to(out, "{:>12.6f} {:>11.6f}", curve.depth[i], curve.truth[i]);
+            if (!curve.reconstructed.empty()) fmt::format_to(out, " {:>14.6f}", curve.reconstructed[i]);
             if (!curve.beta0.empty())
-                fmt::format_to(out, "{:>12.6f}{:>12.6f}", curve.beta0[i], curve.beta1[i]);
+                fmt::format_to(out, " {:>11.6f} {:>11.6f}", curve.beta0[i], curve.beta1[i]);
             if (!curve.sharp_lower.empty())
-                fmt::format_to(out, "{:>13.6f}{:>13.6f}", curve.sharp_lower[i], curve.sharp_upper[i]);
+                fmt::format_to(out, " {:>12.6f} {:>12.6f}", curve.sharp_lower[i], curve.sharp_upper[i]);
             text += "\n";
         }
     }

@@ -158,8 +158,8 @@ std::string drift_text(const ViewRay& ray, const Technique& technique, const Par
     const auto stored = static_cast<double>(sum_moments(ray, technique, resolve(values, technique)).b0);
     if (std::abs(stored - total) <= DRIFT * total) return {};
     return fmt::format(
-        " 16 bits hold b₀ = {:.4g} of {:.4g}: a fragment adds less than half of a half float's last "
-        "digit; use moments in 32 bits.",
+        " 16 bits hold b₀ = {:.6g} of {:.6g}: every sum is rounded to the 11 "
+        "bits of a half float; use moments in 32 bits.",
         stored, total);
 }
 
