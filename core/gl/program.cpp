@@ -6,12 +6,15 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "core/gl/loop_writer.hpp"
 #include "core/gl/shader_namespace.hpp"
 #include "core/gl/shader_sources.hpp"
 
 namespace momentscope {
 
 namespace {
+
+constexpr std::size_t MOST_WRITTEN_OUT = 1 << 20;  // bytes of a shader
 
 std::string_view source_of(std::string_view path) {
     const auto& sources = shader_sources();
@@ -83,16 +86,23 @@ void append_file(std::string& text, std::string_view path, const Scope& scope,
     append_lines(text, lines, at, path, number, scope, files);
 }
 
-GlShader compile(GLenum kind, std::string_view path, const ShaderVariant& variant) {
-    std::vector<std::string> files;
-    const std::string text = expand_shader(path, variant, &files);
-    GlShader shader(glCreateShader(kind));
+bool compiles(const GlShader& shader, const std::string& text) {
     const char* begin = text.c_str();
     glShaderSource(shader, 1, &begin, nullptr);
     glCompileShader(shader);
     GLint compiled = 0;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-    if (compiled == 0) {
+    return compiled != 0;
+}
+
+// With its loops written out; with loops if that is too large, or if the driver does not take it.
+GlShader compile(GLenum kind, std::string_view path, const ShaderVariant& variant) {
+    std::vector<std::string> files;
+    const std::string text = expand_shader(path, variant, &files);
+    GlShader shader(glCreateShader(kind));
+    const WrittenOut written = with_loops_written_out(text);
+    if (written.text.size() <= MOST_WRITTEN_OUT && compiles(shader, written.text)) return shader;
+    if (!compiles(shader, text)) {
         std::string log(4096, '\0');
         GLsizei length = 0;
         glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), &length, log.data());
