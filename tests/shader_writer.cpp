@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "core/error.hpp"
+#include "core/gl/loop_writer.hpp"
 #include "core/gl/program.hpp"
 #include "core/output_file.hpp"
 #include "core/render/moment_passes.hpp"
@@ -26,8 +27,10 @@ constexpr const char* RECONSTRUCTING[] = {"passes/color.frag", "passes/capture.f
 void write(const std::filesystem::path& folder, const std::string& prefix, const std::string& path,
            const ShaderVariant& variant) {
     const std::string name = std::filesystem::path(path).filename().string();
-    write_text_file(expand_shader(path, variant),
-                    folder / (prefix + "." + name));  // glslang reads the stage from the end
+    const std::string text = expand_shader(path, variant);
+    const WrittenOut written = with_loops_written_out(text);
+    write_text_file(text, folder / (prefix + "." + name));  // glslang reads the stage from the end
+    if (written.loops > 0) write_text_file(written.text, folder / (prefix + ".written." + name));
 }
 
 // glslangValidator knows framebuffer fetch in OpenGL ES only, so that variant is compiled by GLs that have it
