@@ -61,7 +61,7 @@ public:
     }
 
     void write(const RunTable& table) const {
-        if (!path_.empty()) write_text_file(run_table_text(table), path_);
+        if (!path_.empty()) write_file(run_table_text(table), path_);
     }
 
     void remove() const {

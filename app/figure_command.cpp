@@ -124,7 +124,7 @@ void run_figure(const Options& options) {
         print(text_of(figure, findings));
     }
     progress.show(chosen.size(), chosen.size());
-    if (all) write_text_file(page, std::filesystem::path(folder).concat(".md"));
+    if (all) write_file(page, std::filesystem::path(folder).concat(".md"));
 }
 
 }  // namespace momentscope

@@ -261,9 +261,9 @@ void ChartPanel::write(const std::filesystem::path& path) const {
     }
     table.settings = chart_settings(plan, gl_info());
     const std::string kind = path.extension().string();
-    if (kind == ".csv") return write_text_file(run_table_text(table), path);
+    if (kind == ".csv") return write_file(run_table_text(table), path);
     const Chart chart = chart_of(table, path.string());
-    write_text_file(kind == ".html"  ? chart_to_html(chart, bounds_.metric)
+    write_file(kind == ".html"  ? chart_to_html(chart, bounds_.metric)
                     : kind == ".svg" ? chart_to_svg(chart, bounds_.metric)
                                      : chart_to_markdown(chart, bounds_.metric),
                     path);
