@@ -94,7 +94,7 @@ RunTable measured(const ChartPlan& plan, const UnfinishedChart& unfinished) {
         [&](const RunTable& table) { unfinished.write(table); },
         [&](std::size_t done, std::size_t all) { progress.show(done, all); }};
     RunTable table = run_chart(plan, kept, progress.stop(), hooks);
-    if (progress.stop().stop_requested()) throw Error(unfinished.how_to_go_on(table.rows.size()));
+    if (progress.stop().stop_requested()) progress.end(unfinished.how_to_go_on(table.rows.size()));
     return table;
 }
 

@@ -1,7 +1,7 @@
 // command_line_server.cpp -- runs command lines one after another, each in a forked process, which spares
-// them the dynamic loader's half a second. For tests/fuzz/command_lines.py.
+// them the dynamic loader's half a second. For tests/fuzz/command_lines.py and tests/faults.
 //
-// usage: command_line_server OUTPUT ERRORS. Each request on stdin is the number of words, a line break, and
+// usage: command_line_server OUTPUT ERRORS, files or devices; an empty name closes the stream. Each request on stdin is the number of words, a line break, and
 // the words, each with a NUL behind it; the answer is a line: the exit code, or minus the signal that ended
 // the process.
 #include <fcntl.h>
@@ -20,6 +20,10 @@ namespace {
 constexpr unsigned MOST_SECONDS = 60;
 
 void redirect(const char* path, int to) {
+    if (*path == '\0') {
+        ::close(to);
+        return;
+    }
     const int file = ::open(path, O_WRONLY | O_CREAT | O_TRUNC, 0644);
     if (file < 0 || ::dup2(file, to) < 0) ::_exit(99);
 }
