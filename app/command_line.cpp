@@ -12,6 +12,7 @@
 #include "app/commands.hpp"
 #include "app/end_by_signal.hpp"
 #include "app/ignored_options.hpp"
+#include "app/output_conflicts.hpp"
 #include "app/progress.hpp"
 #include "app/terminal.hpp"
 #include "core/error.hpp"
@@ -289,6 +290,7 @@ void parse_and_run(int argc, const char* const* argv) {
         throw Error(fmt::format("{}; momentscope --help lists what there is.", error.what()));
     }
     refuse_ignored_options(app, options);
+    refuse_outputs_that_are_inputs(options);
     run(app, options, what);
     require_printed();
 }

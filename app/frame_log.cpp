@@ -2,16 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "core/error.hpp"
 #include "core/output_file.hpp"
 
 namespace momentscope {
 
-FrameLog::FrameLog(const std::string& path) {
-    if (path.empty()) return;
-    require_writable(path);
-    file_.open(path, std::ios::binary | std::ios::trunc);
-    if (!file_) throw Error(fmt::format("The log '{}' cannot be written; check its permissions.", path));
+FrameLog::FrameLog(std::string path) : path_(std::move(path)) {
+    if (!path_.empty()) require_writable(path_);
 }
 
 void FrameLog::frame(const ui::Explorer& explorer) {
@@ -21,7 +20,14 @@ void FrameLog::frame(const ui::Explorer& explorer) {
 }
 
 void FrameLog::line(const std::string& text) {
-    if (file_.is_open()) file_ << text << std::endl;  // flushed, so that a running window can be watched
+    if (path_.empty()) return;
+    if (!file_.is_open()) file_.open(path_, std::ios::binary | std::ios::trunc);
+    file_ << text << std::endl;  // flushed, so that a running window can be watched
+}
+
+void FrameLog::require_written() {
+    if (!path_.empty() && !file_)
+        throw Error(fmt::format("The log '{}' could not be written; free space, or write elsewhere.", path_));
 }
 
 }  // namespace momentscope

@@ -9,14 +9,19 @@ namespace momentscope {
 
 class FrameLog {
 public:
-    /// An empty path logs nothing. Throws Error when the file cannot be written.
-    explicit FrameLog(const std::string& path);
+    /// An empty path logs nothing. Throws Error when the file cannot be written. What it holds stays until
+    /// the first line, when all inputs have been read.
+    explicit FrameLog(std::string path);
 
     void frame(const ui::Explorer& explorer);
     void line(const std::string& text);
+
+    /// Throws Error when lines were lost.
+    void require_written();
     long frames() const { return frames_; }
 
 private:
+    std::string path_;
     std::ofstream file_;
     long frames_ = 0;
 };
