@@ -10,18 +10,21 @@ namespace momentscope {
 class FrameLog {
 public:
     /// An empty path logs nothing. Throws Error when the file cannot be written. What it holds stays until
-    /// the first line, when all inputs have been read.
+    /// a frame has computed something: then all inputs were good.
     explicit FrameLog(std::string path);
 
     void frame(const ui::Explorer& explorer);
     void line(const std::string& text);
 
-    /// Throws Error when lines were lost.
+    /// The end of a run that went well. Throws Error when lines were lost.
     void require_written();
     long frames() const { return frames_; }
 
 private:
+    void open();
+
     std::string path_;
+    std::string held_;  // lines before that
     std::ofstream file_;
     long frames_ = 0;
 };

@@ -29,7 +29,7 @@ constexpr const char* PRINTING[] = {"--help",
                                     "list commands",
                                     "list techniques --format json",
                                     "inspect --ray ray.json",
-                                    "stress --rays 1 --technique power4-32 --condition random-3",
+                                    "stress --rays 1 --technique power4-32 --condition two",
                                     "tune --ray ray.json --technique power4-32"};
 
 TEST_F(CommandLineFiles, WhatCannotBePrintedIsAFailure) {
@@ -47,7 +47,7 @@ TEST_F(CommandLineFiles, WhatIsPrintedGetsIntoNoFile) {
         ::close(STDIN_FILENO);
         ::close(STDOUT_FILENO);
     };
-    const std::string stress = "stress --rays 1 --technique power4-32 --condition random-3 -o ";
+    const std::string stress = "stress --rays 1 --technique power4-32 --condition two -o ";
     expect_said(run_words(words_of(stress + "out/x.csv"), closed), "Standard output cannot be written");
     expect_success(stress + "out/y.csv");
     EXPECT_EQ(content_of(folder_ / "out/x.csv"), content_of(folder_ / "out/y.csv"));
@@ -121,13 +121,15 @@ TEST_F(CommandLineFiles, WhatACommandReadsItDoesNotReplace) {
     EXPECT_EQ(content_of(folder_ / "ray.json"), ray);
 }
 
-TEST_F(CommandLineFiles, ALogStaysUntilAFrameIsDrawn) {
+TEST_F(CommandLineFiles, ALogStaysUntilSomethingIsDrawn) {
     write("log.txt", "old");
     write("wrong.json", "[");
     const std::string window = "--headless --screenshot out/x.png --log log.txt ";
     expect_refused(window + "--session wrong.json", "JSON");
     expect_refused(window + "--ray wrong.json", "JSON");
-    expect_refused(window + "--scene missing.obj", "missing.obj");
+    write("broken.obj", "v 0 0 zero\nf 1 2 3\n");
+    for (const char* mesh : {"missing.obj", "broken.obj"})
+        expect_refused(window + "--size 640x400 --scene " + mesh, mesh);
     EXPECT_EQ(content_of(folder_ / "log.txt"), "old");
 }
 
