@@ -126,11 +126,11 @@ def main():
     parser.add_argument("--short", action="store_true")
     options = parser.parse_args()
     names = ["session"] if options.short else list(COMMANDS)
-    kills = 6 if options.short else options.kills
+    kills = 3 if options.short else options.kills
     killer, failed = Killer(pathlib.Path(options.program).resolve(), options.seed), 0
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
-        pathlib.Path("save.events").write_text(SAVE * (10 if options.short else 30))
+        pathlib.Path("save.events").write_text(SAVE * 6)
         for name in names:
             killer.make(name)
         for i in range(kills):
