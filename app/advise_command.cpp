@@ -12,6 +12,7 @@
 #include "core/chart/held_out.hpp"
 #include "core/error.hpp"
 #include "core/output_file.hpp"
+#include "core/scene/scene_content.hpp"
 #include "ui/session.hpp"
 
 namespace momentscope {
@@ -77,13 +78,20 @@ Evidence read_evidence(const Options& options) {
                          parse_size(setting(chart.settings, "size")),
                          values_of(setting(chart.settings, "parameters")),
                          {}};
-    for (const std::span<const ChartRow> rows : scenes_of(chart))
-        if (absolute_scene(rows.front().scene) == absolute_scene(options.scene))
-            evidence.rows.assign(rows.begin(), rows.end());
+    const auto scenes = scenes_of(chart);
+    const auto found = std::ranges::find_if(scenes, [&](const std::span<const ChartRow> rows) {
+        return absolute_scene(rows.front().scene) == absolute_scene(options.scene);
+    });
+    if (found != scenes.end()) evidence.rows.assign(found->begin(), found->end());
     if (evidence.rows.empty())
         throw Error(fmt::format("'{}' has no rows of the scene '{}', but of {}; chart that scene, too.",
                                 options.chart, options.scene, setting(chart.settings, "scenes")));
     evidence.scene = load_scene_option(options, evidence.values);
+    const auto place = static_cast<std::size_t>(found - scenes.begin());
+    const std::string content = charted_content(chart.settings, place);
+    if (!content.empty() && content != scene_content(evidence.scene))
+        throw Error(fmt::format("The mesh file '{}' is another one than '{}' was made of; chart it again.",
+                                options.scene, options.chart));
     if (options.techniques.empty()) return evidence;
     std::vector<std::string> wanted;
     for (const Configuration& one : charted_configurations(options, evidence.values))

@@ -11,6 +11,7 @@
 #include "core/chart/chart_run.hpp"
 #include "core/error.hpp"
 #include "core/output_file.hpp"
+#include "core/scene/scene_content.hpp"
 
 namespace momentscope {
 
@@ -61,7 +62,7 @@ public:
     }
 
     void write(const RunTable& table) const {
-        if (!path_.empty()) write_text_file(run_table_text(table), path_);
+        if (!path_.empty()) write_file(run_table_text(table), path_);
     }
 
     void remove() const {
@@ -83,18 +84,37 @@ private:
     std::filesystem::path path_;
 };
 
-RunTable measured(const ChartPlan& plan, const UnfinishedChart& unfinished) {
-    const ParameterValues& values = plan.settings.values;
+// Empty when all scenes are built in.
+std::vector<std::string> contents_of(const std::vector<std::string>& scenes, float opacity) {
+    std::vector<std::string> contents;
+    if (std::ranges::all_of(scenes, is_builtin_scene)) return contents;
+    for (const std::string& id : scenes)
+        contents.push_back(is_builtin_scene(id) ? BUILTIN_CONTENT : scene_content(load_scene(id, opacity)));
+    return contents;
+}
+
+// The one that the plan means, although files may change while others are measured.
+Scene planned_scene(const ChartPlan& plan, const std::string& id, float opacity) {
+    Scene scene = load_scene_and_warn(id, opacity);
+    const auto place = static_cast<std::size_t>(std::ranges::find(plan.scenes, id) - plan.scenes.begin());
+    if (!plan.contents.empty() && plan.contents[place] != scene_content(scene))
+        throw Error(
+            fmt::format("The mesh file '{}' was changed while the chart was made; make it again.", id));
+    return scene;
+}
+
+RunTable measured(ChartPlan plan, const UnfinishedChart& unfinished) {
+    const float opacity = *plan.settings.values[ParameterId::opacity];
     for (const std::string& id : plan.scenes) require_scene(id);
+    plan.contents = contents_of(plan.scenes, opacity);
     const auto context = make_gl_context("osmesa", {16, 16});
     const RunTable kept = unfinished.read(chart_settings(plan, gl_info()));
     Progress progress("Chart");
-    const ChartHooks hooks = {
-        [&](const std::string& id) { return load_scene_and_warn(id, *values[ParameterId::opacity]); },
-        [&](const RunTable& table) { unfinished.write(table); },
-        [&](std::size_t done, std::size_t all) { progress.show(done, all); }};
+    const ChartHooks hooks = {[&](const std::string& id) { return planned_scene(plan, id, opacity); },
+                              [&](const RunTable& table) { unfinished.write(table); },
+                              [&](std::size_t done, std::size_t all) { progress.show(done, all); }};
     RunTable table = run_chart(plan, kept, progress.stop(), hooks);
-    if (progress.stop().stop_requested()) throw Error(unfinished.how_to_go_on(table.rows.size()));
+    if (progress.stop().stop_requested()) progress.end(unfinished.how_to_go_on(table.rows.size()));
     return table;
 }
 

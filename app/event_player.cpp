@@ -7,6 +7,7 @@
 #include <optional>
 #include <sstream>
 
+#include "app/output_conflicts.hpp"
 #include "core/error.hpp"
 #include "core/input_file.hpp"
 #include "core/json_text.hpp"
@@ -134,6 +135,16 @@ void EventPlayer::wait(double seconds) {
     window_.log().line(fmt::format("waited {:g} s: {} frames", seconds, window_.log().frames() - before));
 }
 
+// It replaces an older picture, as events that are played again must, but nothing else.
+void EventPlayer::screenshot(const std::string& path) const {
+    if (std::filesystem::path(path).extension() != ".png")
+        throw Error(fmt::format("a screenshot is a .png; '{}' is not", path));
+    for (const std::string& file : kept_)
+        if (same_file(path, file))
+            throw Error(fmt::format("'{}' is a file of this command line; give another name", path));
+    window_.write_png(path);
+}
+
 void EventPlayer::expect(const std::string& pointer, const std::string& value) const {
     const nlohmann::json session =
         nlohmann::json::parse(json_text(ui::session_to_json(window_.explorer().state())));
@@ -210,7 +221,7 @@ void EventPlayer::play_line(const std::string& line) {
                         static_cast<int>(need_number(words, 2, 1, MOST))});
         window_.settle();
     } else if (what == "screenshot") {
-        window_.write_png(need_word(words, 1, "the name of a .png"));
+        screenshot(need_word(words, 1, "the name of a .png"));
     } else if (what == "expect") {
         expect(need_word(words, 1, "a JSON pointer"), need_word(words, 2, "a value"));
     } else if (what == "expect-message") {
@@ -230,7 +241,9 @@ void EventPlayer::play(const std::string& text) {
         try {
             play_line(line);
         } catch (const Error& error) {
-            throw Error(fmt::format("Line {} of the events, '{}': {}.", number, line, error.what()));
+            std::string why = error.what();
+            if (why.ends_with('.')) why.pop_back();
+            throw Error(fmt::format("Line {} of the events, '{}': {}.", number, line, why));
         }
     }
 }

@@ -4,6 +4,7 @@
 
 #include "app/commands.hpp"
 #include "app/event_player.hpp"
+#include "app/output_conflicts.hpp"
 #include "app/terminal.hpp"
 #include "core/error.hpp"
 #include "core/image/image.hpp"
@@ -73,8 +74,9 @@ void explore_headless(const Options& options, glm::ivec2 size, float scale) {
     if (!warning.empty()) warn(warning);
     const std::string& message = window.explorer().message();
     if (!message.empty() && message != warning) throw Error(message);
-    if (!options.events.empty()) EventPlayer(window).play_file(options.events);
+    if (!options.events.empty()) EventPlayer(window, files_of(options)).play_file(options.events);
     if (!options.screenshot.empty()) window.write_png(options.screenshot);
+    log.require_written();
 }
 
 // A window, the explorer in it, and the loop that draws when there is something new to see.
@@ -101,6 +103,7 @@ public:
                 need_.input();
             }
         }
+        log_.require_written();
     }
 
 private:

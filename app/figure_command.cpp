@@ -114,7 +114,10 @@ void run_figure(const Options& options) {
     std::string page = INTRODUCTION;
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         progress.show(i, chosen.size());
-        progress.require_finished();
+        progress.require_finished(
+            i == 0 ? "nothing was written"
+                   : fmt::format("{} of {} pictures are in '{}', and the page was not written", i,
+                                 chosen.size(), folder.string()));
         const Figure& figure = *chosen[i];
         const std::string name = fmt::format("{}.png", figure.id);
         write_figure_picture(gui, figure, shots, folder / name);
@@ -124,7 +127,7 @@ void run_figure(const Options& options) {
         print(text_of(figure, findings));
     }
     progress.show(chosen.size(), chosen.size());
-    if (all) write_text_file(page, std::filesystem::path(folder).concat(".md"));
+    if (all) write_file(page, std::filesystem::path(folder).concat(".md"));
 }
 
 }  // namespace momentscope

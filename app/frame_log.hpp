@@ -9,14 +9,22 @@ namespace momentscope {
 
 class FrameLog {
 public:
-    /// An empty path logs nothing. Throws Error when the file cannot be written.
-    explicit FrameLog(const std::string& path);
+    /// An empty path logs nothing. Throws Error when the file cannot be written. What it holds stays until
+    /// a frame has computed something: then all inputs were good.
+    explicit FrameLog(std::string path);
 
     void frame(const ui::Explorer& explorer);
     void line(const std::string& text);
+
+    /// The end of a run that went well. Throws Error when lines were lost.
+    void require_written();
     long frames() const { return frames_; }
 
 private:
+    void open();
+
+    std::string path_;
+    std::string held_;  // lines before that
     std::ofstream file_;
     long frames_ = 0;
 };

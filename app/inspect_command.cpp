@@ -155,7 +155,7 @@ void run_inspect(const Options& options) {
     if (options.output.empty())
         print(text);
     else
-        write_text_file(text, options.output);
+        write_file(text, options.output);
 }
 
 }  // namespace momentscope

@@ -96,7 +96,7 @@ void run_needed(const Options& options) {
     const NeedHistogram histogram = count_needs(map.pixels);
     const double memory = tiled_memory(map.pixels, map.picture.width, TILE);
     const std::string text = json_text(json_of(histogram, memory, options, values), 2) + "\n";
-    if (kind == ".json") write_text_file(text, path);
+    if (kind == ".json") write_file(text, path);
     if (kind == ".png")
         write_needed_picture(
             map.picture, map.pixels,

@@ -8,18 +8,20 @@
 #include <cstdio>
 #include <thread>
 
-#include "core/error.hpp"
+#include "app/end_by_signal.hpp"
 
 namespace momentscope {
 
 namespace {
 
-// A signal handler may do no more than set this.
-std::atomic<bool> interrupted = false;
-static_assert(std::atomic<bool>::is_always_lock_free);
+constexpr int SIGNALS[] = {SIGINT, SIGTERM};
 
-void interrupt(int) {
-    interrupted = true;
+// The signal that came. A handler may do no more than set this.
+std::atomic<int> interrupting = 0;
+static_assert(std::atomic<int>::is_always_lock_free);
+
+void interrupt(int signal) {
+    if (interrupting.exchange(signal) != 0) end_by_signal(signal);  // nobody waits twice
 }
 
 }  // namespace
@@ -28,18 +30,21 @@ Progress::Progress(std::string what)
     : what_(std::move(what)),
       begin_(std::chrono::steady_clock::now()),
       terminal_(isatty(STDERR_FILENO) != 0) {
-    interrupted = false;
-    std::signal(SIGINT, interrupt);
+    interrupting = 0;
+    for (std::size_t i = 0; i < handlers_.size(); ++i) {
+        handlers_[i] = std::signal(SIGNALS[i], interrupt);
+        if (handlers_[i] == SIG_IGN) std::signal(SIGNALS[i], SIG_IGN);  // as under nohup
+    }
     watcher_ = std::jthread([this](const std::stop_token& end) {
         while (!end.stop_requested()) {
-            if (interrupted) stop_.request_stop();
+            if (interrupting != 0) stop_.request_stop();
             std::this_thread::sleep_for(std::chrono::milliseconds(50));
         }
     });
 }
 
 Progress::~Progress() {
-    std::signal(SIGINT, SIG_DFL);
+    for (std::size_t i = 0; i < handlers_.size(); ++i) std::signal(SIGNALS[i], handlers_[i]);
     if (terminal_ && shown_percent_ >= 0) std::fputs("\r\033[K", stderr);
 }
 
@@ -56,8 +61,12 @@ void Progress::show(std::size_t done, std::size_t all) {
         stderr);
 }
 
-void Progress::require_finished() const {
-    if (interrupted) throw Error(fmt::format("{} was ended before it was done; nothing was written.", what_));
+void Progress::require_finished(const std::string& left) const {
+    if (interrupting != 0) end(fmt::format("{} was ended before it was done; {}.", what_, left));
+}
+
+void Progress::end(const std::string& sentence) const {
+    throw Interrupted(sentence, interrupting);
 }
 
 }  // namespace momentscope

@@ -64,7 +64,7 @@ void run_shadow_chart(const Options& options, const std::vector<std::string>& sc
     if (path.empty())
         print(text);
     else
-        write_text_file(text, path);
+        write_file(text, path);
 }
 
 }  // namespace momentscope

@@ -1,8 +1,12 @@
 #include "app/terminal.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cstdio>
 #include <string>
 
+#include "core/error.hpp"
 #include "core/plain_text.hpp"
 
 namespace momentscope {
@@ -14,6 +18,17 @@ void warn(std::string_view sentence) {
 void print(std::string_view text) {
     const std::string plain = plain_lines(text);
     std::fwrite(plain.data(), 1, plain.size(), stdout);
+}
+
+void require_printed() {
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+        throw Error("Standard output cannot be written; free space, or send it elsewhere.");
+}
+
+void occupy_closed_streams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (::fcntl(stream, F_GETFD) < 0)
+            ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);  // takes the lowest number
 }
 
 }  // namespace momentscope

@@ -10,4 +10,11 @@ void warn(std::string_view sentence);
 /// On standard output; line breaks stay.
 void print(std::string_view text);
 
+/// Throws Error unless all that was printed has left the program.
+void require_printed();
+
+/// To be called first. Without a standard output, as after `>&-`, the next file that is opened would take its
+/// place, and what is printed would get into it; so its place is taken by what cannot be written.
+void occupy_closed_streams();
+
 }  // namespace momentscope

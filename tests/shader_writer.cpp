@@ -26,8 +26,8 @@ constexpr const char* RECONSTRUCTING[] = {"passes/color.frag", "passes/capture.f
 void write(const std::filesystem::path& folder, const std::string& prefix, const std::string& path,
            const ShaderVariant& variant) {
     const std::string name = std::filesystem::path(path).filename().string();
-    write_text_file(expand_shader(path, variant),
-                    folder / (prefix + "." + name));  // glslang reads the stage from the end
+    write_file(expand_shader(path, variant),
+               folder / (prefix + "." + name));  // glslang reads the stage from the end
 }
 
 // glslangValidator knows framebuffer fetch in OpenGL ES only, so that variant is compiled by GLs that have it

@@ -312,7 +312,7 @@ std::string session_text(const ExplorerState& state) {
 void write_session_file(const ExplorerState& state, const std::filesystem::path& path) {
     ExplorerState portable = state;
     portable.scene = portable_scene(state.scene, path);
-    write_text_file(session_text(portable), path);
+    write_file(session_text(portable), path);
 }
 
 }  // namespace momentscope::ui

@@ -1,5 +1,6 @@
 #include "core/image/image.hpp"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
@@ -17,12 +18,28 @@ namespace momentscope {
 
 namespace {
 
+// What a library says, as part of a sentence.
+std::string first_sentence(const std::string& text) {
+    return text.substr(0, std::min(text.find('\n'), text.find(". ")));
+}
+
+// In memory, since the library does not tell when a disk is full. `kind` is .png or .exr.
+std::vector<unsigned char> encoded(const OIIO::ImageSpec& spec, const char* kind, const OIIO::TypeDesc& type,
+                                   const void* pixels) {
+    std::vector<unsigned char> bytes;
+    OIIO::Filesystem::IOVecOutput memory(bytes);
+    const std::string name = std::string("memory") + kind;
+    const auto file = OIIO::ImageOutput::create(name, &memory);
+    if (!file || !file->open(name, spec) || !file->write_image(type, pixels) || !file->close())
+        throw Error(fmt::format("The picture could not be made ({}); try a smaller --size.",
+                                first_sentence(file ? file->geterror() : OIIO::geterror())));
+    return bytes;
+}
+
 void write_pixels(const std::filesystem::path& path, const OIIO::ImageSpec& spec, const OIIO::TypeDesc& type,
                   const void* pixels) {
-    replace_file(path, [&](const std::filesystem::path& partial) {
-        auto file = OIIO::ImageOutput::create(partial.string());
-        return file && file->open(partial.string(), spec) && file->write_image(type, pixels) && file->close();
-    });
+    const auto bytes = encoded(spec, path.extension() == ".exr" ? ".exr" : ".png", type, pixels);
+    write_file({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path);
 }
 
 /// Places of red, green and blue, which are one of a grey picture, and of alpha.
@@ -49,11 +66,6 @@ Channels channels_of(const OIIO::ImageSpec& spec) {
         channels.color.fill(named("Y").value_or(0));
     if (spec.alpha_channel >= 0) channels.alpha = static_cast<std::size_t>(spec.alpha_channel);
     return channels;
-}
-
-// What a library says, as part of a sentence.
-std::string first_sentence(const std::string& text) {
-    return text.substr(0, std::min(text.find('\n'), text.find(". ")));
 }
 
 }  // namespace

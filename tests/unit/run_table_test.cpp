@@ -34,7 +34,7 @@ protected:
     }
 
     fs::path write(const std::string& name, const RunTable& table) const {
-        write_text_file(run_table_text(table), folder_ / name);
+        write_file(run_table_text(table), folder_ / name);
         return folder_ / name;
     }
 
@@ -97,7 +97,7 @@ TEST_F(RunTables, MissingDoubledAndUnfinishedShardsAreRefused) {
 
 TEST_F(RunTables, OtherFilesAreRefused) {
     expect_error([&] { read_run_table(folder_ / "none.csv"); }, "no CSV file");
-    write_text_file("a,b\n1,2\n", folder_ / "plain.csv");
+    write_file("a,b\n1,2\n", folder_ / "plain.csv");
     expect_error([&] { read_run_table(folder_ / "plain.csv"); }, "does not say of which run");
     expect_error([&] { read_run_table(folder_); }, "no CSV file");
 }
