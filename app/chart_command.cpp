@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 
 #include "app/chart_output.hpp"
 #include "app/commands.hpp"
@@ -86,15 +87,21 @@ private:
 RunTable measured(const ChartPlan& plan, const UnfinishedChart& unfinished) {
     const ParameterValues& values = plan.settings.values;
     for (const std::string& id : plan.scenes) require_scene(id);
+    std::atomic<std::size_t> rows = 0;
+    Progress progress("Chart", [&] { return unfinished.how_to_go_on(rows); });
     const auto context = make_gl_context("osmesa", {16, 16});
     const RunTable kept = unfinished.read(chart_settings(plan, gl_info()));
-    Progress progress("Chart");
-    const ChartHooks hooks = {
-        [&](const std::string& id) { return load_scene_and_warn(id, *values[ParameterId::opacity]); },
-        [&](const RunTable& table) { unfinished.write(table); },
-        [&](std::size_t done, std::size_t all) { progress.show(done, all); }};
+    rows = kept.rows.size();
+    const ChartHooks hooks = {[&](const std::string& id) {
+                                  return load_scene_and_warn(id, *values[ParameterId::opacity], progress);
+                              },
+                              [&](const RunTable& table) {
+                                  unfinished.write(table);
+                                  rows = table.rows.size();
+                              },
+                              [&](std::size_t done, std::size_t all) { progress.show(done, all); }};
     RunTable table = run_chart(plan, kept, progress.stop(), hooks);
-    if (progress.stop().stop_requested()) throw Error(unfinished.how_to_go_on(table.rows.size()));
+    progress.require_finished();
     return table;
 }
 

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <mutex>
 
 #include "core/error.hpp"
 #include "core/reachable.hpp"
@@ -11,6 +12,8 @@
 namespace momentscope {
 
 namespace {
+
+std::mutex file_mutex;
 
 // Beside the target and with its extension, which says what kind of picture it is. Its name is no longer than
 // any file system bears, even when the target's is as long as can be.
@@ -39,9 +42,18 @@ void require_writable(const std::filesystem::path& path) {
             fmt::format("'{}' cannot be written; check its permissions, or write elsewhere.", path.string()));
 }
 
+FileWriting::FileWriting() {
+    file_mutex.lock();
+}
+
+FileWriting::~FileWriting() {
+    file_mutex.unlock();
+}
+
 void replace_file(const std::filesystem::path& path,
                   const std::function<bool(const std::filesystem::path& partial)>& write) {
     require_writable(path);
+    const FileWriting now;
     const std::filesystem::path partial = partial_of(path);
     const bool written = write(partial);
     std::error_code status;

@@ -15,6 +15,15 @@ void require_writable(const std::filesystem::path& path);
 void replace_file(const std::filesystem::path& path,
                   const std::function<bool(const std::filesystem::path& partial)>& write);
 
+/// Held while replace_file() works. Who ends the program at once takes it before, so that no file is cut off.
+class FileWriting {
+public:
+    FileWriting();
+    ~FileWriting();
+    FileWriting(const FileWriting&) = delete;
+    FileWriting& operator=(const FileWriting&) = delete;
+};
+
 void write_text_file(const std::string& text, const std::filesystem::path& path);
 
 }  // namespace momentscope

@@ -253,6 +253,7 @@ void Explorer::draw_loading(const Ui& ui) {
     ImGui::Begin("Reading###loading", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings);
     ImGui::TextWrapped("Reading %s", loader_.name().c_str());
+    if (const std::string stage = loader_.stage(); !stage.empty()) ImGui::TextWrapped("%s", stage.c_str());
     const double seconds = loader_.seconds();
     const auto sweep =
         static_cast<float>(seconds - std::floor(seconds));  // how long it takes is not known beforehand

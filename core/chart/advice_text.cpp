@@ -85,6 +85,8 @@ const char* judgement_text(Judgement judgement) {
             return "ground truth";
         case Judgement::order_dependent:
             return "depends on the order";
+        case Judgement::infinite_elsewhere:
+            return "infinite pixels elsewhere";
         case Judgement::inaccurate:
             return "error too great";
         case Judgement::inaccurate_elsewhere:
@@ -137,6 +139,7 @@ std::vector<std::size_t> evidence_of(std::span<const ChartRow> rows, const Advic
         }
     };
     const std::size_t share = std::max<std::size_t>(most / 3, 1);
+    add(Judgement::infinite_elsewhere, share);
     add(Judgement::inaccurate_elsewhere, share);
     for (const Judgement missed :
          {Judgement::inaccurate, Judgement::too_many_bits, Judgement::too_slow, Judgement::order_dependent})
