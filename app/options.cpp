@@ -171,7 +171,10 @@ Scene load_scene_and_warn(const std::string& id_or_path, float opacity, Progress
     Scene scene;
     try {
         scene = load_scene(id_or_path, opacity, progress.stop(),
-                           [&](const std::string& what) { progress.show_stage(what); });
+                           [&](const std::string& what) {
+                               progress.show_stage(std::filesystem::path(id_or_path).filename().string() +
+                                                   ": " + what);
+                           });
     } catch (const Error&) {
         progress.require_finished();  // or it was ended
         throw;

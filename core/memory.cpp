@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "core/error.hpp"
@@ -36,7 +37,8 @@ std::uintmax_t own_memory() {
 std::string memory_text(std::uintmax_t bytes) {
     constexpr double MIB = 1 << 20;
     const double mib = static_cast<double>(bytes) / MIB;
-    return mib >= 1000 ? fmt::format("{:.1f} GiB", mib / 1024) : fmt::format("{:.0f} MiB", mib);
+    if (mib >= 1000) return fmt::format("{:.1f} GiB", mib / 1024);
+    return mib >= 1 ? fmt::format("{:.0f} MiB", mib) : fmt::format("{:.0f} KiB", std::ceil(mib * 1024));
 }
 
 void require_memory(std::uintmax_t bytes, const std::string& what, const std::string& remedy) {

@@ -12,7 +12,7 @@ std::optional<std::uintmax_t> free_memory();
 /// Bytes that this process holds and may write to; 0 where the system does not say.
 std::uintmax_t own_memory();
 
-/// "1.5 GiB", "20 MiB".
+/// "1.5 GiB", "20 MiB", "3 KiB".
 std::string memory_text(std::uintmax_t bytes);
 
 /// Throws Error when so many bytes are more than are free: "WHAT takes 3.0 GiB of memory, more than the

@@ -30,7 +30,7 @@ public:
     const std::string& name() const { return name_; }
     double seconds() const;
 
-    /// What is done now: "placing the triangles of bunny.obj".
+    /// What is done now: "placing its triangles".
     std::string stage() const;
 
 private:

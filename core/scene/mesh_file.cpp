@@ -155,7 +155,7 @@ LoadedMesh read_with_assimp(const std::filesystem::path& path, const ReadReport&
         if (scene == nullptr || scene->mRootNode == nullptr)
             refuse_unread(importer.GetErrorString(), files, path);
 
-        report("placing the triangles of " + path.filename().string());
+        report("placing its triangles");
         PlacedGraph graph = place_graph(*scene, units, file.gltf ? &*file.gltf : nullptr, path);
         if (graph.mesh.indices.empty()) refuse_mesh(path, NO_TRIANGLES);
         std::vector<std::string> warnings = warnings_of(file, files, graph, path);
@@ -176,7 +176,7 @@ LoadedMesh read_mesh_file(const std::filesystem::path& path, const std::stop_tok
                           const ReadReport& report) {
     const std::uintmax_t size = check_file(path);
     if (report)
-        report("reading " + path.filename().string() + " (" + memory_text(size) + "), which takes up to " +
+        report("reading " + memory_text(size) + ", which takes up to " +
                memory_text(size * MEMORY_PER_BYTE) + " of memory");
     // Assimp reads some 10 MB/s of text; ten times as long is allowed, and never less than 10 s.
     const auto seconds = static_cast<unsigned>(10 + size / 1'000'000);
