@@ -170,11 +170,9 @@ std::vector<Configuration> charted_configurations(const Options& options, const 
 Scene load_scene_and_warn(const std::string& id_or_path, float opacity, Progress& progress) {
     Scene scene;
     try {
-        scene = load_scene(id_or_path, opacity, progress.stop(),
-                           [&](const std::string& what) {
-                               progress.show_stage(std::filesystem::path(id_or_path).filename().string() +
-                                                   ": " + what);
-                           });
+        scene = load_scene(id_or_path, opacity, progress.stop(), [&](const std::string& what) {
+            progress.show_stage(std::filesystem::path(id_or_path).filename().string() + ": " + what);
+        });
     } catch (const Error&) {
         progress.require_finished();  // or it was ended
         throw;

@@ -1,6 +1,5 @@
 // progress.hpp -- long work on the command line: how far it is, and Ctrl+C that ends it in order.
 #pragma once
-#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <functional>

@@ -76,8 +76,7 @@ std::string bounds_text(const AdviceBounds& bounds) {
 
 std::string cost_text(const ChartRow& row, Metric metric, const std::optional<double>& held_out) {
     return fmt::format("{} {}, {:.1f} ms, {}", symbol_of(metric),
-                       error_text(worst_error(row, metric, held_out)),
-                       row.numbers->total.median,
+                       error_text(worst_error(row, metric, held_out)), row.numbers->total.median,
                        row.numbers->bits_with_factor ? bits_text(row) + " bits per pixel"
                                                      : "bits that grow with the layers");
 }

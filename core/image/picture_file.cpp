@@ -29,8 +29,8 @@ PictureFile::PictureFile(std::filesystem::path file, std::string kind, const OII
     require_reachable(path);
     std::error_code code;
     if (!std::filesystem::is_regular_file(path, code))
-        throw Error(fmt::format("The {1} '{0}' is no ordinary file; give the path of one.",
-                                path.string(), what));
+        throw Error(
+            fmt::format("The {1} '{0}' is no ordinary file; give the path of one.", path.string(), what));
     // Some decoders take the memory while they open the file.
     OIIO::attribute("limits:imagesize_MB", MOST_MIB);
     try {

@@ -133,8 +133,7 @@ ChartHooks bright_hooks(float brightness) {
 TEST_F(ChartTest, PicturesThatAreNoNumbersHaveNoErrors) {
     ChartPlan plan = small_plan({"wboit", "sorted"});
     plan.scenes = {"planes"};
-    const Chart chart =
-        chart_of(run_chart(plan, nothing_of(plan), {}, bright_hooks(3e38f)), "the test");
+    const Chart chart = chart_of(run_chart(plan, nothing_of(plan), {}, bright_hooks(3e38f)), "the test");
     ASSERT_EQ(chart.rows.size(), 2U);
     for (const ChartRow& row : chart.rows) {
         EXPECT_FALSE(row.numbers);

@@ -132,9 +132,9 @@ TEST(ChartCsv, OnlyFiniteNumbersInTheirRangeAreRead) {
 TEST(ChartOutputs, HoldEveryRowAndNeedNoOtherFile) {
     const Chart chart = some_chart();
     const std::string markdown = chart_to_markdown(chart, Metric::rmse);
-    EXPECT_NE(
-        markdown.find("**`at:nodes=8`** | 5.0 | 10.0 | 5.0 | 20.0 (2.0) | 10.0 (3.0) | grows | grows | layers |"),
-        std::string::npos)
+    EXPECT_NE(markdown.find(
+                  "**`at:nodes=8`** | 5.0 | 10.0 | 5.0 | 20.0 (2.0) | 10.0 (3.0) | grows | grows | layers |"),
+              std::string::npos)
         << markdown;
     EXPECT_NE(markdown.find("| `mt:resolution=half,read-format=theta16` |"), std::string::npos)
         << "not on the front";

@@ -61,10 +61,10 @@ std::string child_of(pid_t process) {
 // Assimp never comes to an end of this file, whose header has none.
 TEST_F(EndedCommandLine, WhileAMeshIsRead) {
     write("endless.ply", "ply\nformat ascii 1.0\nelement vertex 3\n");
-    for (const char* line : {"chart --technique wboit --size 16x9 -o out/a.csv",
-                             "chart --shadows --size 16x9 -o out/a.csv", "advise --max-error 0.1",
-                             "needed -o out/a.png", "tune", "render -o out/a.png", "inspect -o out/a.json",
-                             "compare sorted wboit --metric rmse -o out/a.png"}) {
+    for (const char* line :
+         {"chart --technique wboit --size 16x9 -o out/a.csv", "chart --shadows --size 16x9 -o out/a.csv",
+          "advise --max-error 0.1", "needed -o out/a.png", "tune", "render -o out/a.png",
+          "inspect -o out/a.json", "compare sorted wboit --metric rmse -o out/a.png"}) {
         SCOPED_TRACE(line);
         std::string reader;
         const Outcome outcome = interrupted(

@@ -1,4 +1,5 @@
-// command_line_endless_test.cpp -- files that would be read or drawn without an end are refused by a sentence.
+// command_line_endless_test.cpp -- files that would be read or drawn without an end are refused by a
+// sentence.
 #include "tests/unit/command_line_fixture.hpp"
 
 #include <sys/stat.h>
@@ -25,7 +26,8 @@ TEST_F(EndlessFiles, LibrariesHaveNoWordsOfTheirOwn) {
     Image picture(64, 64);
     std::mt19937 random(1);
     for (glm::vec4& pixel : picture.pixels)
-        pixel = glm::vec4(static_cast<float>(random() % 256) / 255, 0.5f, static_cast<float>(random() % 2), 1);
+        pixel =
+            glm::vec4(static_cast<float>(random() % 256) / 255, 0.5f, static_cast<float>(random() % 2), 1);
     write_picture(picture, "whole.png");
     const std::string bytes = content_of(folder_ / "whole.png");
     write("half.png", bytes.substr(0, bytes.size() / 2));
@@ -42,8 +44,9 @@ TEST_F(EndlessFiles, OfChartsAreRefused) {
         "total_ms,total_range_ms,differential_ms,differential_range_ms,stored_bits,bits_with_factor,geometry_passes,"
         "rmse,delta_e,flip,stability,unavailable\n";
     for (const char* number : {"inf", "nan", "1e308"}) {
-        write("a.csv", settings + fmt::format("\"planes\",\"wboit\",1,0,1,0,1,0,{0},0,1,0,64,64,2,{0},1,1,1,\n",
-                                              number));
+        write("a.csv",
+              settings +
+                  fmt::format("\"planes\",\"wboit\",1,0,1,0,1,0,{0},0,1,0,64,64,2,{0},1,1,1,\n", number));
         for (const char* kind : {"html", "svg", "png", "md"})
             expect_refused(fmt::format("merge a.csv -o out/a.{}", kind),
                            fmt::format("'out/a.{}' is damaged at '{}'", kind, number));

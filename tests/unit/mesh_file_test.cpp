@@ -262,7 +262,7 @@ TEST_F(MeshFile, TellsItsMemoryAndItsTriangles) {
     read_mesh_file(write("triangle.obj", TRIANGLE), {},
                    [&](const std::string& what) { reports.push_back(what); });
     ASSERT_EQ(reports.size(), 3U);
-    EXPECT_TRUE(reports[0].starts_with("reading 1 KiB, which takes up to ")) << reports[0];
+    EXPECT_TRUE(reports[0].starts_with("reading 1 KiB, which takes about ")) << reports[0];
     EXPECT_EQ(reports[1], "placing its triangles");
     EXPECT_EQ(reports[2], "taking 1 KiB of memory for 1 triangles");
 }
