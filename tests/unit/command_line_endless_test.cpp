@@ -39,7 +39,7 @@ TEST_F(EndlessFiles, LibrariesHaveNoWordsOfTheirOwn) {
 // An axis of a chart that reaches to infinity would have ticks without an end.
 TEST_F(EndlessFiles, OfChartsAreRefused) {
     const std::string settings =
-        "# command: chart\n# schema: 2\n# rows: 1\n# shard: 1/1\n"
+        "# momentscope: chart\n# schema: 2\n# rows: 1\n# shard: 1/1\n"
         "scene,configuration,moments_ms,moments_range_ms,color_ms,color_range_ms,composite_ms,composite_range_ms,"
         "total_ms,total_range_ms,differential_ms,differential_range_ms,stored_bits,bits_with_factor,geometry_passes,"
         "rmse,delta_e,flip,stability,unavailable\n";
