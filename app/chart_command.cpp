@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 
 #include "app/chart_output.hpp"
 #include "app/commands.hpp"
@@ -85,17 +86,19 @@ private:
 };
 
 // Empty when all scenes are built in.
-std::vector<std::string> contents_of(const std::vector<std::string>& scenes, float opacity) {
+std::vector<std::string> contents_of(const std::vector<std::string>& scenes, float opacity,
+                                     Progress& progress) {
     std::vector<std::string> contents;
     if (std::ranges::all_of(scenes, is_builtin_scene)) return contents;
     for (const std::string& id : scenes)
-        contents.push_back(is_builtin_scene(id) ? BUILTIN_CONTENT : scene_content(load_scene(id, opacity)));
+        contents.push_back(is_builtin_scene(id) ? BUILTIN_CONTENT
+                                                : scene_content(load_scene_visibly(id, opacity, progress)));
     return contents;
 }
 
 // The one that the plan means, although files may change while others are measured.
-Scene planned_scene(const ChartPlan& plan, const std::string& id, float opacity) {
-    Scene scene = load_scene_and_warn(id, opacity);
+Scene planned_scene(const ChartPlan& plan, const std::string& id, float opacity, Progress& progress) {
+    Scene scene = load_scene_and_warn(id, opacity, progress);
     const auto place = static_cast<std::size_t>(std::ranges::find(plan.scenes, id) - plan.scenes.begin());
     if (!plan.contents.empty() && plan.contents[place] != scene_content(scene))
         throw Error(
@@ -106,15 +109,21 @@ Scene planned_scene(const ChartPlan& plan, const std::string& id, float opacity)
 RunTable measured(ChartPlan plan, const UnfinishedChart& unfinished) {
     const float opacity = *plan.settings.values[ParameterId::opacity];
     for (const std::string& id : plan.scenes) require_scene(id);
-    plan.contents = contents_of(plan.scenes, opacity);
+    std::atomic<std::size_t> rows = 0;
+    Progress progress("Chart", [&] { return unfinished.how_to_go_on(rows); });
+    plan.contents = contents_of(plan.scenes, opacity, progress);
     const auto context = make_gl_context("osmesa", {16, 16});
     const RunTable kept = unfinished.read(chart_settings(plan, gl_info()));
-    Progress progress("Chart");
-    const ChartHooks hooks = {[&](const std::string& id) { return planned_scene(plan, id, opacity); },
-                              [&](const RunTable& table) { unfinished.write(table); },
-                              [&](std::size_t done, std::size_t all) { progress.show(done, all); }};
+    rows = kept.rows.size();
+    const ChartHooks hooks = {
+        [&](const std::string& id) { return planned_scene(plan, id, opacity, progress); },
+        [&](const RunTable& table) {
+            unfinished.write(table);
+            rows = table.rows.size();
+        },
+        [&](std::size_t done, std::size_t all) { progress.show(done, all); }};
     RunTable table = run_chart(plan, kept, progress.stop(), hooks);
-    if (progress.stop().stop_requested()) progress.end(unfinished.how_to_go_on(table.rows.size()));
+    progress.require_finished();
     return table;
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/commands.hpp"
 #include "app/gl_context.hpp"
+#include "app/progress.hpp"
 #include "app/terminal.hpp"
 #include "core/error.hpp"
 #include "core/inspect/curve_output.hpp"
@@ -44,7 +45,8 @@ Subject capture_scene_pixel(const Options& options, const Configuration& configu
     const glm::ivec2 size = parse_size(options.size.empty() ? STANDARD_SIZE : options.size);
     std::optional<glm::ivec2> pixel;
     if (!options.pixel.empty()) pixel = parse_pixel(options.pixel, size);
-    const Scene scene = load_scene_option(options, configuration.values);
+    Progress progress("Inspecting");
+    const Scene scene = load_scene_option(options, configuration.values, progress);
     const auto context = make_gl_context("osmesa", {16, 16});
     Renderer renderer;
     renderer.set_scene(scene);
@@ -53,6 +55,7 @@ Subject capture_scene_pixel(const Options& options, const Configuration& configu
     renderer.render({scene.camera, size, configuration.technique, values});
     const glm::ivec2 at = pixel.value_or(picked_pixel(scene, size));
     Subject subject = {.capture = renderer.capture_pixel(at), .light = {}};
+    progress.require_finished();
     if (!options.light) return subject;
     subject.light =
         view_from_light(renderer, at, subject.capture, parse_receiver(options.receiver, subject.capture.ray));
@@ -61,6 +64,7 @@ Subject capture_scene_pixel(const Options& options, const Configuration& configu
                                 at.x, at.y));
     subject.cast =
         cast_light(scene, subject.light->world, renderer.shadow_maps()->frame().position, LIGHT_SLACK);
+    progress.require_finished();
     return subject;
 }
 

@@ -24,13 +24,14 @@ struct NeededMap {
 
 NeededMap measure(const Options& options, const MomentOrders& orders, const ParameterValues& values) {
     const glm::ivec2 size = parse_size(options.size.empty() ? "320x180" : options.size);
-    const Scene scene = load_scene_option(options, values);
+    Progress progress("Moments needed");
+    const Scene scene = load_scene_option(options, values, progress);
     const auto context = make_gl_context("osmesa", {16, 16});
     Renderer renderer;
     renderer.set_scene(scene);
     renderer.render({scene.camera, size, &require_technique("sorted"), values});
     NeededMap map = {renderer.read_picture(), {}};
-    Progress progress("Moments needed");
+    progress.show_stage("");
     for (int y = 0; y < size.y && !progress.stop().stop_requested(); ++y) {
         for (const PixelCapture& capture : renderer.capture_region({0, y}, {size.x, 1}))
             map.pixels.push_back(pixel_need(capture.ray, orders, values));

@@ -52,7 +52,7 @@ void run_shadow_chart(const Options& options, const std::vector<std::string>& sc
     Progress progress("Chart of shadows");
     std::vector<ShadowRow> rows;
     for (std::size_t i = 0; i < scenes.size(); ++i) {
-        const Scene scene = load_scene_and_warn(scenes[i], *settings.values[ParameterId::opacity]);
+        const Scene scene = load_scene_and_warn(scenes[i], *settings.values[ParameterId::opacity], progress);
         const auto report = [&](std::size_t done, std::size_t all) {
             progress.show(i * all + done, scenes.size() * all);
         };

@@ -22,6 +22,8 @@ namespace momentscope {
 
 namespace {
 
+std::mutex file_mutex;  // one file at a time, of which a handler of signals knows the name
+
 namespace fs = std::filesystem;
 
 // The name of the file that is being written, for a handler of signals.
@@ -137,10 +139,17 @@ void require_writable(const fs::path& path) {
                         path.string(), folder.string()));
 }
 
+FileWriting::FileWriting() {
+    file_mutex.lock();
+}
+
+FileWriting::~FileWriting() {
+    file_mutex.unlock();
+}
+
 void write_file(std::string_view bytes, const fs::path& path) {
     require_writable(path);
-    static std::mutex one_at_a_time;  // of which a handler of signals knows the name
-    const std::scoped_lock lock(one_at_a_time);
+    const FileWriting now;
     const fs::path target = target_of(path), folder = folder_of(target);
     const fs::path temporary = folder / random_name();
     int failure = ENAMETOOLONG;

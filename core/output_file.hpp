@@ -18,4 +18,13 @@ void write_file(std::string_view bytes, const std::filesystem::path& path);
 /// Removes what write_file has begun and not finished. For handlers of signals that end the program.
 void remove_unfinished_file() noexcept;
 
+/// Held while write_file() works. Who ends the program at once takes it before, so that no file is cut off.
+class FileWriting {
+public:
+    FileWriting();
+    ~FileWriting();
+    FileWriting(const FileWriting&) = delete;
+    FileWriting& operator=(const FileWriting&) = delete;
+};
+
 }  // namespace momentscope

@@ -253,6 +253,10 @@ void Explorer::draw_loading(const Ui& ui) {
     ImGui::Begin("Reading###loading", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings);
     ImGui::TextWrapped("Reading %s", loader_.name().c_str());
+    const float top = ImGui::GetCursorPosY();
+    ImGui::TextWrapped("%s", loader_.stage().c_str());
+    // The button stays where it is, however long the text.
+    ImGui::SetCursorPosY(top + 3 * ImGui::GetTextLineHeightWithSpacing());
     const double seconds = loader_.seconds();
     const auto sweep =
         static_cast<float>(seconds - std::floor(seconds));  // how long it takes is not known beforehand

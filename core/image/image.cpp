@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/image/picture_file.hpp"
 #include "core/output_file.hpp"
 #include "core/reachable.hpp"
 
@@ -68,6 +69,9 @@ Channels channels_of(const OIIO::ImageSpec& spec) {
     return channels;
 }
 
+constexpr int MOST_SIDE = 16384;
+constexpr std::size_t MOST_PIXELS = std::size_t{1} << 26;  // 67 million, twice as many as 8K has
+
 }  // namespace
 
 void Image::flip_rows() {
@@ -90,32 +94,26 @@ Image read_image(const std::filesystem::path& path) {
     if (!std::filesystem::exists(path, code))
         throw Error(fmt::format("There is no picture '{}'; give the path of one, or the id of a technique.",
                                 path.string()));
-    constexpr int MOST_SIDE = 16384;
     OIIO::ImageSpec as_stored;
     as_stored.attribute("oiio:UnassociatedAlpha", 1);
-    const auto file = OIIO::ImageInput::open(path.string(), &as_stored);
-    if (!file)
-        throw Error(fmt::format("'{}' is no picture that can be read ({}).", path.string(),
-                                first_sentence(OIIO::geterror())));
-    const OIIO::ImageSpec& spec = file->spec();
-    if (spec.width < 1 || spec.height < 1 || spec.width > MOST_SIDE || spec.height > MOST_SIDE ||
-        spec.nchannels < 1 || spec.depth > 1)
-        throw Error(fmt::format("'{}' is a picture of {}x{} pixels, more than can be compared.",
-                                path.string(), spec.width, spec.height));
+    PictureFile file(path, "picture", &as_stored);
+    const OIIO::ImageSpec& spec = file.spec();
     const Channels where = channels_of(spec);
-    const auto channels = static_cast<std::size_t>(spec.nchannels);
+    // Files may have hundreds of channels; those between the first and the last that are needed are read.
+    const auto [least, most] = std::ranges::minmax(where.color);
+    const std::size_t first = std::min(least, where.alpha.value_or(least));
+    const std::size_t channels = std::max(most, where.alpha.value_or(most)) - first + 1;
+    file.require_size(MOST_SIDE, MOST_PIXELS, sizeof(glm::vec4) + channels * sizeof(float));
     Image image(spec.width, spec.height);
     std::vector<float> values(image.pixels.size() * channels);
-    if (!file->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data()))
-        throw Error(fmt::format("'{}' ends before its picture does ({}).", path.string(),
-                                first_sentence(file->geterror())));
+    file.read(static_cast<int>(first), static_cast<int>(channels), OIIO::TypeDesc::FLOAT, values.data());
     const bool linear = spec.format.is_floating_point();
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         for (std::size_t c = 0; c < 3; ++c) {
-            const float value = values[i * channels + where.color[c]];
+            const float value = values[i * channels + where.color[c] - first];
             image.pixels[i][static_cast<int>(c)] = linear ? value : linear_from_srgb(value);
         }
-        image.pixels[i].a = where.alpha ? values[i * channels + *where.alpha] : 1;
+        image.pixels[i].a = where.alpha ? values[i * channels + *where.alpha - first] : 1;
     }
     return image;
 }

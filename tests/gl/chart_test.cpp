@@ -118,6 +118,31 @@ TEST_F(ChartTest, StoppedBeforeItBeganIsEmpty) {
     EXPECT_TRUE(run_chart(plan, nothing_of(plan), stop.get_token(), quiet_hooks()).rows.empty());
 }
 
+/// Spheres so bright that sums of colours leave what textures hold, in some techniques or in all.
+ChartHooks bright_hooks(float brightness) {
+    ChartHooks hooks = quiet_hooks();
+    hooks.load = [brightness](const std::string& id) {
+        Scene scene = load_scene(id, 0.4f);
+        for (Object& object : scene.objects)
+            if (!object.opaque()) object.color = glm::vec3(brightness);
+        return scene;
+    };
+    return hooks;
+}
+
+TEST_F(ChartTest, PicturesThatAreNoNumbersHaveNoErrors) {
+    ChartPlan plan = small_plan({"wboit", "sorted"});
+    plan.scenes = {"planes"};
+    const Chart chart = chart_of(run_chart(plan, nothing_of(plan), {}, bright_hooks(3e38f)), "the test");
+    ASSERT_EQ(chart.rows.size(), 2U);
+    for (const ChartRow& row : chart.rows) {
+        EXPECT_FALSE(row.numbers);
+        EXPECT_NE(row.unavailable.find("are infinite or no numbers, the first at"), std::string::npos)
+            << row.unavailable;
+        std::puts(row.unavailable.c_str());
+    }
+}
+
 TEST_F(ChartTest, RedrawingRunsEveryStageButTheOpaqueOneAndChangesNothing) {
     const Scene scene = load_scene("planes", 0.4f);
     Renderer renderer(shared_programs());

@@ -3,12 +3,15 @@
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <fstream>
 
 #include "core/error.hpp"
 #include "core/image/alpha_map.hpp"
+#include "core/output_file.hpp"
+#include "tests/unit/expect_error.hpp"
 
 namespace momentscope::test {
 namespace {
@@ -97,6 +100,24 @@ TEST(AlphaMaps, AreTheAlphaChannelOrTheFirst) {
             EXPECT_NE(std::string(error.what()).find((folder / name).string()), std::string::npos);
         }
     }
+    fs::remove_all(folder);
+}
+
+// Reading them would never end, or take all memory; the header of a picture is enough to refuse it.
+TEST(PictureFiles, OnlyOrdinaryFilesOfBearableSizeAreRead) {
+    const fs::path folder = fs::temp_directory_path() / "momentscope-endless-test";
+    fs::create_directories(folder);
+    ASSERT_EQ(::mkfifo((folder / "fifo.png").c_str(), 0600), 0);
+    for (const fs::path& path : {fs::path("/dev/zero"), folder / "fifo.png", folder}) {
+        expect_error([&] { read_image(path); }, "The picture '" + path.string() + "' is no ordinary file");
+        expect_error([&] { read_alpha_map(path); },
+                     "The opacity texture '" + path.string() + "' is no ordinary file");
+    }
+    std::ofstream(folder / "area.pgm", std::ios::binary) << "P5 16384 16384 255\n";
+    expect_error([&] { read_image(folder / "area.pgm"); }, "has 16384x16384 pixels");
+    expect_error([&] { read_alpha_map(folder / "area.pgm"); }, "has 16384x16384 pixels");
+    std::ofstream(folder / "memory.pgm", std::ios::binary) << "P5 100000 100000 65535\n";
+    EXPECT_THROW(read_image(folder / "memory.pgm"), Error);
     fs::remove_all(folder);
 }
 

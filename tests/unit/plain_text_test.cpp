@@ -78,8 +78,6 @@ TEST(ParseNumber, TakesWholeFiniteNumbers) {
         EXPECT_EQ(parse_number<double>(wrong), std::nullopt) << wrong;
     for (const char* wrong : {"", "1.5", "1e3", "2147483648", "inf"})
         EXPECT_EQ(parse_number<int>(wrong), std::nullopt) << wrong;
-    EXPECT_TRUE(std::isinf(*parse_any_number<double>("-inf")));
-    EXPECT_TRUE(std::isnan(*parse_any_number<double>("nan")));
 }
 
 }  // namespace
