@@ -20,30 +20,39 @@ cd "$folder"
 fail() {
     echo "$1"
     [ ! -s errors ] || cat errors
-    tail -n 8 log || true
+    tail -n 8 log 2>/dev/null || true
     exit 1
 }
 
-# A control, and what the log says once its click was answered. A round ends as it began.
-steps=("@controls.technique:a popup opened" "@controls.technique:a popup closed"
-    "@tab.3:changed /panel" "@scene.lens:changed /lens" "@scene.views:a popup opened" "@scene.views:a popup closed"
-    "@scene.lens:changed /lens" "@tab.1:changed /panel" "@controls.scene:a popup opened" "@controls.scene:a popup closed"
-    "@card.beta:changed .*/card" "@card.answer:changed /answer" "@card.answer:changed /answer" "@card.close:changed /card"
-    "@scene.wipe:changed /compare" "@scene.wipe:changed /compare" "@menu.view:a popup opened" "@menu.view:a popup closed")
+# A control, and what the log says once its click was answered; @again clicks where the last one did. A round ends as it began.
+steps=("@controls.technique:a popup opened" "@again:a popup closed" "@tab.3:changed /panel" "@scene.lens:changed /lens"
+    "@scene.views:a popup opened" "@again:a popup closed" "@scene.lens:changed /lens" "@tab.1:changed /panel"
+    "@controls.scene:a popup opened" "@again:a popup closed" "@card.beta:changed .*/card" "@card.answer:changed /answer"
+    "@card.answer:changed /answer" "@card.close:changed /card" "@scene.wipe:changed /compare" "@scene.wipe:changed /compare"
+    "@menu.view:a popup opened" "@again:a popup closed")
 
 # A card leaves other settings behind, so the second round stands for all that follow.
 rounds=$((clicks > ${#steps[@]} ? 2 : 1))
 for ((round = 0; round < rounds; ++round)); do
     for step in "${steps[@]}"; do
-        printf 'where %s\nclick %s\nwait 1\n' "${step%%:*}" "${step%%:*}"
+        control=${step%%:*}
+        if [ "$control" = @again ]; then echo "key Escape"; else printf 'where %s\nclick %s\nwait 1\n' "$control" "$control"; fi
     done
 done >events
 "$momentscope" --headless "${settings[@]}" --events events --log places 2>errors || fail "The headless window could not be clicked."
-mapfile -t places < <(sed -n 's/^@.* is at //p' places)
+mapfile -t found < <(sed -n 's/^@.* is at //p' places)
+places=()
+for ((i = 0, next = 0; i < rounds * ${#steps[@]}; ++i)); do
+    case ${steps[i % ${#steps[@]}]} in
+        @again:*) places+=("${places[-1]}") ;;
+        *) places+=("${found[next++]}") ;;
+    esac
+done
 
 mkfifo display
 Xvfb -displayfd 3 -screen 0 1280x800x24 3>display 2>/dev/null &
 server=$!
+disown "$server"   # its end is no news
 read -r number <display
 export DISPLAY=:$number
 export XDG_STATE_HOME=$folder/state

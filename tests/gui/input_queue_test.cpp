@@ -79,13 +79,6 @@ TEST(InputQueueTest, AKeyHasTheModifiersThatWereDownWithIt) {
     EXPECT_FALSE(frames.back().KeysDown['7']);
 }
 
-TEST(InputQueueTest, WithoutFocusNothingIsHeld) {
-    const auto frames = frames_of({Queue::Key{'G', true}, Queue::Focus{false}});
-    ASSERT_EQ(frames.size(), 2u);
-    EXPECT_TRUE(frames[0].KeysDown['G']);
-    EXPECT_FALSE(frames[1].KeysDown['G']);
-}
-
 TEST(InputQueueTest, UnknownKeysAndButtonsDoNothing) {
     const auto frames = frames_of(
         {Queue::Key{-1, true}, Queue::Key{100000, true}, Queue::Button{7, true}, Queue::Button{-1, true}});
