@@ -25,7 +25,7 @@ fail() {
 }
 
 # A control, and what the log says once its click was answered; @again clicks where the last one did. A round ends as it began.
-steps=("@controls.technique:a popup opened" "@again:a popup closed" "@tab.3:changed /panel" "@scene.lens:changed /lens"
+steps=("@parameter.solver:a popup opened" "@again:a popup closed" "@tab.3:changed /panel" "@scene.lens:changed /lens"
     "@scene.views:a popup opened" "@again:a popup closed" "@scene.lens:changed /lens" "@tab.1:changed /panel"
     "@controls.scene:a popup opened" "@again:a popup closed" "@card.beta:changed .*/card" "@card.answer:changed /answer"
     "@card.answer:changed /answer" "@card.close:changed /card" "@scene.wipe:changed /compare" "@scene.wipe:changed /compare"
@@ -92,7 +92,11 @@ for ((i = 0; i < clicks; ++i)); do
     # shellcheck disable=SC2086 # two numbers
     xdotool mousemove $at sleep 0.08 click 1
     begun=$(now)
-    until answers "$before" "${step#*:}" || { [ "$(now)" -gt $((begun + 200000)) ] && ! draws; }; do sleep 0.01; done
+    deadline=$((begun + 200000))
+    until answers "$before" "${step#*:}" || [ "$(now)" -gt "$deadline" ]; do
+        ! draws || deadline=$(($(now) + 200000))   # from its end on
+        sleep 0.01
+    done
     taken=$((($(now) - begun) / 1000))
     if answers "$before" "${step#*:}"; then
         answered=$((answered + 1))
