@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
 # Every click counts in the real window: xdotool clicks on lists, buttons and cards, 80 ms after moving there, and each has to be
-# answered within 0.2 s and the time of its picture, without a further movement. Then nothing may be drawn while nothing
+# answered in time without a further movement; while a picture is drawn, which the window says, no time counts. Then nothing may be drawn while nothing
 # happens, and a killed display must leave a sentence and the session.
 # What happened is read from the log of frames; where the controls are, a headless window of the same size tells.
-# Usage: clicks.sh MOMENTSCOPE [CLICKS, by default 100] [further options of the window]
+# Usage: clicks.sh MOMENTSCOPE [CLICKS [MILLISECONDS]], by default 100 clicks within 200 ms each. On a busy machine more time
+# is fair: a click that is lost is never answered.
 set -euo pipefail
 momentscope=$(realpath "$1")
 clicks=${2:-100}
-shift $(($# < 2 ? $# : 2))
-settings=(--scene planes --technique trig2-32 --size 1280x800 "$@")
+most=${3:-200}
+settings=(--scene planes --technique trig2-32 --size 1280x800)
 folder=$(mktemp -d)
 cleanup() {
     kill "${window:-}" "${server:-}" 2>/dev/null || true
@@ -91,23 +92,23 @@ for ((i = 0; i < clicks; ++i)); do
     before=$(lines)
     # shellcheck disable=SC2086 # two numbers
     xdotool mousemove $at sleep 0.08 click 1
-    begun=$(now)
-    deadline=$((begun + 200000))
-    until answers "$before" "${step#*:}" || [ "$(now)" -gt "$deadline" ]; do
-        ! draws || deadline=$(($(now) + 200000))   # from its end on
+    from=$(now)
+    taken=0
+    until answers "$before" "${step#*:}" || [ "$taken" -gt $((most + 5000)) ]; do
         sleep 0.01
+        ! draws || from=$(now)
+        taken=$((($(now) - from) / 1000))
     done
-    taken=$((($(now) - begun) / 1000))
-    if answers "$before" "${step#*:}"; then
+    [ "$taken" -le "$slowest" ] || slowest=$taken
+    if [ "$taken" -le "$most" ]; then
         answered=$((answered + 1))
-        [ "$taken" -le "$slowest" ] || slowest=$taken
     else
-        echo "Click $((i + 1)), on ${step%%:*} at $at, was not answered within $taken ms:"
+        echo "Click $((i + 1)), on ${step%%:*} at $at, had no answer within $most ms, but this after $taken ms:"
         tail -n +$((before + 1)) log
     fi
 done
-echo "$answered of $clicks clicks were answered, the slowest after $slowest ms."
-[ "$answered" = "$clicks" ] || fail "Clicks were lost."
+echo "$answered of $clicks clicks were answered within $most ms, the slowest after $slowest ms."
+[ "$answered" = "$clicks" ] || fail "Clicks were late or lost."
 
 settle
 before=$(lines)
