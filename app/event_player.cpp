@@ -220,6 +220,10 @@ void EventPlayer::play_line(const std::string& line) {
         window_.resize({static_cast<int>(need_number(words, 1, 1, MOST)),
                         static_cast<int>(need_number(words, 2, 1, MOST))});
         window_.settle();
+    } else if (what == "where") {
+        std::size_t next = 1;
+        const ImVec2 at = place(words, next);
+        window_.log().line(fmt::format("{} is at {:.0f} {:.0f}", words[1], at.x, at.y));
     } else if (what == "screenshot") {
         screenshot(need_word(words, 1, "the name of a .png"));
     } else if (what == "expect") {

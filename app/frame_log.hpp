@@ -1,6 +1,7 @@
-// frame_log.hpp -- which frames were drawn, and what each had to compute: for --log.
+// frame_log.hpp -- which frames were drawn, what each had to compute, and what input changed: for --log.
 #pragma once
 #include <fstream>
+#include <optional>
 #include <string>
 
 #include "ui/explorer.hpp"
@@ -22,11 +23,14 @@ public:
 
 private:
     void open();
+    std::string changes(const ui::Explorer& explorer);
 
     std::string path_;
-    std::string held_;  // lines before that
+    std::string held_;  // lines before the file is opened
     std::ofstream file_;
     long frames_ = 0;
+    std::optional<ui::ExplorerState> state_;  // of the last frame
+    bool popup_ = false;                      // was one open in it?
 };
 
 }  // namespace momentscope
