@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "core/error.hpp"
 #include "core/markup.hpp"
 #include "core/parse_number.hpp"
@@ -11,6 +13,7 @@ namespace momentscope {
 namespace {
 
 constexpr std::size_t FIELDS = 20;
+constexpr double MOST_MS = 1e12;  // thirty years
 constexpr const char* COLUMNS =
     "scene,configuration,moments_ms,moments_range_ms,color_ms,color_range_ms,composite_ms,composite_range_ms,"
     "total_ms,total_range_ms,differential_ms,differential_range_ms,stored_bits,bits_with_factor,geometry_passes,rmse,delta_e,"
@@ -19,14 +22,18 @@ constexpr const char* COLUMNS =
 /// Reads one field after another; throws Error at the first that is none.
 class Fields {
 public:
-    Fields(std::string_view line, std::string_view name) : fields_(csv_fields(line)), name_(name) {
+    Fields(std::string_view line, std::string_view name)
+        : fields_(csv_fields(line, FIELDS + 1)), name_(name) {
         if (fields_.size() != FIELDS) refuse(line);
     }
     std::string text() { return fields_[next_++]; }
     double number() { return parsed<double>(fields_[next_++]); }
+    // A time, which is finite, unlike an error.
     Spread spread() {
-        const double median = number();
-        return {median, number()};
+        const std::string& field = fields_[next_];
+        const double median = number(), range = number();
+        if (!(std::abs(median) <= MOST_MS && range >= 0 && range <= MOST_MS)) refuse(field);
+        return {median, range};
     }
     std::optional<int> count() {
         const std::string& field = fields_[next_++];

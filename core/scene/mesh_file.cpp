@@ -135,8 +135,10 @@ std::vector<std::string> warnings_of(const PreparedFile& file, const FolderFiles
     return warnings;
 }
 
-/// Everything that a hostile file could derail.
-LoadedMesh read_with_assimp(const std::filesystem::path& path) {
+}  // namespace
+
+// Everything that a hostile file could derail.
+LoadedMesh read_mesh_here(const std::filesystem::path& path) {
     try {
         Assimp::Importer importer;  // logs nowhere as long as nobody creates Assimp's logger
         PreparedFile file = prepare(importer, path);
@@ -165,15 +167,13 @@ LoadedMesh read_with_assimp(const std::filesystem::path& path) {
     }
 }
 
-}  // namespace
-
 // Assimp 5.2.5 falls over broken files: of files with a few flipped bytes, one in five ASE files ended
 // in a segmentation fault, and a PLY file without "end_header" in a loop without end.
 LoadedMesh read_mesh_file(const std::filesystem::path& path, const std::stop_token& stop) {
     const std::uintmax_t size = check_file(path);
     // Assimp reads some 10 MB/s of text; ten times as long is allowed, and never less than 10 s.
     const auto seconds = static_cast<unsigned>(10 + size / 1'000'000);
-    std::optional<LoadedMesh> mesh = read_isolated([&] { return read_with_assimp(path); }, seconds, stop);
+    std::optional<LoadedMesh> mesh = read_isolated([&] { return read_mesh_here(path); }, seconds, stop);
     if (!mesh)
         refuse_mesh(path,
                     std::string("is broken in a way that stops its reader; export it again, perhaps as ") +

@@ -150,7 +150,7 @@ TEST_F(GltfMesh, RefusesExtensionsThatItNeedsByName) {
 }
 
 TEST_F(GltfMesh, RefusesWhatIsNoJson) {
-    expect_refused(write("nan.gltf", "{\"asset\": {\"version\": \"2.0\"}, \"a\": NaN}"), "no JSON");
+    expect_refused(write("nan.gltf", "{\"asset\": {\"version\": \"2.0\"}, \"a\": NaN}"), "not valid JSON at byte 35");
 }
 
 TEST_F(GltfMesh, RefusesPositionsThatAreNoFloats) {
