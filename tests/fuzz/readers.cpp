@@ -93,6 +93,7 @@ void read_configurations(const fs::path& file) {
 void read_events(const fs::path& file) {
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
+    ImGui::GetIO().MousePos = {0, 0};
     HeadlessWindow window;
     try {
         EventPlayer(window).play_file(file);

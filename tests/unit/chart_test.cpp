@@ -113,12 +113,41 @@ TEST(ChartCsv, DamageIsNamed) {
     expect_error([&] { chart_of(table, "x.csv"); }, "not of chart");
 }
 
+// A table that somebody wrote: errors may be infinite, times may not.
+TEST(ChartCsv, TimesAreFinite) {
+    RunTable table = table_of(some_chart());
+    const std::string line = table.rows[0];
+    for (const char* wrong : {"inf", "nan", "1e300"}) {
+        table.rows[0] = line;
+        table.rows[0].replace(line.find(",2.5,"), 5, fmt::format(",{},", wrong));
+        expect_error([&] { chart_of(table, "x.csv"); }, fmt::format("'x.csv' is damaged at '{}'", wrong));
+    }
+    table.rows[0] = line;
+    table.rows[0].replace(line.find(",0.5,"), 5, ",-0.5,");
+    expect_error([&] { chart_of(table, "x.csv"); }, "'x.csv' is damaged at '2.5'");
+}
+
+TEST(ChartOutputs, DrawErrorsThatAreNoFiniteNumbers) {
+    for (const double error : {std::numeric_limits<double>::infinity(), std::nan(""), 1.7e308, -1.0}) {
+        Chart chart = some_chart();
+        chart.rows[1].numbers->rmse = error;
+        chart.rows[0].numbers->total.median = 0;
+        const std::string svg = chart_to_svg(chart, Metric::rmse);
+        EXPECT_EQ(svg.find("=\"nan"), std::string::npos) << error;
+        EXPECT_EQ(svg.find("=\"-nan"), std::string::npos) << error;
+        EXPECT_EQ(svg.find("=\"inf"), std::string::npos) << error;
+        EXPECT_EQ(svg.find("=\"-inf"), std::string::npos) << error;
+        EXPECT_EQ(svg.find("inf,"), std::string::npos) << error;
+        EXPECT_EQ(svg.find("nan,"), std::string::npos) << error;
+    }
+}
+
 TEST(ChartOutputs, HoldEveryRowAndNeedNoOtherFile) {
     const Chart chart = some_chart();
     const std::string markdown = chart_to_markdown(chart, Metric::rmse);
-    EXPECT_NE(
-        markdown.find("**`at:nodes=8`** | 5.0 | 10.0 | 5.0 | 20.0 (2.0) | 10.0 (3.0) | grows | grows | layers |"),
-        std::string::npos)
+    EXPECT_NE(markdown.find(
+                  "**`at:nodes=8`** | 5.0 | 10.0 | 5.0 | 20.0 (2.0) | 10.0 (3.0) | grows | grows | layers |"),
+              std::string::npos)
         << markdown;
     EXPECT_NE(markdown.find("| `mt:resolution=half,read-format=theta16` |"), std::string::npos)
         << "not on the front";
