@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "app/output_conflicts.hpp"
+#include "core/bounded_json.hpp"
 #include "core/error.hpp"
 #include "core/input_file.hpp"
 #include "core/json_text.hpp"
@@ -20,12 +21,15 @@ namespace momentscope {
 namespace {
 
 constexpr std::uintmax_t MAX_EVENT_BYTES = 16U << 20;
+constexpr std::uintmax_t MAX_EXPECTED_BYTES = 1U << 20;
+constexpr std::size_t MOST_WORDS = 16;  // an event has fewer; what follows means nothing
 constexpr int DRAG_STEPS = 8;
 
 std::vector<std::string> words_of(const std::string& line) {
     std::istringstream stream(line);
     std::vector<std::string> words;
-    for (std::string word; stream >> word && !word.starts_with('#');) words.push_back(word);
+    for (std::string word; words.size() < MOST_WORDS && stream >> word && !word.starts_with('#');)
+        words.push_back(word);
     return words;
 }
 
@@ -46,6 +50,14 @@ int button_of(const std::vector<std::string>& words, std::size_t at) {
     if (words[at] == "right") return ImGuiMouseButton_Right;
     if (words[at] == "middle") return ImGuiMouseButton_Middle;
     throw Error(fmt::format("there is no mouse button '{}'; use left, right or middle", words[at]));
+}
+
+nlohmann::json expected_value(const std::string& text) {
+    try {
+        return parse_bounded_json(text, {.bytes = MAX_EXPECTED_BYTES});
+    } catch (const Error&) {
+        return text;  // a bare word is a text
+    }
 }
 
 std::string after_first_word(const std::string& line) {
@@ -70,7 +82,7 @@ ImVec2 EventPlayer::place(const std::vector<std::string>& words, std::size_t& ne
     ++next;
     ImVec2 share = {0.5f, 0.5f};
     if (next + 1 < words.size() && parse_number<float>(words[next]) && parse_number<float>(words[next + 1])) {
-        share = {*parse_number<float>(words[next]), *parse_number<float>(words[next + 1])};
+        share = {need_number(words, next, -100, 100), need_number(words, next + 1, -100, 100)};
         next += 2;
     }
     const ui::Rect& rect = found->second;
@@ -148,8 +160,7 @@ void EventPlayer::screenshot(const std::string& path) const {
 void EventPlayer::expect(const std::string& pointer, const std::string& value) const {
     const nlohmann::json session =
         nlohmann::json::parse(json_text(ui::session_to_json(window_.explorer().state())));
-    nlohmann::json wanted = nlohmann::json::parse(value, nullptr, false);
-    if (wanted.is_discarded()) wanted = value;  // a bare word is a text
+    const nlohmann::json wanted = expected_value(value);
     nlohmann::json found;
     try {
         found = session.at(nlohmann::json::json_pointer(pointer));
@@ -247,7 +258,7 @@ void EventPlayer::play(const std::string& text) {
         } catch (const Error& error) {
             std::string why = error.what();
             if (why.ends_with('.')) why.pop_back();
-            throw Error(fmt::format("Line {} of the events, '{}': {}.", number, line, why));
+            throw Error(fmt::format("Line {} of the events, '{:.200}': {}.", number, line, why));
         }
     }
 }

@@ -193,7 +193,7 @@ void read_techniques(JsonReader& reader, ExplorerState& state) {
 
 json parse(const std::string& text) {
     try {
-        return parse_bounded_json(text, MAX_SESSION_BYTES);
+        return parse_bounded_json(text, {.bytes = MAX_SESSION_BYTES});
     } catch (const Error& error) {
         throw Error(fmt::format("The session cannot be read: {}", error.what()));
     }
@@ -246,7 +246,7 @@ Session session_from_json(const std::string& text) {
             version->get<long long>(), SESSION_VERSION));
     reader.text("scene", state.scene);
     if (const json* ray = reader.find("ray"); ray != nullptr && !ray->is_null())
-        state.ray = ray_from_json(ray->dump());
+        state.ray = ray_from_value(*ray);
     read_techniques(reader, state);
     if (const json* found = reader.find("parameters"))
         read_parameters(*found, state.parameters, session.ignored);

@@ -16,15 +16,15 @@ nlohmann::ordered_json session_to_json(const ExplorerState& state);
 
 struct Session {
     ExplorerState state;
-    std::vector<std::string> ignored;  // keys that this version does not know
+    std::vector<std::string> ignored;  // keys that this version does not know, the first of them
 };
 
 /// Missing keys stand for what a fresh window has. Throws Error for another version, a wrong type or a value
 /// out of range, and names the key. `text` is bounded by the caller.
 Session session_from_json(const std::string& text);
 
-/// Throws Error also when the file is missing or too large. A mesh file is named relative to the session's folder
-/// if it lies there, and else from the root, so that the session opens from every folder.
+/// Throws Error also when the file is missing or too large. A mesh file is named relative to the session's
+/// folder if it lies there, and else from the root, so that the session opens from every folder.
 Session read_session_file(const std::filesystem::path& path);
 
 /// Throws Error when a session cannot hold the name of the scene's file.

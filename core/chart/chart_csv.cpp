@@ -23,7 +23,8 @@ constexpr const char* COLUMNS =
 /// Reads one field after another; throws Error at the first that is none.
 class Fields {
 public:
-    Fields(std::string_view line, std::string_view name) : fields_(csv_fields(line)), name_(name) {
+    Fields(std::string_view line, std::string_view name)
+        : fields_(csv_fields(line, FIELDS + 1)), name_(name) {
         if (fields_.size() != FIELDS) refuse(line);
     }
     std::string text() { return fields_[next_++]; }

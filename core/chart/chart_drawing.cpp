@@ -20,6 +20,7 @@ constexpr float LEGEND_LINE = 20, LEGEND_TOP = 14;   // without a title
 constexpr float STRIP = 30;                          // at the bottom, for errors too small for the axis
 constexpr float RADIUS = 5;
 constexpr float FONT = 11, AXIS_FONT = 12, TITLE_FONT = 17;
+constexpr double MOST_ERROR = 1e30;   // of an axis, whose ticks go up to it
 constexpr double LEAST_SHARE = 4e-3;  // of the greatest error, that still has a place of its own
 const glm::vec3 TEXT(0.13f, 0.15f, 0.18f), WEAK(0.42f, 0.45f, 0.50f), GRID(0.90f, 0.91f, 0.93f),
     AXIS(0.55f, 0.58f, 0.62f), FRONT(0.13f, 0.15f, 0.18f);
@@ -83,10 +84,11 @@ public:
         for (const ChartRow& row : rows) {
             if (!is_drawn(row, metric)) continue;
             times.push_back(drawn_time(row));
-            errors.push_back(error_of(*row.numbers, metric));
+            errors.push_back(std::min(error_of(*row.numbers, metric), MOST_ERROR));
         }
         if (times.empty()) return;
-        const double most = std::max(*std::ranges::max_element(errors), 1e-6);
+        double most = 1e-6;
+        for (const double error : errors) most = std::max(most, error);
         double least = most;
         for (const double error : errors)
             if (error >= most * LEAST_SHARE) least = std::min(least, error);
@@ -118,7 +120,8 @@ private:
     void add_point(std::size_t i) {
         if (!is_drawn(rows_[i], metric_)) return;
         const double error = error_of(*rows_[i].numbers, metric_);
-        const float y = error < error_.least ? plot_.high.y - 0.5f * STRIP : error_.at(error);
+        const double shown = error < error_.most ? error : error_.most;  // infinite or no number: at the top
+        const float y = shown < error_.least ? plot_.high.y - 0.5f * STRIP : error_.at(shown);
         const std::string& text = rows_[i].configuration;
         points_.push_back({i,
                            {time_.at(drawn_time(rows_[i])), y},

@@ -1,7 +1,9 @@
 // gltf_file.cpp -- the JSON of a glTF file: extensions, accessors of positions, nodes in double.
 #include "core/scene/gltf_file.hpp"
 
+#include "core/bounded_json.hpp"
 #include "core/scene/mesh_error.hpp"
+#include "core/scene/mesh_file.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -39,6 +41,10 @@ constexpr std::string_view HARMLESS_EXTENSIONS[] = {"KHR_materials_*",
 constexpr std::size_t MAX_NAMED = 8;   // extensions in a sentence
 constexpr std::size_t MAX_NAME = 60;   // characters of each
 constexpr int FLOAT_COMPONENT = 5126;  // the code of glTF
+
+/// Some ten values describe a node, of which there are fewer than triangles. Extensions nest deeper than glTF
+/// itself, whose 7 levels are the most.
+constexpr JsonBounds BOUNDS = {.bytes = MAX_MESH_FILE_BYTES, .values = 10'000'000, .nesting = 64};
 
 bool is_harmless(std::string_view name) {
     return std::ranges::any_of(HARMLESS_EXTENSIONS, [&](std::string_view pattern) {
@@ -179,11 +185,10 @@ std::optional<GltfFile> read_gltf(std::string_view bytes, const std::filesystem:
         *text, [](char c) { return static_cast<unsigned char>(c) >= 0x80; }, '?');
     json file;
     try {
-        file = json::parse(*text);
-    } catch (const json::parse_error& error) {
+        file = parse_bounded_json(*text, BOUNDS);
+    } catch (const Error& error) {
         if (path.extension() != ".gltf" && path.extension() != ".glb") return std::nullopt;
-        refuse_mesh(path, fmt::format("is no JSON, which glTF is written in, at byte {}; export it again.",
-                                      error.byte));
+        refuse_mesh(path, fmt::format("cannot be read as glTF: {}", error.what()));
     }
     text.reset();
     const json& version = member(member(file, "asset"), "version");

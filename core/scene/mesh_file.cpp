@@ -137,8 +137,10 @@ std::vector<std::string> warnings_of(const PreparedFile& file, const FolderFiles
     return warnings;
 }
 
-/// Everything that a hostile file could derail.
-LoadedMesh read_with_assimp(const std::filesystem::path& path, const ReadReport& report) {
+}  // namespace
+
+// Everything that a hostile file could derail.
+LoadedMesh read_mesh_here(const std::filesystem::path& path, const ReadReport& report) {
     try {
         Assimp::Importer importer;  // logs nowhere as long as nobody creates Assimp's logger
         PreparedFile file = prepare(importer, path);
@@ -155,7 +157,7 @@ LoadedMesh read_with_assimp(const std::filesystem::path& path, const ReadReport&
         if (scene == nullptr || scene->mRootNode == nullptr)
             refuse_unread(importer.GetErrorString(), files, path);
 
-        report("placing its triangles");
+        if (report) report("placing its triangles");
         PlacedGraph graph = place_graph(*scene, units, file.gltf ? &*file.gltf : nullptr, path);
         if (graph.mesh.indices.empty()) refuse_mesh(path, NO_TRIANGLES);
         std::vector<std::string> warnings = warnings_of(file, files, graph, path);
@@ -168,8 +170,6 @@ LoadedMesh read_with_assimp(const std::filesystem::path& path, const ReadReport&
     }
 }
 
-}  // namespace
-
 // Assimp 5.2.5 falls over broken files: of files with a few flipped bytes, one in five ASE files ended
 // in a segmentation fault, and a PLY file without "end_header" in a loop without end.
 LoadedMesh read_mesh_file(const std::filesystem::path& path, const std::stop_token& stop,
@@ -181,7 +181,7 @@ LoadedMesh read_mesh_file(const std::filesystem::path& path, const std::stop_tok
     // Assimp reads some 10 MB/s of text; ten times as long is allowed, and never less than 10 s.
     const auto seconds = static_cast<unsigned>(10 + size / 1'000'000);
     std::optional<LoadedMesh> mesh = read_isolated(
-        [&](const ReadReport& stage) { return read_with_assimp(path, stage); }, seconds, stop, report);
+        [&](const ReadReport& stage) { return read_mesh_here(path, stage); }, seconds, stop, report);
     if (!mesh)
         refuse_mesh(path,
                     std::string("is broken in a way that stops its reader; export it again, perhaps as ") +

@@ -19,4 +19,7 @@ constexpr std::size_t MAX_MESH_TRIANGLES = 20'000'000;
 LoadedMesh read_mesh_file(const std::filesystem::path& path, const std::stop_token& stop = {},
                           const ReadReport& report = {});
 
+/// The same without a process of its own, so that a broken file may stop this one: for tests/fuzz.
+LoadedMesh read_mesh_here(const std::filesystem::path& path, const ReadReport& report = {});
+
 }  // namespace momentscope

@@ -129,6 +129,21 @@ TEST(ChartCsv, OnlyFiniteNumbersInTheirRangeAreRead) {
         }
 }
 
+TEST(ChartOutputs, DrawErrorsThatAreNoFiniteNumbers) {
+    for (const double error : {std::numeric_limits<double>::infinity(), std::nan(""), 1.7e308, -1.0}) {
+        Chart chart = some_chart();
+        chart.rows[1].numbers->rmse = error;
+        chart.rows[0].numbers->total.median = 0;
+        const std::string svg = chart_to_svg(chart, Metric::rmse);
+        EXPECT_EQ(svg.find("=\"nan"), std::string::npos) << error;
+        EXPECT_EQ(svg.find("=\"-nan"), std::string::npos) << error;
+        EXPECT_EQ(svg.find("=\"inf"), std::string::npos) << error;
+        EXPECT_EQ(svg.find("=\"-inf"), std::string::npos) << error;
+        EXPECT_EQ(svg.find("inf,"), std::string::npos) << error;
+        EXPECT_EQ(svg.find("nan,"), std::string::npos) << error;
+    }
+}
+
 TEST(ChartOutputs, HoldEveryRowAndNeedNoOtherFile) {
     const Chart chart = some_chart();
     const std::string markdown = chart_to_markdown(chart, Metric::rmse);

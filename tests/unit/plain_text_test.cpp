@@ -65,6 +65,7 @@ TEST(Csv, RecordsRoundTrip) {
     for (const std::string& record : {quoted, bare}) {
         EXPECT_EQ(first_csv_record(record + "\nnext,one\n"), record);
         EXPECT_EQ(csv_fields(record), fields);
+        EXPECT_EQ(csv_fields(record, 2), (std::vector<std::string>{"", "a"}));
     }
     EXPECT_EQ(csv_field("at:nodes=8"), "at:nodes=8");
 }
