@@ -19,11 +19,6 @@ namespace momentscope {
 
 namespace {
 
-// What a library says, as part of a sentence.
-std::string first_sentence(const std::string& text) {
-    return text.substr(0, std::min(text.find('\n'), text.find(". ")));
-}
-
 // In memory, since the library does not tell when a disk is full. `kind` is .png or .exr.
 std::vector<unsigned char> encoded(const OIIO::ImageSpec& spec, const char* kind, const OIIO::TypeDesc& type,
                                    const void* pixels) {

@@ -17,12 +17,11 @@ namespace {
 
 constexpr int MOST_MIB = 2048;  // that a decoder may take for a picture as it is stored
 
-// What a library says, as part of a sentence.
+}  // namespace
+
 std::string first_sentence(const std::string& text) {
     return text.substr(0, std::min({text.find('\n'), text.find(". "), text.size()}));
 }
-
-}  // namespace
 
 PictureFile::PictureFile(std::filesystem::path file, std::string kind, const OIIO::ImageSpec* config)
     : path(std::move(file)), what(std::move(kind)) {

@@ -11,6 +11,9 @@
 
 namespace momentscope {
 
+/// Of what a library says, as part of a sentence of ours.
+std::string first_sentence(const std::string& text);
+
 /// A picture file of which nothing but its header was read, and what the libraries say of it.
 struct PictureFile {
     CaughtStderr caught;  // they may print by themselves
