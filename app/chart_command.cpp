@@ -154,6 +154,9 @@ void run_merge_command(const Options& options) {
     require_chart_output(options.output);
     const std::vector<std::filesystem::path> files(options.files.begin(), options.files.end());
     const RunTable table = merge_shards(files);
+    if (std::filesystem::path(options.output).extension() != ".csv")
+        for (const auto& file : files)
+            chart_of(read_run_table(file), file.string());  // names what is damaged
     write_chart(table, metric, options.output);
     print(fmt::format("{} rows in {}\n", table.rows.size(), one_line(options.output)));
 }

@@ -49,7 +49,7 @@ TEST_F(EndlessFiles, OfChartsAreRefused) {
                   fmt::format("\"planes\",\"wboit\",1,0,1,0,1,0,{0},0,1,0,64,64,2,{0},1,1,1,\n", number));
         for (const char* kind : {"html", "svg", "png", "md"})
             expect_refused(fmt::format("merge a.csv -o out/a.{}", kind),
-                           fmt::format("'out/a.{}' is damaged at '{}'", kind, number));
+                           fmt::format("'a.csv' is damaged at '{}'", number));
     }
 }
 
