@@ -7,11 +7,11 @@
 #include <optional>
 #include <sstream>
 
-#include "app/output_conflicts.hpp"
 #include "core/bounded_json.hpp"
 #include "core/error.hpp"
 #include "core/input_file.hpp"
 #include "core/json_text.hpp"
+#include "core/reachable.hpp"
 #include "core/parse_number.hpp"
 #include "ui/session.hpp"
 #include "ui/shortcut.hpp"

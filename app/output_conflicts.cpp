@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/reachable.hpp"
 
 namespace momentscope {
 
@@ -35,13 +36,6 @@ std::vector<std::string> inputs_of(const Options& options) {
 }
 
 }  // namespace
-
-bool same_file(const std::string& a, const std::string& b) {
-    std::error_code code;
-    if (std::filesystem::equivalent(a, b, code)) return true;
-    const auto path_a = std::filesystem::absolute(a, code), path_b = std::filesystem::absolute(b, code);
-    return !code && path_a.lexically_normal() == path_b.lexically_normal();
-}
 
 std::vector<std::string> files_of(const Options& options) {
     std::vector<std::string> files = inputs_of(options);

@@ -7,9 +7,6 @@
 
 namespace momentscope {
 
-/// By whatever names and links.
-bool same_file(const std::string& a, const std::string& b);
-
 /// The files that the command line names, but the folder of figures: those to read and those to write.
 std::vector<std::string> files_of(const Options& options);
 

@@ -69,7 +69,7 @@ void read_tables(const fs::path& file) {
     for (std::size_t end = 0; end != text.npos && shards.size() < 8;) {
         end = text.find(BETWEEN);
         shards.push_back(fs::path(file).concat("." + std::to_string(shards.size())));
-        write_text_file(text.substr(0, end), shards.back());
+        write_file(text.substr(0, end), shards.back());
         text.erase(0, end == text.npos ? end : end + BETWEEN.size());
     }
     const RunTable merged = merge_shards(shards);
