@@ -3,7 +3,7 @@
 
 #include <assimp/scene.h>
 #include <sys/resource.h>
-#include <unistd.h>
+#include <sys/time.h>
 
 #include <assimp/Importer.hpp>
 
@@ -18,10 +18,10 @@ Library* noted = &own;
 struct InLibrary {
     InLibrary() {
         noted->runs = true;
-        ::alarm(LIBRARY_SECONDS);
+        limit_time(LIBRARY_SECONDS);
     }
     ~InLibrary() {
-        ::alarm(MOST_SECONDS);
+        limit_time(MOST_SECONDS);
         noted->memory = most_memory();
         noted->runs = false;
     }
@@ -33,6 +33,11 @@ struct InLibrary {
 
 void note_library_in(Library& library) {
     noted = &library;
+}
+
+void limit_time(int seconds) {
+    const itimerval timer{{}, {seconds, 0}};
+    ::setitimer(ITIMER_PROF, &timer, nullptr);
 }
 
 long most_memory() {

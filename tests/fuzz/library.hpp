@@ -13,8 +13,12 @@ struct Library {
 /// Where calls of the library are noted from now on: memory that other processes see, too.
 void note_library_in(Library& library);
 
-constexpr unsigned LIBRARY_SECONDS = 2;  // then SIGALRM ends the process, lest broken files take all the time
-constexpr unsigned MOST_SECONDS = 10;    // for our own code
+constexpr int LIBRARY_SECONDS = 2;  // lest broken files take all the time
+constexpr int MOST_SECONDS = 10;    // for our own code
+
+/// SIGPROF ends the process when it has run for so many seconds from now on. Those of the processor, so that
+/// whatever else the machine does is no fault.
+void limit_time(int seconds);
 
 /// The most memory that the process had so far, in KiB.
 long most_memory();

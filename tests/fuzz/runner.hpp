@@ -29,8 +29,8 @@ struct Summary {
 };
 
 /// Reads one input after another. A fault is a crash, a sanitizer's report, an exception other than Error,
-/// more than MOST_SECONDS or more than MOST_MEMORY; then the next input is read, until there were
-/// `most_faults`. Prints the sentences of refusals if asked to.
+/// more than MOST_SECONDS of the processor or more than MOST_MEMORY; then the next input is read, until there
+/// were `most_faults`. Prints the sentences of refusals if asked to.
 Summary run_inputs(const Source& source, const std::filesystem::path& scratch, std::uint64_t most_faults,
                    const std::function<void(const Fault&)>& on_fault, bool tells_refusals = false);
 
