@@ -63,7 +63,7 @@ private:
     std::unique_ptr<Renderer> renderer_;  // after the context that it needs
 };
 
-// Metrics of numbers that are none would be none.
+// A single NaN would make every metric NaN.
 void require_finite(const Image& image, const std::string& name) {
     std::size_t count = 0, first = 0;
     for (std::size_t i = image.pixels.size(); i-- > 0;) {
@@ -74,10 +74,10 @@ void require_finite(const Image& image, const std::string& name) {
     }
     if (count == 0) return;
     const auto width = static_cast<std::size_t>(image.width);
-    throw Error(fmt::format(
-        "{} of the {} pixels of '{}' are infinite or no numbers, the first at {},{}; such pictures "
-        "cannot be compared.",
-        count, image.pixels.size(), name, first % width, first / width));
+    throw Error(
+        fmt::format("{} of the {} pixels of '{}' are infinite or NaN, the first at {},{}; such pictures "
+                    "cannot be compared.",
+                    count, image.pixels.size(), name, first % width, first / width));
 }
 
 // What the metrics, which look at colours alone, leave out.

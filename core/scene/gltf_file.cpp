@@ -48,7 +48,7 @@ bool is_harmless(std::string_view name) {
 }
 
 /// The JSON chunk of a binary file, a text file's all; nothing when it is neither.
-std::optional<std::string> json_text(std::string_view bytes) {
+std::optional<std::string> json_part(std::string_view bytes) {
     if (bytes.starts_with("glTF")) {
         const auto word = [&](std::size_t offset) {
             std::uint32_t value = 0;  // little-endian, as are all machines with GL
@@ -172,7 +172,7 @@ std::vector<std::uint32_t> node_indices(const json& array, std::size_t node_coun
 }  // namespace
 
 std::optional<GltfFile> read_gltf(std::string_view bytes, const std::filesystem::path& path) {
-    std::optional<std::string> text = json_text(bytes);
+    std::optional<std::string> text = json_part(bytes);
     if (!text) return std::nullopt;
     // Names in Latin-1 are met with and do not matter here; as UTF-8 they would be refused.
     std::ranges::replace_if(
