@@ -97,7 +97,10 @@ void check_inspect(const CLI::App& command, const Options& options) {
     const bool ray = !options.ray.empty();
     refuse(command, {{"--size", ray, "beside --ray, which has no picture"},
                      {"--samples", !options.depths.empty(), "beside --depths"},
-                     {"--samples", options.steps, "beside --steps, which are those at --depths"}});
+                     {"--samples", options.steps, "beside --steps, which are those at --depths"},
+                     {"--format", options.steps, "beside --steps, which are text"},
+                     {"--light", ray, "beside --ray, which has no scene and no light"},
+                     {"--receiver", !options.light, "without --light"}});
     Options lit = options;
     if (options.light) lit.parameters["shadows"] = "1";
     Reading reading = {.techniques = techniques_of(parse_configurations(options, "power6-32")),

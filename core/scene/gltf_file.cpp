@@ -95,7 +95,7 @@ std::set<std::string> strings(const json& array) {
     return names;
 }
 
-/// The extensions by which anything is extended, whether or not the file lists them.
+/// All extensions that are used, whether or not the file lists them.
 void collect_extensions(const json& value, std::set<std::string>& names) {
     if (value.is_object()) {
         for (const auto& [key, child] : value.items()) {
@@ -119,7 +119,7 @@ std::string unread(const std::set<std::string>& names) {
                        fmt::join(left, ", "), left.size() > 1 ? "are" : "is");
 }
 
-/// Assimp takes the bytes of positions and normals for floats, whatever they are, and none for zeros.
+/// Assimp reads positions and normals as floats whatever their type is, and missing ones as zeros.
 void require_floats(const json& file, const std::filesystem::path& path) {
     const auto check = [&](const json& attributes) {
         for (const char* name : {"POSITION", "NORMAL"}) {
@@ -159,7 +159,7 @@ glm::dmat4 local_transform(const json& node) {
     return local;
 }
 
-/// Indices of nodes; what is none is left out.
+/// The indices in the array that are indices of nodes.
 std::vector<std::uint32_t> node_indices(const json& array, std::size_t node_count) {
     std::vector<std::uint32_t> indices;
     if (!array.is_array()) return indices;
