@@ -54,13 +54,6 @@ void add_explore_options(CLI::App& command, Options& options) {
     add_parameter_options(command, options);
 }
 
-void refuse_empty_values(CLI::App& command) {
-    for (CLI::Option* option : command.get_options())
-        if (option->get_items_expected_max() > 0)
-            option->check(
-                [](const std::string& value) { return std::string(value.empty() ? "has no value" : ""); });
-}
-
 void add_inspect(CLI::App& app, Options& options) {
     CLI::App* inspect = app.add_subcommand("inspect", "print the functions behind a pixel or along a ray");
     add_scene_options(*inspect, options);
@@ -262,15 +255,6 @@ void run(const CLI::App& app, const Options& options, const std::string& what) {
 int fail(const std::string& sentence) {
     warn(sentence);
     return 1;
-}
-
-// CLI11 takes "--renormalize=" for "--renormalize".
-void refuse_empty_assignments(int argc, const char* const* argv) {
-    for (int i = 1; i < argc; ++i) {
-        const std::string_view word = argv[i];
-        if (word.starts_with("--") && word.ends_with("=") && word.find('=') == word.size() - 1)
-            throw Error(fmt::format("'{}' has no value; write one behind it, or leave it out.", word));
-    }
 }
 
 void parse_and_run(int argc, const char* const* argv) {

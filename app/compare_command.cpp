@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -69,7 +68,7 @@ private:
     std::unique_ptr<Renderer> renderer_;  // after the context that it needs
 };
 
-// Metrics of numbers that are none would be none.
+// A single NaN would make every metric NaN.
 void require_finite(const Image& image, const std::string& name) {
     const std::string text = non_finite_text(image, fmt::format("'{}'", name));
     if (!text.empty()) throw Error(fmt::format("{}; such pictures cannot be compared.", text));

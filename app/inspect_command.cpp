@@ -124,7 +124,6 @@ void run_inspect(const Options& options) {
     if (format != "json" && format != "csv" && format != "table")
         throw Error(fmt::format("There is no format '{}'; use json, csv or table.", format));
     auto configurations = parse_configurations(options, "power6-32");
-    if (options.steps && !options.format.empty()) throw Error("The steps are text; leave --format out.");
     if (options.steps && options.sharp_bounds)
         throw Error("Sharp bounds belong to curves; leave --steps or --sharp-bounds out.");
     const std::vector<float> depths = options.steps && options.depths.empty() ? std::vector<float>{0}
@@ -132,12 +131,9 @@ void run_inspect(const Options& options) {
                                           ? even_depths(static_cast<std::size_t>(parse_count(
                                                 options.samples, "number of samples", 2, MAX_SAMPLES)))
                                           : parse_depths(options.depths);
-    if (options.light && !options.ray.empty())
-        throw Error("A ray from a file has no scene and no light; leave --light or --ray out.");
     if (options.light && configurations.size() > 1)
         throw Error(
             "The light's map has one technique; give a --shadow-technique, and a single --technique for the picture.");
-    if (!options.light && !options.receiver.empty()) throw Error("A --receiver belongs to --light.");
     if (!options.output.empty()) require_writable(options.output);
     const Subject subject = options.ray.empty() ? capture_scene_pixel(options, configurations.front())
                                                 : ray_of_file(options.ray, configurations.front().values);

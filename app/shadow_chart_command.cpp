@@ -39,9 +39,6 @@ ShadowChartSettings parse_settings(const Options& options) {
 }  // namespace
 
 void run_shadow_chart(const Options& options, const std::vector<std::string>& scenes) {
-    if (!options.techniques.empty() || options.shard != "1/1")
-        throw Error(
-            "The chart of shadows is of --shadow-technique, and it has no shards; leave --technique and --shard out.");
     const ShadowChartSettings settings = parse_settings(options);
     const std::filesystem::path path = options.output;
     const bool csv = path.extension() == ".csv";

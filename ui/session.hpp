@@ -5,11 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "core/ray/ray_json.hpp"
 #include "ui/state.hpp"
 
 namespace momentscope::ui {
 
 constexpr int SESSION_VERSION = 1;
+constexpr std::uintmax_t MAX_SESSION_BYTES = MAX_RAY_FILE_BYTES + (1U << 20);  // a ray is the only large part
 
 /// Everything, so that the same window comes back bit by bit.
 nlohmann::ordered_json session_to_json(const ExplorerState& state);

@@ -33,7 +33,7 @@ enum class Judgement {
     unavailable,         // the GL cannot draw it, or this version does not know it
     ground_truth,        // a reference, not a candidate
     order_dependent,     // and that was ruled out
-    infinite_elsewhere,  // pixels at views that are held out are infinite or no numbers
+    infinite_elsewhere,  // pixels at views that are held out are infinite or NaN
     inaccurate,
     inaccurate_elsewhere,  // at views that are held out alone
     too_many_bits,

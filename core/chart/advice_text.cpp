@@ -17,7 +17,7 @@ const char* symbol_of(Metric metric) {
     return metrics()[static_cast<std::size_t>(metric)].symbol;
 }
 
-// Infinite where the picture has pixels that are infinite or no numbers.
+// Infinite where the picture has pixels that are infinite or NaN.
 std::string error_text(double error) {
     return std::isfinite(error) ? fmt::format("{:.3g}", error) : "infinite";
 }

@@ -120,7 +120,7 @@ private:
     void add_point(std::size_t i) {
         if (!is_drawn(rows_[i], metric_)) return;
         const double error = error_of(*rows_[i].numbers, metric_);
-        const double shown = error < error_.most ? error : error_.most;  // infinite or no number: at the top
+        const double shown = error < error_.most ? error : error_.most;  // infinite or NaN: at the top
         const float y = shown < error_.least ? plot_.high.y - 0.5f * STRIP : error_.at(shown);
         const std::string& text = rows_[i].configuration;
         points_.push_back({i,

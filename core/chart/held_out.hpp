@@ -26,7 +26,7 @@ public:
 
     std::size_t count() const { return cameras_.size(); }
 
-    /// Of one view, against `sorted`; infinite when a pixel of the picture is infinite or no number. Draws
+    /// Of one view, against `sorted`; infinite when a pixel of the picture is infinite or NaN. Draws
     /// one or two pictures. Means nothing when it was stopped. Throws Error when the GL fails, and when such
     /// a pixel is in the picture by `sorted`.
     double error(const Configuration& configuration, std::size_t view, Metric metric,

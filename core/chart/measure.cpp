@@ -150,8 +150,7 @@ void ChartBench::follow_path(Candidate& candidate, const std::stop_token& stop) 
         const double error = mean_difference(path_references_[i], picture, Metric::rmse);
         if (!std::isfinite(error))
             return candidate.refuse(
-                fmt::format("Its picture {} of {} on the camera path has infinite colours "
-                            "or such that are no numbers",
+                fmt::format("Its picture {} of {} on the camera path has colours that are infinite or NaN",
                             i + 1, path.size()));
         if (before)
             candidate.numbers.stability = std::max(candidate.numbers.stability, std::abs(error - *before));

@@ -16,7 +16,7 @@ std::string non_finite_text(const Image& image, const std::string& name) {
     }
     if (count == 0) return "";
     const auto width = static_cast<std::size_t>(image.width);
-    return fmt::format("{} of the {} pixels of {} are infinite or no numbers, the first at {},{}", count,
+    return fmt::format("{} of the {} pixels of {} are infinite or NaN, the first at {},{}", count,
                        image.pixels.size(), name, first % width, first / width);
 }
 

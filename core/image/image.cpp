@@ -38,13 +38,14 @@ void write_pixels(const std::filesystem::path& path, const OIIO::ImageSpec& spec
     write_file({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path);
 }
 
-/// Places of red, green and blue, which are one of a grey picture, and of alpha.
+/// Where a pixel's values hold red, green and blue (the same place in a grey picture), and alpha.
 struct Channels {
     std::array<std::size_t, 3> color;
     std::optional<std::size_t> alpha;
 };
 
-// By name, for files may hold depths and much else; by place where they have no such names.
+// Channels are found by their names, because files may also hold depths and normals; unnamed ones go by their
+// order.
 Channels channels_of(const OIIO::ImageSpec& spec) {
     const auto named = [&](std::string_view name) {
         const auto found = std::ranges::find(spec.channelnames, name);

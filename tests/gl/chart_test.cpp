@@ -138,7 +138,7 @@ TEST_F(ChartTest, PicturesThatAreNoNumbersHaveNoErrors) {
     plan.settings.repeat = 1;
     const ChartHooks infinite = bright_hooks(std::numeric_limits<float>::infinity());
     for (const ChartRow& row : chart_of(run_chart(plan, nothing_of(plan), {}, infinite), "the test").rows)
-        EXPECT_NE(row.unavailable.find("pixels of the picture by sorted are infinite or no numbers"),
+        EXPECT_NE(row.unavailable.find("pixels of the picture by sorted are infinite or NaN"),
                   std::string::npos)
             << row.unavailable;
     HeldOutViews views(infinite.load("planes"), plan.settings.size, {});
