@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <system_error>
 #include <utility>
 
 #include "core/error.hpp"
@@ -14,14 +16,16 @@
 namespace momentscope {
 
 FrameLog::FrameLog(std::string path) : path_(std::move(path)) {
-    if (!path_.empty()) require_writable(path_);
+    if (path_.empty()) return;
+    require_writable(path_);
+    std::error_code code;
+    replaces_ = std::filesystem::exists(path_, code) && std::filesystem::file_size(path_, code) > 0;
 }
 
 void FrameLog::frame(const ui::Explorer& explorer) {
     ++frames_;
     if (path_.empty()) return;
     const std::string computed = explorer.report().text();
-    if (!computed.empty()) open();
     line(fmt::format("frame {}: {}{}", frames_, computed.empty() ? "nothing computed" : computed,
                      changes(explorer)));
 }
@@ -43,23 +47,19 @@ std::string FrameLog::changes(const ui::Explorer& explorer) {
     return text;
 }
 
-void FrameLog::open() {
-    if (path_.empty() || file_.is_open()) return;
-    file_.open(path_, std::ios::binary | std::ios::trunc);
-    file_ << std::exchange(held_, "") << std::flush;
-}
-
 void FrameLog::line(const std::string& text) {
     if (path_.empty()) return;
-    if (file_.is_open())
-        file_ << text << std::endl;  // flushed, so that a running window can be watched
-    else
+    if (replaces_) {
         held_ += text + "\n";
+        return;
+    }
+    if (!file_.is_open()) file_.open(path_, std::ios::binary);
+    file_ << text << std::endl;  // flushed, so that a running window can be watched
 }
 
 void FrameLog::require_written() {
-    open();
-    if (!file_)
+    if (replaces_) return write_file(held_, path_);
+    if (!path_.empty() && !file_)
         throw Error(fmt::format("The log '{}' could not be written; free space, or write elsewhere.", path_));
 }
 

@@ -10,8 +10,9 @@ namespace momentscope {
 
 class FrameLog {
 public:
-    /// An empty path logs nothing. Throws Error when the file cannot be written. What it holds stays until
-    /// a frame has computed something: then all inputs were good.
+    /// An empty path logs nothing. Throws Error when the file cannot be written. A new file can be watched
+    /// while it grows. One that holds something is replaced by require_written(), so that nothing is lost
+    /// when the run fails or the disk is full.
     explicit FrameLog(std::string path);
 
     void frame(const ui::Explorer& explorer);
@@ -22,11 +23,11 @@ public:
     long frames() const { return frames_; }
 
 private:
-    void open();
     std::string changes(const ui::Explorer& explorer);
 
     std::string path_;
-    std::string held_;  // lines before the file is opened
+    bool replaces_ = false;  // is there something that must not be lost?
+    std::string held_;       // lines that are not in the file yet
     std::ofstream file_;
     long frames_ = 0;
     std::optional<ui::ExplorerState> state_;  // of the last frame

@@ -64,7 +64,6 @@ FILES = {
     **{name: [*WINDOW, "--events", f"{name}.events"] for name in EVENTS},
 }
 SHORT = ["render.png", "inspect.json", "merge.svg", "session.json", "frames.log"]
-STREAMED = {"frames.log"}  # written as it goes, so that it can be watched: what stood there goes at the first frame
 
 PRINTED = {
     "--help": ["--help"],
@@ -140,7 +139,7 @@ def fault_of_file(name, server, disk):
         return f"exit code {code}, '{said}'", size
     if "could not be written" not in said:
         return f"says '{said}'", size
-    if name not in STREAMED and path.read_bytes() != OLD:
+    if path.read_bytes() != OLD:
         return f"{path.stat().st_size} bytes instead of the old file", size
     kept = f"{name}.partial"  # the rows of a chart, whose picture or page had no room
     if left := [file.name for file in disk.folder.iterdir() if file.name not in (name, "filler", kept)]:

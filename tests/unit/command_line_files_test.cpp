@@ -121,7 +121,7 @@ TEST_F(CommandLineFiles, WhatACommandReadsItDoesNotReplace) {
     EXPECT_EQ(content_of(folder_ / "ray.json"), ray);
 }
 
-TEST_F(CommandLineFiles, ALogStaysUntilSomethingIsDrawn) {
+TEST_F(CommandLineFiles, ALogStaysUntilARunWentWell) {
     write("log.txt", "old");
     write("wrong.json", "[");
     const std::string window = "--headless --screenshot out/x.png --log log.txt ";
@@ -130,7 +130,11 @@ TEST_F(CommandLineFiles, ALogStaysUntilSomethingIsDrawn) {
     write("broken.obj", "v 0 0 zero\nf 1 2 3\n");
     for (const char* mesh : {"missing.obj", "broken.obj"})
         expect_refused(window + "--size 640x400 --scene " + mesh, mesh);
+    write("x.events", "key L\nexpect /scene none\n");
+    expect_refused("--headless --size 640x400 --log log.txt --events x.events", "none");
     EXPECT_EQ(content_of(folder_ / "log.txt"), "old");
+    expect_success("--headless --size 640x400 --log log.txt --screenshot out/x.png");
+    EXPECT_TRUE(content_of(folder_ / "log.txt").starts_with("frame 1: "));
 }
 
 TEST_F(CommandLineFiles, ScreenshotsOfEventsReplacePicturesAlone) {
