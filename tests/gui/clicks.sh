@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Every click counts in the real window: xdotool clicks on lists, buttons and cards, 80 ms after moving there, and each has to be
-# answered in time without a further movement; while a picture is drawn, which the window says, no time counts. Then nothing may be drawn while nothing
-# happens, and a killed display must leave a sentence and the session.
+# Every click counts in the real window: xdotool clicks on lists, buttons and cards, every second time 80 ms after moving there and
+# else after 20 to 98 ms, so that clicks meet every part of a frame. Each has to be answered in time without a further movement;
+# while a picture is drawn, which the window says, no time counts. Then nothing may be drawn while nothing happens, and a killed
+# display must leave a sentence and the session.
 # What happened is read from the log of frames; where the controls are, a headless window of the same size tells.
 # Usage: clicks.sh MOMENTSCOPE [CLICKS [MILLISECONDS]], by default 100 clicks within 200 ms each. On a busy machine more time
 # is fair: a click that is lost is never answered.
@@ -90,8 +91,9 @@ for ((i = 0; i < clicks; ++i)); do
     step=${steps[i % ${#steps[@]}]}
     at=${places[i < ${#places[@]} ? i : ${#steps[@]} + i % ${#steps[@]}]}
     before=$(lines)
+    pause=$(printf '0.%03d' $((i % 2 == 0 ? 80 : 20 + 7 * i % 79)))
     # shellcheck disable=SC2086 # two numbers
-    xdotool mousemove $at sleep 0.08 click 1
+    xdotool mousemove $at sleep "$pause" click 1
     from=$(now)
     taken=0
     until answers "$before" "${step#*:}" || [ "$taken" -gt $((most + 5000)) ]; do
