@@ -12,6 +12,7 @@
 #include "core/chart/held_out.hpp"
 #include "core/error.hpp"
 #include "core/output_file.hpp"
+#include "core/scene/scene_content.hpp"
 #include "ui/session.hpp"
 
 namespace momentscope {
@@ -77,13 +78,21 @@ Evidence read_evidence(const Options& options) {
                          parse_size(setting(chart.settings, "size")),
                          values_of(setting(chart.settings, "parameters")),
                          {}};
-    for (const std::span<const ChartRow> rows : scenes_of(chart))
-        if (absolute_scene(rows.front().scene) == absolute_scene(options.scene))
-            evidence.rows.assign(rows.begin(), rows.end());
+    const auto scenes = scenes_of(chart);
+    const auto found = std::ranges::find_if(scenes, [&](const std::span<const ChartRow> rows) {
+        return absolute_scene(rows.front().scene) == absolute_scene(options.scene);
+    });
+    if (found != scenes.end()) evidence.rows.assign(found->begin(), found->end());
     if (evidence.rows.empty())
         throw Error(fmt::format("'{}' has no rows of the scene '{}', but of {}; chart that scene, too.",
                                 options.chart, options.scene, setting(chart.settings, "scenes")));
-    evidence.scene = load_scene_option(options, evidence.values);
+    Progress progress("Advice");
+    evidence.scene = load_scene_option(options, evidence.values, progress);
+    const auto place = static_cast<std::size_t>(found - scenes.begin());
+    const std::string content = charted_content(chart.settings, place);
+    if (!content.empty() && content != scene_content(evidence.scene))
+        throw Error(fmt::format("The mesh file '{}' is another one than '{}' was made of; chart it again.",
+                                options.scene, options.chart));
     if (options.techniques.empty()) return evidence;
     std::vector<std::string> wanted;
     for (const Configuration& one : charted_configurations(options, evidence.values))
@@ -101,9 +110,9 @@ Evidence measured_evidence(const Options& options) {
     plan.settings = parse_chart_settings(options, "320x180");
     plan.scenes = {options.scene};
     plan.configurations = charted_configurations(options, plan.settings.values);
-    Scene scene = load_scene_option(options, plan.settings.values);
-    const auto context = make_gl_context("osmesa", {16, 16});
     Progress progress("Advice");
+    Scene scene = load_scene_option(options, plan.settings.values, progress);
+    const auto context = make_gl_context("osmesa", {16, 16});
     const ChartHooks hooks = {[&](const std::string&) { return scene; }, [](const RunTable&) {},
                               [&](std::size_t done, std::size_t all) { progress.show(done, all); }};
     const RunTable table = run_chart(plan, {chart_settings(plan, gl_info()), {}, {}}, progress.stop(), hooks);
@@ -112,9 +121,9 @@ Evidence measured_evidence(const Options& options) {
 }
 
 Advice checked(const Evidence& evidence, const AdviceBounds& bounds, HeldOutErrors& held_out) {
+    Progress progress("Advice at other views");
     const auto context = make_gl_context("osmesa", {16, 16});
     HeldOutViews views(evidence.scene, evidence.size, evidence.values);
-    Progress progress("Advice at other views");
     std::size_t done = 0;
     const auto advice = checked_advice(evidence.rows, bounds, held_out, [&](std::size_t row) {
         const Configuration configuration =
@@ -122,12 +131,13 @@ Advice checked(const Evidence& evidence, const AdviceBounds& bounds, HeldOutErro
         std::optional<double> worst;
         for (std::size_t view = 0; view < views.count(); ++view) {
             if (progress.stop().stop_requested()) return std::optional<double>();
-            worst = std::max(worst.value_or(0), views.error(configuration, view, bounds.metric));
+            const double error = views.error(configuration, view, bounds.metric, progress.stop());
+            worst = std::max(worst.value_or(0), error);
         }
         progress.show(++done, evidence.rows.size());
         return worst;
     });
-    if (!advice) progress.require_finished();
+    progress.require_finished();
     assert(advice);
     return *advice;
 }

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 
 #include "app/chart_output.hpp"
 #include "app/commands.hpp"
@@ -11,6 +12,7 @@
 #include "core/chart/chart_run.hpp"
 #include "core/error.hpp"
 #include "core/output_file.hpp"
+#include "core/scene/scene_content.hpp"
 
 namespace momentscope {
 
@@ -61,7 +63,7 @@ public:
     }
 
     void write(const RunTable& table) const {
-        if (!path_.empty()) write_text_file(run_table_text(table), path_);
+        if (!path_.empty()) write_file(run_table_text(table), path_);
     }
 
     void remove() const {
@@ -83,18 +85,45 @@ private:
     std::filesystem::path path_;
 };
 
-RunTable measured(const ChartPlan& plan, const UnfinishedChart& unfinished) {
-    const ParameterValues& values = plan.settings.values;
+// Empty when all scenes are built in.
+std::vector<std::string> contents_of(const std::vector<std::string>& scenes, float opacity,
+                                     Progress& progress) {
+    std::vector<std::string> contents;
+    if (std::ranges::all_of(scenes, is_builtin_scene)) return contents;
+    for (const std::string& id : scenes)
+        contents.push_back(is_builtin_scene(id) ? BUILTIN_CONTENT
+                                                : scene_content(load_scene_visibly(id, opacity, progress)));
+    return contents;
+}
+
+// The one that the plan means, although files may change while others are measured.
+Scene planned_scene(const ChartPlan& plan, const std::string& id, float opacity, Progress& progress) {
+    Scene scene = load_scene_and_warn(id, opacity, progress);
+    const auto place = static_cast<std::size_t>(std::ranges::find(plan.scenes, id) - plan.scenes.begin());
+    if (!plan.contents.empty() && plan.contents[place] != scene_content(scene))
+        throw Error(
+            fmt::format("The mesh file '{}' was changed while the chart was made; make it again.", id));
+    return scene;
+}
+
+RunTable measured(ChartPlan plan, const UnfinishedChart& unfinished) {
+    const float opacity = *plan.settings.values[ParameterId::opacity];
     for (const std::string& id : plan.scenes) require_scene(id);
+    std::atomic<std::size_t> rows = 0;
+    Progress progress("Chart", [&] { return unfinished.how_to_go_on(rows); });
+    plan.contents = contents_of(plan.scenes, opacity, progress);
     const auto context = make_gl_context("osmesa", {16, 16});
     const RunTable kept = unfinished.read(chart_settings(plan, gl_info()));
-    Progress progress("Chart");
+    rows = kept.rows.size();
     const ChartHooks hooks = {
-        [&](const std::string& id) { return load_scene_and_warn(id, *values[ParameterId::opacity]); },
-        [&](const RunTable& table) { unfinished.write(table); },
+        [&](const std::string& id) { return planned_scene(plan, id, opacity, progress); },
+        [&](const RunTable& table) {
+            unfinished.write(table);
+            rows = table.rows.size();
+        },
         [&](std::size_t done, std::size_t all) { progress.show(done, all); }};
     RunTable table = run_chart(plan, kept, progress.stop(), hooks);
-    if (progress.stop().stop_requested()) throw Error(unfinished.how_to_go_on(table.rows.size()));
+    progress.require_finished();
     return table;
 }
 
@@ -125,6 +154,9 @@ void run_merge_command(const Options& options) {
     require_chart_output(options.output);
     const std::vector<std::filesystem::path> files(options.files.begin(), options.files.end());
     const RunTable table = merge_shards(files);
+    if (std::filesystem::path(options.output).extension() != ".csv")
+        for (const auto& file : files)
+            chart_of(read_run_table(file), file.string());  // names what is damaged
     write_chart(table, metric, options.output);
     print(fmt::format("{} rows in {}\n", table.rows.size(), one_line(options.output)));
 }

@@ -60,11 +60,11 @@ void require_chart_output(const std::filesystem::path& path) {
 
 void write_chart(const RunTable& table, Metric metric, const std::filesystem::path& path) {
     const std::string kind = path.extension().string();
-    if (kind == ".csv") return write_text_file(run_table_text(table), path);
+    if (kind == ".csv") return write_file(run_table_text(table), path);
     const Chart chart = chart_of(table, path.string());
-    if (kind == ".md") return write_text_file(chart_to_markdown(chart, metric), path);
-    if (kind == ".svg") return write_text_file(chart_to_svg(chart, metric), path);
-    if (kind == ".html") return write_text_file(chart_to_html(chart, metric), path);
+    if (kind == ".md") return write_file(chart_to_markdown(chart, metric), path);
+    if (kind == ".svg") return write_file(chart_to_svg(chart, metric), path);
+    if (kind == ".html") return write_file(chart_to_html(chart, metric), path);
     write_chart_picture(chart, metric, path);
 }
 

@@ -6,10 +6,14 @@
 #include <csignal>
 #include <cstdio>
 #include <new>
+#include <sstream>
 #include <system_error>
 
 #include "app/commands.hpp"
+#include "app/end_by_signal.hpp"
 #include "app/ignored_options.hpp"
+#include "app/output_conflicts.hpp"
+#include "app/progress.hpp"
 #include "app/terminal.hpp"
 #include "core/error.hpp"
 
@@ -48,13 +52,6 @@ void add_explore_options(CLI::App& command, Options& options) {
         ->capture_default_str();
     command.add_option("--theme", options.theme, "dark or light [dark]");
     add_parameter_options(command, options);
-}
-
-void refuse_empty_values(CLI::App& command) {
-    for (CLI::Option* option : command.get_options())
-        if (option->get_items_expected_max() > 0)
-            option->check(
-                [](const std::string& value) { return std::string(value.empty() ? "has no value" : ""); });
 }
 
 void add_inspect(CLI::App& app, Options& options) {
@@ -260,16 +257,7 @@ int fail(const std::string& sentence) {
     return 1;
 }
 
-// CLI11 takes "--renormalize=" for "--renormalize".
-void refuse_empty_assignments(int argc, const char* const* argv) {
-    for (int i = 1; i < argc; ++i) {
-        const std::string_view word = argv[i];
-        if (word.starts_with("--") && word.ends_with("=") && word.find('=') == word.size() - 1)
-            throw Error(fmt::format("'{}' has no value; write one behind it, or leave it out.", word));
-    }
-}
-
-int parse_and_run(int argc, const char* const* argv) {
+void parse_and_run(int argc, const char* const* argv) {
     refuse_empty_assignments(argc, argv);
     CLI::App app(ABOUT, "momentscope");
     Options options;
@@ -278,23 +266,32 @@ int parse_and_run(int argc, const char* const* argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {
-        return app.exit(help);
+        std::ostringstream text;
+        app.exit(help, text, text);
+        print(text.str());
+        return require_printed();
     } catch (const CLI::ParseError& error) {
-        return fail(fmt::format("{}; momentscope --help lists what there is.", error.what()));
+        throw Error(fmt::format("{}; momentscope --help lists what there is.", error.what()));
     }
     refuse_ignored_options(app, options);
+    refuse_outputs_that_are_inputs(options);
     run(app, options, what);
-    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-        throw Error("Standard output cannot be written; free space, or send it elsewhere.");
-    return 0;
+    require_printed();
 }
 
 }  // namespace
 
 int run_command_line(int argc, const char* const* argv) {
+    occupy_closed_streams();
+    end_cleanly_on_signals();
     std::signal(SIGXFSZ, SIG_IGN);  // writing beyond the largest file allowed fails like on a full disk
     try {
-        return parse_and_run(argc, argv);
+        parse_and_run(argc, argv);
+        return 0;
+    } catch (const Interrupted& end) {
+        fail(end.what());
+        std::fflush(stdout);
+        end_by_signal(end.signal);
     } catch (const Error& error) {
         return fail(error.what());
     } catch (const std::bad_alloc&) {

@@ -7,9 +7,11 @@
 #include <optional>
 #include <sstream>
 
+#include "core/bounded_json.hpp"
 #include "core/error.hpp"
 #include "core/input_file.hpp"
 #include "core/json_text.hpp"
+#include "core/reachable.hpp"
 #include "core/parse_number.hpp"
 #include "ui/session.hpp"
 #include "ui/shortcut.hpp"
@@ -19,12 +21,15 @@ namespace momentscope {
 namespace {
 
 constexpr std::uintmax_t MAX_EVENT_BYTES = 16U << 20;
+constexpr std::uintmax_t MAX_EXPECTED_BYTES = 1U << 20;
+constexpr std::size_t MOST_WORDS = 16;  // an event has fewer; what follows means nothing
 constexpr int DRAG_STEPS = 8;
 
 std::vector<std::string> words_of(const std::string& line) {
     std::istringstream stream(line);
     std::vector<std::string> words;
-    for (std::string word; stream >> word && !word.starts_with('#');) words.push_back(word);
+    for (std::string word; words.size() < MOST_WORDS && stream >> word && !word.starts_with('#');)
+        words.push_back(word);
     return words;
 }
 
@@ -45,6 +50,14 @@ int button_of(const std::vector<std::string>& words, std::size_t at) {
     if (words[at] == "right") return ImGuiMouseButton_Right;
     if (words[at] == "middle") return ImGuiMouseButton_Middle;
     throw Error(fmt::format("there is no mouse button '{}'; use left, right or middle", words[at]));
+}
+
+nlohmann::json expected_value(const std::string& text) {
+    try {
+        return parse_bounded_json(text, {.bytes = MAX_EXPECTED_BYTES});
+    } catch (const Error&) {
+        return text;  // a bare word is a text
+    }
 }
 
 std::string after_first_word(const std::string& line) {
@@ -69,7 +82,7 @@ ImVec2 EventPlayer::place(const std::vector<std::string>& words, std::size_t& ne
     ++next;
     ImVec2 share = {0.5f, 0.5f};
     if (next + 1 < words.size() && parse_number<float>(words[next]) && parse_number<float>(words[next + 1])) {
-        share = {*parse_number<float>(words[next]), *parse_number<float>(words[next + 1])};
+        share = {need_number(words, next, -100, 100), need_number(words, next + 1, -100, 100)};
         next += 2;
     }
     const ui::Rect& rect = found->second;
@@ -134,11 +147,20 @@ void EventPlayer::wait(double seconds) {
     window_.log().line(fmt::format("waited {:g} s: {} frames", seconds, window_.log().frames() - before));
 }
 
+// It replaces an older picture, as events that are played again must, but nothing else.
+void EventPlayer::screenshot(const std::string& path) const {
+    if (std::filesystem::path(path).extension() != ".png")
+        throw Error(fmt::format("a screenshot is a .png; '{}' is not", path));
+    for (const std::string& file : kept_)
+        if (same_file(path, file))
+            throw Error(fmt::format("'{}' is a file of this command line; give another name", path));
+    window_.write_png(path);
+}
+
 void EventPlayer::expect(const std::string& pointer, const std::string& value) const {
     const nlohmann::json session =
         nlohmann::json::parse(json_text(ui::session_to_json(window_.explorer().state())));
-    nlohmann::json wanted = nlohmann::json::parse(value, nullptr, false);
-    if (wanted.is_discarded()) wanted = value;  // a bare word is a text
+    const nlohmann::json wanted = expected_value(value);
     nlohmann::json found;
     try {
         found = session.at(nlohmann::json::json_pointer(pointer));
@@ -209,8 +231,12 @@ void EventPlayer::play_line(const std::string& line) {
         window_.resize({static_cast<int>(need_number(words, 1, 1, MOST)),
                         static_cast<int>(need_number(words, 2, 1, MOST))});
         window_.settle();
+    } else if (what == "where") {
+        std::size_t next = 1;
+        const ImVec2 at = place(words, next);
+        window_.log().line(fmt::format("{} is at {:.0f} {:.0f}", words[1], at.x, at.y));
     } else if (what == "screenshot") {
-        window_.write_png(need_word(words, 1, "the name of a .png"));
+        screenshot(need_word(words, 1, "the name of a .png"));
     } else if (what == "expect") {
         expect(need_word(words, 1, "a JSON pointer"), need_word(words, 2, "a value"));
     } else if (what == "expect-message") {
@@ -230,7 +256,9 @@ void EventPlayer::play(const std::string& text) {
         try {
             play_line(line);
         } catch (const Error& error) {
-            throw Error(fmt::format("Line {} of the events, '{}': {}.", number, line, error.what()));
+            std::string why = error.what();
+            if (why.ends_with('.')) why.pop_back();
+            throw Error(fmt::format("Line {} of the events, '{:.200}': {}.", number, line, why));
         }
     }
 }

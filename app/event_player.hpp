@@ -2,6 +2,7 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/headless_window.hpp"
@@ -10,7 +11,9 @@ namespace momentscope {
 
 class EventPlayer {
 public:
-    explicit EventPlayer(HeadlessWindow& window) : window_(window) {}
+    /// Screenshots are not taken into `kept` files.
+    explicit EventPlayer(HeadlessWindow& window, std::vector<std::string> kept = {})
+        : window_(window), kept_(std::move(kept)) {}
 
     /// Plays events line by line; each is drawn before the next. Throws Error that names the line.
     void play(const std::string& text);
@@ -26,10 +29,12 @@ private:
     void drag(ImVec2 from, ImVec2 to, int which);
     void key(const std::string& name, bool down);
     void wait(double seconds);
+    void screenshot(const std::string& path) const;
     void expect(const std::string& pointer, const std::string& value) const;
     ImVec2 place(const std::vector<std::string>& words, std::size_t& next) const;
 
     HeadlessWindow& window_;
+    std::vector<std::string> kept_;
 };
 
 }  // namespace momentscope

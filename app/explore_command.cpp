@@ -4,6 +4,9 @@
 
 #include "app/commands.hpp"
 #include "app/event_player.hpp"
+#include "app/last_words.hpp"
+#include "app/lost_display.hpp"
+#include "app/output_conflicts.hpp"
 #include "app/terminal.hpp"
 #include "core/error.hpp"
 #include "core/image/image.hpp"
@@ -73,8 +76,9 @@ void explore_headless(const Options& options, glm::ivec2 size, float scale) {
     if (!warning.empty()) warn(warning);
     const std::string& message = window.explorer().message();
     if (!message.empty() && message != warning) throw Error(message);
-    if (!options.events.empty()) EventPlayer(window).play_file(options.events);
+    if (!options.events.empty()) EventPlayer(window, files_of(options)).play_file(options.events);
     if (!options.screenshot.empty()) window.write_png(options.screenshot);
+    log.require_written();
 }
 
 // A window, the explorer in it, and the loop that draws when there is something new to see.
@@ -84,34 +88,48 @@ public:
         : options_(options),
           context_(make_gl_context("glfw", size)),
           gui_(context_->window(), scale),
-          explorer_(renderer_, initial_state(options), {scale, true, DRAG_MILLISECONDS}),
-          log_(options.log) {
+          explorer_(renderer_, initial_state(options),
+                    {.scale = scale,
+                     .most_milliseconds = DRAG_MILLISECONDS,
+                     .before_long_picture = [this] { say_drawing(); }}),
+          log_(options.log),
+          lost_display_([this] { return last_words(explorer_.state()); }) {
         glfwSetWindowSizeLimits(context_->window(), 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
     }
 
     void run() {
         while (glfwWindowShouldClose(context_->window()) == GLFW_FALSE) {
-            draw();
-            if (need_.due(explorer_) && !explorer_.busy() && !explorer_.works()) {
-                glfwPollEvents();
-            } else if (explorer_.busy() || explorer_.works()) {
-                glfwWaitEventsTimeout(0.05);
-            } else {
-                glfwWaitEvents();
-                need_.input();
-            }
+            if (is_visible() && need_.due(explorer_)) draw();
+            take_events();
         }
+        log_.require_written();
     }
 
 private:
-    void draw() {
+    glm::ivec2 size() const {
         glm::ivec2 size;
         glfwGetFramebufferSize(context_->window(), &size.x, &size.y);
-        if (size.x < 1 || size.y < 1) {  // minimised
+        return size;
+    }
+
+    // False while it is minimised.
+    bool is_visible() const { return size().x > 0 && size().y > 0; }
+
+    // Waits for no longer than until the next frame is due. Whatever happens, whenever it is asked for, asks
+    // for frames.
+    void take_events() {
+        if (!is_visible() || !need_.due(explorer_))
             glfwWaitEvents();
-            need_.input();
-            return;
-        }
+        else if (!need_.settling() && (explorer_.busy() || explorer_.works()))
+            glfwWaitEventsTimeout(0.05);
+        else
+            glfwPollEvents();
+        if (gui_.input()->take_happened()) need_.input();
+    }
+
+    void draw() {
+        const glm::ivec2 size = this->size();
+        if (gui_.input()->waits()) need_.input();
         gui_.begin_frame(size);
         explorer_.frame();
         gui_.end_frame(size);
@@ -122,6 +140,13 @@ private:
             picked_ = true;
         }
         if (const auto path = explorer_.take_window_export()) export_window(size, path->string());
+        glfwSwapBuffers(context_->window());
+    }
+
+    // Shown at once, in the midst of the frame that will take long.
+    void say_drawing() {
+        gui_.paint_over_last(size(), [this](ImDrawList& list) { explorer_.draw_waiting(list); });
+        log_.line("drawing…");
         glfwSwapBuffers(context_->window());
     }
 
@@ -142,6 +167,7 @@ private:
     FrameLog log_;
     FrameNeed need_;
     bool picked_ = false;
+    LostDisplay lost_display_;
 };
 
 }  // namespace

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
+#include <cstdio>
 #include <map>
 #include <memory>
 
@@ -106,11 +108,18 @@ void run_figure(const Options& options) {
     if (code)
         throw Error(fmt::format("The folder '{}' cannot be made: {}; give another -o.", folder.string(),
                                 code.message()));
+    std::atomic<std::size_t> done = 0;
+    Progress progress("Drawing figures", [&] {
+        if (done == 0)
+            return std::string("Drawing figures was ended before it was done; nothing was written.");
+        return fmt::format(
+            "Drawing figures was ended; {} of {} pictures are in '{}', and the page was not written.",
+            done.load(), chosen.size(), folder.string());
+    });
     const auto context = make_gl_context("osmesa", MOST_FIGURE_SIZE);
     RenderedShots shots;
     GuiSession gui(nullptr, FIGURE_SCALE);
     ui::apply_style(ui::ThemeKind::light, FIGURE_SCALE);
-    Progress progress("Drawing figures");
     std::string page = INTRODUCTION;
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         progress.show(i, chosen.size());
@@ -122,9 +131,11 @@ void run_figure(const Options& options) {
         page +=
             figure_section(figure, findings, fmt::format("{}/{}", folder.filename().string(), name)) + "\n";
         print(text_of(figure, findings));
+        std::fflush(stdout);  // what is done is seen, however the rest ends
+        ++done;
     }
     progress.show(chosen.size(), chosen.size());
-    if (all) write_text_file(page, std::filesystem::path(folder).concat(".md"));
+    if (all) write_file(page, std::filesystem::path(folder).concat(".md"));
 }
 
 }  // namespace momentscope

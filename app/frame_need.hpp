@@ -12,7 +12,10 @@ public:
 
     void input() { left_ = SETTLING_FRAMES; }
     void drawn() { left_ = left_ > 0 ? left_ - 1 : 0; }
-    bool due(const ui::Explorer& explorer) const { return left_ > 0 || explorer.wants_frame(); }
+
+    /// Do frames follow the last input?
+    bool settling() const { return left_ > 0; }
+    bool due(const ui::Explorer& explorer) const { return settling() || explorer.wants_frame(); }
 
 private:
     int left_ = SETTLING_FRAMES;

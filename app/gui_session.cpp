@@ -17,9 +17,8 @@ GuiSession::GuiSession(GLFWwindow* window, float ui_scale) : window_(window) {
     ImGui::CreateContext();
     ui::load_fonts(ui_scale);
     if (window_ != nullptr) {
-        ImGui_ImplGlfw_InitForOpenGL(window_, true);
-        glfwSetWindowUserPointer(window_, this);
-        glfwSetKeyCallback(window_, on_key);
+        ImGui_ImplGlfw_InitForOpenGL(window_, false);
+        input_ = std::make_unique<WindowInput>(window_);
     } else {
         ui::use_key_numbers();
     }
@@ -32,26 +31,11 @@ GuiSession::~GuiSession() {
     ImGui::DestroyContext();
 }
 
-void GuiSession::on_key(GLFWwindow* window, int key, int scancode, int action, int modifiers) {
-    auto& session = *static_cast<GuiSession*>(glfwGetWindowUserPointer(window));
-    session.pressed_ |= action == GLFW_PRESS;
-    if (action == GLFW_RELEASE && session.pressed_)
-        session.releases_.push_back({key, scancode, modifiers});
-    else
-        ImGui_ImplGlfw_KeyCallback(window, key, scancode, action, modifiers);
-}
-
-void GuiSession::release_keys() {
-    pressed_ = false;
-    for (const Release& release : releases_)
-        ImGui_ImplGlfw_KeyCallback(window_, release.key, release.scancode, GLFW_RELEASE, release.modifiers);
-    releases_.clear();
-}
-
 void GuiSession::begin_frame(glm::ivec2 size, float seconds) {
     ImGui_ImplOpenGL3_NewFrame();
     if (window_ != nullptr) {
         ImGui_ImplGlfw_NewFrame();
+        input_->begin_frame(ImGui::GetIO());
     } else {
         ImGuiIO& io = ImGui::GetIO();
         io.DisplaySize = {static_cast<float>(size.x), static_cast<float>(size.y)};
@@ -63,7 +47,7 @@ void GuiSession::begin_frame(glm::ivec2 size, float seconds) {
 void GuiSession::end_frame(glm::ivec2 size) {
     end_frame();
     paint(size);
-    if (window_ != nullptr) release_keys();
+    if (window_ != nullptr) last_.keep(size);
 }
 
 void GuiSession::end_frame() {
@@ -76,6 +60,25 @@ void GuiSession::paint(glm::ivec2 size) const {
     glClearColor(0, 0, 0, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+void GuiSession::paint_over_last(glm::ivec2 size, const std::function<void(ImDrawList&)>& draw) const {
+    last_.show(size);
+    ImDrawList list(ImGui::GetDrawListSharedData());
+    list._ResetForNewFrame();
+    list.PushClipRectFullScreen();
+    list.PushTextureID(ImGui::GetIO().Fonts->TexID);
+    draw(list);
+    ImDrawList* lists[] = {&list};
+    ImDrawData data;
+    data.Valid = true;
+    data.CmdLists = lists;
+    data.CmdListsCount = 1;
+    data.TotalIdxCount = list.IdxBuffer.Size;
+    data.TotalVtxCount = list.VtxBuffer.Size;
+    data.DisplaySize = ImGui::GetIO().DisplaySize;
+    data.FramebufferScale = ImGui::GetIO().DisplayFramebufferScale;
+    ImGui_ImplOpenGL3_RenderDrawData(&data);
 }
 
 }  // namespace momentscope

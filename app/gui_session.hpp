@@ -1,7 +1,11 @@
 // gui_session.hpp -- an ImGui context that draws with OpenGL, in a window or headless.
 #pragma once
+#include <functional>
 #include <glm/glm.hpp>
-#include <vector>
+#include <memory>
+
+#include "app/last_frame.hpp"
+#include "app/window_input.hpp"
 
 struct GLFWwindow;
 
@@ -25,19 +29,16 @@ public:
     static void end_frame();
     void paint(glm::ivec2 size) const;
 
-private:
-    static void on_key(GLFWwindow* window, int key, int scancode, int action, int modifiers);
-    void release_keys();
+    /// Shows the window's last frame again with something drawn over it, between begin_frame and end_frame.
+    void paint_over_last(glm::ivec2 size, const std::function<void(ImDrawList&)>& draw) const;
 
+    /// The window's events; null without a window.
+    WindowInput* input() const { return input_.get(); }
+
+private:
     GLFWwindow* window_;
-    // ImGui 1.86 looks at the keyboard once per frame and would miss what goes down and up within one. So
-    // once a key went down, none goes up before the frame has seen it, nor do the modifiers that belong to
-    // it.
-    struct Release {
-        int key, scancode, modifiers;
-    };
-    bool pressed_ = false;
-    std::vector<Release> releases_;
+    std::unique_ptr<WindowInput> input_;
+    LastFrame last_;
 };
 
 }  // namespace momentscope

@@ -11,7 +11,7 @@ namespace momentscope {
 
 namespace {
 
-/// An option and, when it would be ignored, after which words: "beside --ray".
+/// An option, whether the command would ignore it, and the end of the sentence that says so.
 struct Ignored {
     const char* option;
     bool when;
@@ -43,7 +43,7 @@ bool contains(const Range& ids, ParameterId id) {
     return std::ranges::find(ids, id) != ids.end();
 }
 
-// Empty when it is read.
+// An empty text means that the parameter is read.
 std::string why_ignored(ParameterId id, const Reading& reading, const ParameterValues& values) {
     if (contains(reading.others, id)) return "";
     if (std::ranges::any_of(reading.techniques, [&](const Technique* t) { return t->uses(id); })) return "";
@@ -97,7 +97,10 @@ void check_inspect(const CLI::App& command, const Options& options) {
     const bool ray = !options.ray.empty();
     refuse(command, {{"--size", ray, "beside --ray, which has no picture"},
                      {"--samples", !options.depths.empty(), "beside --depths"},
-                     {"--samples", options.steps, "beside --steps, which are those at --depths"}});
+                     {"--samples", options.steps, "beside --steps, which are those at --depths"},
+                     {"--format", options.steps, "beside --steps, which are text"},
+                     {"--light", ray, "beside --ray, which has no scene and no light"},
+                     {"--receiver", !options.light, "without --light"}});
     Options lit = options;
     if (options.light) lit.parameters["shadows"] = "1";
     Reading reading = {.techniques = techniques_of(parse_configurations(options, "power6-32")),
@@ -128,7 +131,7 @@ void check_needed(const CLI::App& /*command*/, const Options& options) {
                                 .mesh = any_mesh(options.scene)});
 }
 
-// Of moments and their reconstruction; how a picture is drawn is another matter.
+// The parameters of moments and reconstruction that these techniques read.
 std::vector<ParameterId> reconstruction_parameters(const std::vector<const Technique*>& techniques) {
     std::vector<ParameterId> read;
     for (const ParameterId id : {ParameterId::beta, ParameterId::theta, ParameterId::alpha,
@@ -189,7 +192,7 @@ void check_explore(const CLI::App& command, const Options& options) {
     refuse(command, {{"--compare", !options.ray.empty(), "beside --ray, which has no picture"}});
 }
 
-// An option that needs no value is switched on by none, but not by an empty one.
+// `--shadows` alone switches on; `--shadows ''` is a mistake.
 void refuse_empty_switches(const CLI::App& command) {
     for (const CLI::Option* option : command.get_options())
         if (option->get_items_expected_min() == 0 &&
@@ -219,6 +222,22 @@ void refuse_ignored_options(const CLI::App& app, const Options& options) {
                 option->get_name(), chosen.front()->get_name()));
     for (const auto& row : CHECKS)
         if (chosen.front()->get_name() == row.command) row.check(*chosen.front(), options);
+}
+
+void refuse_empty_values(CLI::App& command) {
+    for (CLI::Option* option : command.get_options())
+        if (option->get_items_expected_max() > 0)
+            option->check(
+                [](const std::string& value) { return std::string(value.empty() ? "has no value" : ""); });
+}
+
+// CLI11 takes "--renormalize=" for "--renormalize".
+void refuse_empty_assignments(int argc, const char* const* argv) {
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view word = argv[i];
+        if (word.starts_with("--") && word.ends_with("=") && word.find('=') == word.size() - 1)
+            throw Error(fmt::format("'{}' has no value; write one behind it, or leave it out.", word));
+    }
 }
 
 }  // namespace momentscope

@@ -9,4 +9,10 @@ namespace momentscope {
 /// random rays. Throws Error, too, for techniques that do not exist.
 void refuse_ignored_options(const CLI::App& app, const Options& options);
 
+/// From now on parsing refuses an empty value of these options.
+void refuse_empty_values(CLI::App& command);
+
+/// Throws Error for "--option=" without a value. To be called before the words are parsed.
+void refuse_empty_assignments(int argc, const char* const* argv);
+
 }  // namespace momentscope

@@ -2,6 +2,7 @@
 
 #include "app/commands.hpp"
 #include "app/gl_context.hpp"
+#include "app/progress.hpp"
 #include "app/terminal.hpp"
 #include "core/error.hpp"
 #include "core/inspect/curve_output.hpp"
@@ -44,7 +45,8 @@ Subject capture_scene_pixel(const Options& options, const Configuration& configu
     const glm::ivec2 size = parse_size(options.size.empty() ? STANDARD_SIZE : options.size);
     std::optional<glm::ivec2> pixel;
     if (!options.pixel.empty()) pixel = parse_pixel(options.pixel, size);
-    const Scene scene = load_scene_option(options, configuration.values);
+    Progress progress("Inspecting");
+    const Scene scene = load_scene_option(options, configuration.values, progress);
     const auto context = make_gl_context("osmesa", {16, 16});
     Renderer renderer;
     renderer.set_scene(scene);
@@ -53,6 +55,7 @@ Subject capture_scene_pixel(const Options& options, const Configuration& configu
     renderer.render({scene.camera, size, configuration.technique, values});
     const glm::ivec2 at = pixel.value_or(picked_pixel(scene, size));
     Subject subject = {.capture = renderer.capture_pixel(at), .light = {}};
+    progress.require_finished();
     if (!options.light) return subject;
     subject.light =
         view_from_light(renderer, at, subject.capture, parse_receiver(options.receiver, subject.capture.ray));
@@ -61,6 +64,7 @@ Subject capture_scene_pixel(const Options& options, const Configuration& configu
                                 at.x, at.y));
     subject.cast =
         cast_light(scene, subject.light->world, renderer.shadow_maps()->frame().position, LIGHT_SLACK);
+    progress.require_finished();
     return subject;
 }
 
@@ -120,7 +124,6 @@ void run_inspect(const Options& options) {
     if (format != "json" && format != "csv" && format != "table")
         throw Error(fmt::format("There is no format '{}'; use json, csv or table.", format));
     auto configurations = parse_configurations(options, "power6-32");
-    if (options.steps && !options.format.empty()) throw Error("The steps are text; leave --format out.");
     if (options.steps && options.sharp_bounds)
         throw Error("Sharp bounds belong to curves; leave --steps or --sharp-bounds out.");
     const std::vector<float> depths = options.steps && options.depths.empty() ? std::vector<float>{0}
@@ -128,12 +131,9 @@ void run_inspect(const Options& options) {
                                           ? even_depths(static_cast<std::size_t>(parse_count(
                                                 options.samples, "number of samples", 2, MAX_SAMPLES)))
                                           : parse_depths(options.depths);
-    if (options.light && !options.ray.empty())
-        throw Error("A ray from a file has no scene and no light; leave --light or --ray out.");
     if (options.light && configurations.size() > 1)
         throw Error(
             "The light's map has one technique; give a --shadow-technique, and a single --technique for the picture.");
-    if (!options.light && !options.receiver.empty()) throw Error("A --receiver belongs to --light.");
     if (!options.output.empty()) require_writable(options.output);
     const Subject subject = options.ray.empty() ? capture_scene_pixel(options, configurations.front())
                                                 : ray_of_file(options.ray, configurations.front().values);
@@ -155,7 +155,7 @@ void run_inspect(const Options& options) {
     if (options.output.empty())
         print(text);
     else
-        write_text_file(text, options.output);
+        write_file(text, options.output);
 }
 
 }  // namespace momentscope

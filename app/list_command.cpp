@@ -117,6 +117,42 @@ void print_markdown(const json& rows, const std::vector<std::string>& columns) {
         print_row([&](const std::string& column) { return markdown_cell(cell(row[column])); });
 }
 
+struct Listing {
+    json rows;
+    std::vector<std::string> columns;  // of the table
+};
+
+json list_conditions() {
+    json rows = json::array();
+    for (const Condition& condition : conditions())
+        rows.push_back({{"id", condition.id},
+                        {"group", condition.group},
+                        {"name", condition.name},
+                        {"help", condition.help}});
+    return rows;
+}
+
+json list_figures() {
+    json rows = json::array();
+    for (const Figure& figure : figures())
+        rows.push_back({{"id", figure.id}, {"title", figure.title}, {"source", figure.source}});
+    return rows;
+}
+
+Listing listing_of(const std::string& what) {
+    if (what == "techniques")
+        return {list_techniques(),
+                {"id", "stored_bits", "bits_with_factor", "geometry_passes", "name", "source"}};
+    if (what == "scenes") return {list_scenes(), {"id", "description"}};
+    if (what == "conditions") return {list_conditions(), {"id", "group", "help"}};
+    if (what == "parameters")
+        return {list_parameters(), {"key", "symbol", "minimum", "maximum", "default", "name"}};
+    if (what == "figures") return {list_figures(), {"id", "title", "source"}};
+    if (what == "commands") return {list_commands(), {"id", "keys", "name"}};
+    throw Error(fmt::format(
+        "There is no list '{}'; use techniques, scenes, parameters, conditions, figures or commands.", what));
+}
+
 }  // namespace
 
 void run_list(const std::string& what, const std::string& format) {
@@ -126,42 +162,13 @@ void run_list(const std::string& what, const std::string& format) {
     }
     if (format != "table" && format != "json" && format != "markdown")
         throw Error(fmt::format("There is no format '{}'; use table, json or markdown.", format));
-    json rows;
-    std::vector<std::string> columns;
-    if (what == "techniques") {
-        rows = list_techniques();
-        columns = {"id", "stored_bits", "bits_with_factor", "geometry_passes", "name", "source"};
-    } else if (what == "scenes") {
-        rows = list_scenes();
-        columns = {"id", "description"};
-    } else if (what == "conditions") {
-        for (const Condition& condition : conditions())
-            rows.push_back({{"id", condition.id},
-                            {"group", condition.group},
-                            {"name", condition.name},
-                            {"help", condition.help}});
-        columns = {"id", "group", "help"};
-    } else if (what == "parameters") {
-        rows = list_parameters();
-        columns = {"key", "symbol", "minimum", "maximum", "default", "name"};
-    } else if (what == "figures") {
-        for (const Figure& figure : figures())
-            rows.push_back({{"id", figure.id}, {"title", figure.title}, {"source", figure.source}});
-        columns = {"id", "title", "source"};
-    } else if (what == "commands") {
-        rows = list_commands();
-        columns = {"id", "keys", "name"};
-    } else {
-        throw Error(fmt::format(
-            "There is no list '{}'; use techniques, scenes, parameters, conditions, figures or commands.",
-            what));
-    }
+    const Listing listing = listing_of(what);
     if (format == "json")
-        print(json_text(rows, 2) + "\n");
+        print(json_text(listing.rows, 2) + "\n");
     else if (format == "markdown")
-        print_markdown(rows, columns);
+        print_markdown(listing.rows, listing.columns);
     else
-        print_table(rows, columns);
+        print_table(listing.rows, listing.columns);
 }
 
 }  // namespace momentscope

@@ -24,13 +24,14 @@ struct NeededMap {
 
 NeededMap measure(const Options& options, const MomentOrders& orders, const ParameterValues& values) {
     const glm::ivec2 size = parse_size(options.size.empty() ? "320x180" : options.size);
-    const Scene scene = load_scene_option(options, values);
+    Progress progress("Moments needed");
+    const Scene scene = load_scene_option(options, values, progress);
     const auto context = make_gl_context("osmesa", {16, 16});
     Renderer renderer;
     renderer.set_scene(scene);
     renderer.render({scene.camera, size, &require_technique("sorted"), values});
     NeededMap map = {renderer.read_picture(), {}};
-    Progress progress("Moments needed");
+    progress.show_stage("");
     for (int y = 0; y < size.y && !progress.stop().stop_requested(); ++y) {
         for (const PixelCapture& capture : renderer.capture_region({0, y}, {size.x, 1}))
             map.pixels.push_back(pixel_need(capture.ray, orders, values));
@@ -96,7 +97,7 @@ void run_needed(const Options& options) {
     const NeedHistogram histogram = count_needs(map.pixels);
     const double memory = tiled_memory(map.pixels, map.picture.width, TILE);
     const std::string text = json_text(json_of(histogram, memory, options, values), 2) + "\n";
-    if (kind == ".json") write_text_file(text, path);
+    if (kind == ".json") write_file(text, path);
     if (kind == ".png")
         write_needed_picture(
             map.picture, map.pixels,

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "app/progress.hpp"
 #include "app/terminal.hpp"
 #include "core/chart/grid.hpp"
 #include "core/error.hpp"
@@ -166,14 +167,28 @@ std::vector<Configuration> charted_configurations(const Options& options, const 
     return all;
 }
 
-Scene load_scene_and_warn(const std::string& id_or_path, float opacity) {
-    Scene scene = load_scene(id_or_path, opacity);
+Scene load_scene_visibly(const std::string& id_or_path, float opacity, Progress& progress) {
+    Scene scene;
+    try {
+        scene = load_scene(id_or_path, opacity, progress.stop(), [&](const std::string& what) {
+            progress.show_stage(std::filesystem::path(id_or_path).filename().string() + ": " + what);
+        });
+    } catch (const Error&) {
+        progress.require_finished();  // or it was ended
+        throw;
+    }
+    progress.show_stage("");
+    return scene;
+}
+
+Scene load_scene_and_warn(const std::string& id_or_path, float opacity, Progress& progress) {
+    Scene scene = load_scene_visibly(id_or_path, opacity, progress);
     for (const std::string& warning : scene.warnings) warn(warning);
     return scene;
 }
 
-Scene load_scene_option(const Options& options, const ParameterValues& parameters) {
-    return load_scene_and_warn(options.scene, *parameters[ParameterId::opacity]);
+Scene load_scene_option(const Options& options, const ParameterValues& parameters, Progress& progress) {
+    return load_scene_and_warn(options.scene, *parameters[ParameterId::opacity], progress);
 }
 
 }  // namespace momentscope

@@ -12,6 +12,8 @@
 
 namespace momentscope {
 
+class Progress;
+
 /// What was typed, as text; the functions below turn it into values or throw Error.
 struct Options {
     std::string scene = "teapots";
@@ -103,10 +105,13 @@ ChartSettings parse_chart_settings(const Options& options, const char* standard_
 /// typed.
 std::vector<Configuration> charted_configurations(const Options& options, const ParameterValues& values);
 
-/// As load_scene, with the scene's warnings on stderr.
-Scene load_scene_and_warn(const std::string& id_or_path, float opacity);
+/// As load_scene. `progress` shows what is done, and ends it.
+Scene load_scene_visibly(const std::string& id_or_path, float opacity, Progress& progress);
+
+/// The same, with the scene's warnings on stderr.
+Scene load_scene_and_warn(const std::string& id_or_path, float opacity, Progress& progress);
 
 /// The same with the scene and the opacity that are asked for.
-Scene load_scene_option(const Options& options, const ParameterValues& parameters);
+Scene load_scene_option(const Options& options, const ParameterValues& parameters, Progress& progress);
 
 }  // namespace momentscope

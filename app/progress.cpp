@@ -1,63 +1,138 @@
 #include "app/progress.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
-#include <cstdio>
-#include <thread>
+#include <optional>
+#include <utility>
 
-#include "core/error.hpp"
+#include "app/end_by_signal.hpp"
+#include "app/terminal.hpp"
+#include "core/output_file.hpp"
 
 namespace momentscope {
 
 namespace {
 
-// A signal handler may do no more than set this.
-std::atomic<bool> interrupted = false;
-static_assert(std::atomic<bool>::is_always_lock_free);
+constexpr int SIGNALS[] = {SIGINT, SIGTERM};
+using Clock = std::chrono::steady_clock;
 
-void interrupt(int) {
-    interrupted = true;
+// The signal that came. A handler may do no more than set this.
+std::atomic<int> interrupting = 0;
+static_assert(std::atomic<int>::is_always_lock_free);
+
+void interrupt(int signal) {
+    if (interrupting.exchange(signal) != 0) end_by_signal(signal);  // nobody waits twice
+}
+
+double seconds_since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+// A longer line would not be taken back by the next one.
+std::size_t columns_of(int terminal) {
+    constexpr std::size_t USUAL = 80, FEWEST = 20;
+    winsize size{};
+    if (::ioctl(terminal, TIOCGWINSZ, &size) != 0 || size.ws_col < FEWEST) return USUAL;
+    return size.ws_col;
 }
 
 }  // namespace
 
-Progress::Progress(std::string what)
+Progress::Progress(std::string what, std::function<std::string()> farewell)
     : what_(std::move(what)),
-      begin_(std::chrono::steady_clock::now()),
-      terminal_(isatty(STDERR_FILENO) != 0) {
-    interrupted = false;
-    std::signal(SIGINT, interrupt);
-    watcher_ = std::jthread([this](const std::stop_token& end) {
-        while (!end.stop_requested()) {
-            if (interrupted) stop_.request_stop();
-            std::this_thread::sleep_for(std::chrono::milliseconds(50));
-        }
-    });
+      farewell_(std::move(farewell)),
+      begin_(Clock::now()),
+      stage_begin_(begin_),
+      errors_(::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 0)),
+      terminal_(errors_ >= 0 && ::isatty(errors_) != 0) {
+    if (!farewell_)
+        farewell_ = [this] {
+            return fmt::format("{} was ended before it was done; nothing was written.", what_);
+        };
+    interrupting = 0;
+    for (std::size_t i = 0; i < handlers_.size(); ++i) {
+        handlers_[i] = std::signal(SIGNALS[i], interrupt);
+        if (handlers_[i] == SIG_IGN) std::signal(SIGNALS[i], SIG_IGN);  // as under nohup
+    }
+    watcher_ = std::jthread([this](const std::stop_token& end) { watch(end); });
 }
 
 Progress::~Progress() {
-    std::signal(SIGINT, SIG_DFL);
-    if (terminal_ && shown_percent_ >= 0) std::fputs("\r\033[K", stderr);
+    watcher_.request_stop();
+    watcher_.join();
+    for (std::size_t i = 0; i < handlers_.size(); ++i) std::signal(SIGNALS[i], handlers_[i]);
+    clear_line();
+    if (errors_ >= 0) ::close(errors_);
+}
+
+void Progress::watch(const std::stop_token& end) {
+    constexpr std::chrono::milliseconds STEP{50};
+    std::optional<Clock::time_point> asked;
+    std::unique_lock lock(waiting_);
+    while (!end.stop_requested()) {
+        wake_.wait_for(lock, end, STEP, [] { return false; });
+        if (interrupting != 0 && !asked) {
+            asked = Clock::now();
+            stop_.request_stop();
+        }
+        if (asked && Clock::now() - *asked >= PATIENCE) cut_off(end);
+        if (!asked) show_seconds();
+    }
+}
+
+// Nothing is lost by it: what was done was written when it was done, and whatever the program holds goes with
+// it, down to the process that reads a mesh.
+void Progress::cut_off(const std::stop_token& end) {
+    const FileWriting none_is_written;
+    const std::scoped_lock lock(mutex_);
+    if (end.stop_requested()) return;
+    clear_line();
+    warn_to(errors_ >= 0 ? errors_ : STDERR_FILENO, farewell_());
+    end_by_signal(interrupting);
 }
 
 void Progress::show(std::size_t done, std::size_t all) {
     const std::scoped_lock lock(mutex_);
-    const int percent = static_cast<int>(100 * done / std::max<std::size_t>(all, 1));
-    if (!terminal_ || percent == shown_percent_) return;
-    shown_percent_ = percent;
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
-    const double left = elapsed.count() * static_cast<double>(all - done) /
+    const std::size_t percent = 100 * done / std::max<std::size_t>(all, 1);
+    if (percent_ == percent) return;
+    percent_ = percent;
+    const double left = seconds_since(begin_) * static_cast<double>(all - done) /
                         static_cast<double>(std::max<std::size_t>(done, 1));
-    std::fputs(
-        fmt::format("\r{}: {} of {}, {:.0f} s left (Ctrl+C ends it)\033[K", what_, done, all, left).c_str(),
-        stderr);
+    show_line(fmt::format("{}: {} of {}, {:.0f} s left (Ctrl+C ends it)", what_, done, all, left));
+}
+
+void Progress::show_stage(std::string stage) {
+    const std::scoped_lock lock(mutex_);
+    stage_ = std::move(stage);
+    stage_begin_ = Clock::now();
+    percent_.reset();
+}
+
+void Progress::show_seconds() {
+    const std::scoped_lock lock(mutex_);
+    if (percent_) return;
+    show_line(fmt::format("{}: {}{:.0f} s (Ctrl+C ends it)", what_, stage_.empty() ? "" : stage_ + ", ",
+                          seconds_since(stage_begin_)));
+}
+
+void Progress::show_line(const std::string& line) {
+    if (!terminal_ || line == shown_) return;
+    shown_ = line;
+    write_raw(errors_, "\r" + one_line(line.substr(0, columns_of(errors_) - 1)) + "\033[K");
+}
+
+void Progress::clear_line() {
+    if (terminal_ && !shown_.empty()) write_raw(errors_, "\r\033[K");
 }
 
 void Progress::require_finished() const {
-    if (interrupted) throw Error(fmt::format("{} was ended before it was done; nothing was written.", what_));
+    if (interrupting != 0) throw Interrupted(farewell_(), interrupting);
 }
 
 }  // namespace momentscope

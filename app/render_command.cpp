@@ -1,10 +1,28 @@
 #include "app/commands.hpp"
 #include "app/gl_context.hpp"
+#include "app/progress.hpp"
 #include "core/error.hpp"
 #include "core/output_file.hpp"
 #include "core/render/renderer.hpp"
 
 namespace momentscope {
+
+namespace {
+
+Image drawn(const Options& options, const ParameterValues& parameters, const Configuration& configuration,
+            glm::ivec2 size) {
+    Progress progress("Drawing");
+    const Scene scene = load_scene_option(options, parameters, progress);
+    const auto context = make_gl_context("osmesa", {16, 16});
+    Renderer renderer;
+    renderer.set_scene(scene);
+    renderer.render({scene.camera, size, configuration.technique, configuration.values});
+    Image picture = renderer.read_picture();
+    progress.require_finished();
+    return picture;
+}
+
+}  // namespace
 
 void run_render(const Options& options) {
     const glm::ivec2 size = parse_size(options.size.empty() ? STANDARD_SIZE : options.size);
@@ -16,12 +34,8 @@ void run_render(const Options& options) {
     if (extension != ".png" && extension != ".exr")
         throw Error("A picture ends in .png or .exr; give -o such a name.");
     require_writable(options.output);  // before the work, not after
-    const Scene scene = load_scene_option(options, parameters);
-    const auto context = make_gl_context("osmesa", {16, 16});
-    Renderer renderer;
-    renderer.set_scene(scene);
-    renderer.render({scene.camera, size, configurations.front().technique, configurations.front().values});
-    write_image(renderer.read_picture(), options.output, tone_map_of(parameters));
+    write_image(drawn(options, parameters, configurations.front(), size), options.output,
+                tone_map_of(parameters));
 }
 
 }  // namespace momentscope

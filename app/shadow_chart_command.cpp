@@ -39,9 +39,6 @@ ShadowChartSettings parse_settings(const Options& options) {
 }  // namespace
 
 void run_shadow_chart(const Options& options, const std::vector<std::string>& scenes) {
-    if (!options.techniques.empty() || options.shard != "1/1")
-        throw Error(
-            "The chart of shadows is of --shadow-technique, and it has no shards; leave --technique and --shard out.");
     const ShadowChartSettings settings = parse_settings(options);
     const std::filesystem::path path = options.output;
     const bool csv = path.extension() == ".csv";
@@ -52,7 +49,7 @@ void run_shadow_chart(const Options& options, const std::vector<std::string>& sc
     Progress progress("Chart of shadows");
     std::vector<ShadowRow> rows;
     for (std::size_t i = 0; i < scenes.size(); ++i) {
-        const Scene scene = load_scene_and_warn(scenes[i], *settings.values[ParameterId::opacity]);
+        const Scene scene = load_scene_and_warn(scenes[i], *settings.values[ParameterId::opacity], progress);
         const auto report = [&](std::size_t done, std::size_t all) {
             progress.show(i * all + done, scenes.size() * all);
         };
@@ -64,7 +61,7 @@ void run_shadow_chart(const Options& options, const std::vector<std::string>& sc
     if (path.empty())
         print(text);
     else
-        write_text_file(text, path);
+        write_file(text, path);
 }
 
 }  // namespace momentscope

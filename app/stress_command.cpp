@@ -57,7 +57,7 @@ void run_stress_command(const Options& options) {
     if (kind == ".png")
         write_stress_picture(cells, stress, path);
     else if (!path.empty())
-        write_text_file(report_text(path, cells, stress), path);
+        write_file(report_text(path, cells, stress), path);
     print(stress_to_text(cells));
 }
 

@@ -21,7 +21,8 @@ constexpr int OVERDRAW_RAYS = 300;
 // Pixels on a grid, which see the scene evenly.
 std::vector<ViewRay> scene_rays(const Options& options, const TuneOptions& tuning) {
     const glm::ivec2 size = parse_size(options.size.empty() ? "96x54" : options.size);
-    const Scene scene = load_scene_option(options, tuning.values);
+    Progress progress("Looking at the scene");
+    const Scene scene = load_scene_option(options, tuning.values, progress);
     const auto context = make_gl_context("osmesa", {16, 16});
     Renderer renderer;
     renderer.set_scene(scene);
@@ -29,6 +30,7 @@ std::vector<ViewRay> scene_rays(const Options& options, const TuneOptions& tunin
     std::vector<ViewRay> rays;
     for (PixelCapture& capture : renderer.capture_region({0, 0}, size))
         rays.push_back(std::move(capture.ray));
+    progress.require_finished();
     return rays;
 }
 

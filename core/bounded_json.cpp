@@ -11,31 +11,38 @@ namespace momentscope {
 
 namespace {
 
-constexpr int MAX_NESTING = 16;  // a session with a ray needs 5; deeper is refused before it costs memory
+struct Extent {
+    int nesting = 0;         // of brackets outside strings, the deepest
+    std::size_t values = 1;  // at most: one begins the text, the others stand behind a bracket or a comma
+};
 
-// The deepest nesting of brackets outside strings. Counted beforehand: a parser callback would make reading
+// Counted beforehand, so that what is refused costs no memory. A parser callback would make reading
 // quadratic.
-int nesting(const std::string& text) {
+Extent extent_of(const std::string& text) {
+    Extent extent;
     int depth = 0;
-    int deepest = 0;
     bool in_string = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
         if (in_string && c == '\\') ++i;  // whatever is escaped, it does not end the string
         if (c == '"') in_string = !in_string;
         if (in_string) continue;
-        if (c == '[' || c == '{') deepest = std::max(deepest, ++depth);
+        if (c == '[' || c == '{') extent.nesting = std::max(extent.nesting, ++depth);
+        if (c == '[' || c == '{' || c == ',') ++extent.values;
         if (c == ']' || c == '}') --depth;
     }
-    return deepest;
+    return extent;
 }
 
 }  // namespace
 
-nlohmann::json parse_bounded_json(const std::string& text, std::uintmax_t most_bytes) {
-    if (text.size() > most_bytes)
-        throw Error(fmt::format("it is larger than {} MiB; make it smaller.", most_bytes >> 20));
-    if (nesting(text) > MAX_NESTING) throw Error("it is nested too deeply; see the README for its form.");
+nlohmann::json parse_bounded_json(const std::string& text, const JsonBounds& bounds) {
+    if (text.size() > bounds.bytes)
+        throw Error(fmt::format("it is larger than {} MiB; make it smaller.", bounds.bytes >> 20));
+    const Extent extent = extent_of(text);
+    if (extent.nesting > bounds.nesting) throw Error("it is nested too deeply; see the README for its form.");
+    if (extent.values > bounds.values)
+        throw Error(fmt::format("it holds more than {} values; make it smaller.", bounds.values));
     try {
         return nlohmann::json::parse(text);
     } catch (const nlohmann::json::parse_error& error) {

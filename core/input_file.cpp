@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
-#include <iterator>
+#include <vector>
 
 #include "core/error.hpp"
 #include "core/reachable.hpp"
@@ -15,14 +16,21 @@ std::string read_input_file(const std::filesystem::path& path, std::uintmax_t mo
     std::error_code status;
     if (!std::filesystem::is_regular_file(path, status))
         throw Error(fmt::format("There is no {} file '{}'; give the path of one.", what, path.string()));
-    if (std::filesystem::file_size(path, status) > most_bytes)
-        throw Error(fmt::format("The {} file '{}' is larger than {} MiB; give a smaller one.", what,
-                                path.string(), most_bytes >> 20));
+    const std::uintmax_t size = std::filesystem::file_size(path, status);
     std::ifstream file(path, std::ios::binary);
-    std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-    if (!file)
+    std::string text;
+    if (!status) text.reserve(std::min(size, most_bytes));  // a text that grew would need three times as much
+    std::vector<char> chunk(std::size_t{1} << 16);
+    do {  // to the end, wherever it is: files of the kernel have a size of 0, and others grow
+        file.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
+        text.append(chunk.data(), static_cast<std::size_t>(file.gcount()));
+    } while (file && text.size() <= most_bytes);
+    if (!file.is_open() || file.bad())
         throw Error(
             fmt::format("The {} file '{}' cannot be read; check its permissions.", what, path.string()));
+    if (text.size() > most_bytes)
+        throw Error(fmt::format("The {} file '{}' is larger than {} MiB; give a smaller one.", what,
+                                path.string(), most_bytes >> 20));
     return text;
 }
 

@@ -70,7 +70,7 @@ std::string_view first_csv_record(std::string_view text) {
     return text.substr(0, end);
 }
 
-std::vector<std::string> csv_fields(std::string_view record) {
+std::vector<std::string> csv_fields(std::string_view record, std::size_t most) {
     std::vector<std::string> fields(1);
     bool quoted = false;
     for (std::size_t i = 0; i < record.size(); ++i) {
@@ -79,6 +79,8 @@ std::vector<std::string> csv_fields(std::string_view record) {
             fields.back() += record[i++];
         else if (record[i] == '"')
             quoted = !quoted;
+        else if (record[i] == ',' && !quoted && fields.size() == most)
+            break;
         else if (record[i] == ',' && !quoted)
             fields.emplace_back();
         else

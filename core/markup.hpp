@@ -26,8 +26,8 @@ std::string csv_quoted(std::string_view text);
 /// The same; in quotes only when it needs them.
 std::string csv_field(std::string_view text);
 
-/// The fields of a record of a CSV file, without their quotes.
-std::vector<std::string> csv_fields(std::string_view record);
+/// The fields of a record of a CSV file, without their quotes; what follows the first `most` is left out.
+std::vector<std::string> csv_fields(std::string_view record, std::size_t most = std::string_view::npos);
 
 /// The first record of a CSV file, without the line break at its end: line breaks in quotes do not end it.
 std::string_view first_csv_record(std::string_view text);

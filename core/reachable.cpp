@@ -30,4 +30,11 @@ std::filesystem::path absolute_path(const std::filesystem::path& path) {
     return result;
 }
 
+bool same_file(const std::string& a, const std::string& b) {
+    std::error_code code;
+    if (std::filesystem::equivalent(a, b, code)) return true;
+    const auto path_a = std::filesystem::absolute(a, code), path_b = std::filesystem::absolute(b, code);
+    return !code && path_a.lexically_normal() == path_b.lexically_normal();
+}
+
 }  // namespace momentscope

@@ -29,8 +29,8 @@ void write(const std::filesystem::path& folder, const std::string& prefix, const
     const std::string name = std::filesystem::path(path).filename().string();
     const std::string text = expand_shader(path, variant);
     const WrittenOut written = with_loops_written_out(text);
-    write_text_file(text, folder / (prefix + "." + name));  // glslang reads the stage from the end
-    if (written.loops > 0) write_text_file(written.text, folder / (prefix + ".written." + name));
+    write_file(text, folder / (prefix + "." + name));  // glslang reads the stage from the end
+    if (written.loops > 0) write_file(written.text, folder / (prefix + ".written." + name));
 }
 
 // glslangValidator knows framebuffer fetch in OpenGL ES only, so that variant is compiled by GLs that have it

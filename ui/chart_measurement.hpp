@@ -9,6 +9,7 @@
 #include "core/chart/advice.hpp"
 #include "core/chart/held_out.hpp"
 #include "core/chart/measure.hpp"
+#include "core/scene/scene_content.hpp"
 
 namespace momentscope::ui {
 
@@ -34,6 +35,7 @@ public:
     const Configuration& configuration(std::size_t row) const { return configurations_[row]; }
     const ChartSettings& settings() const { return settings_; }
     const std::string& scene() const { return scene_.id; }
+    std::string content() const { return scene_content(scene_); }
 
     const HeldOutErrors& held_out(Metric metric) const { return held_out_[static_cast<std::size_t>(metric)]; }
 

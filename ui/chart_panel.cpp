@@ -113,7 +113,7 @@ std::string ChartPanel::numbers_of(std::size_t row) const {
         family_of(*measurement_.configuration(row).technique).name, n.total.median, n.moments.median,
         n.color.median, n.composite.median, n.rmse, n.delta_e, n.flip, n.stability,
         n.bits_with_factor ? fmt::format("{} bits per pixel", *n.bits_with_factor)
-                         : std::string("bits that grow with the layers"));
+                           : std::string("bits that grow with the layers"));
 }
 
 void ChartPanel::draw_sizes(const Ui& ui) {
@@ -254,6 +254,8 @@ void ChartPanel::write(const std::filesystem::path& path) const {
     ChartPlan plan;
     plan.scenes = {measurement_.scene()};
     plan.settings = measurement_.settings();
+    if (const std::string content = measurement_.content(); content != BUILTIN_CONTENT)
+        plan.contents = {content};
     RunTable table = {{}, chart_columns(), {}};
     for (std::size_t i = 0; i < measurement_.rows().size(); ++i) {
         plan.configurations.push_back(measurement_.configuration(i));
@@ -261,12 +263,12 @@ void ChartPanel::write(const std::filesystem::path& path) const {
     }
     table.settings = chart_settings(plan, gl_info());
     const std::string kind = path.extension().string();
-    if (kind == ".csv") return write_text_file(run_table_text(table), path);
+    if (kind == ".csv") return write_file(run_table_text(table), path);
     const Chart chart = chart_of(table, path.string());
-    write_text_file(kind == ".html"  ? chart_to_html(chart, bounds_.metric)
-                    : kind == ".svg" ? chart_to_svg(chart, bounds_.metric)
-                                     : chart_to_markdown(chart, bounds_.metric),
-                    path);
+    write_file(kind == ".html"  ? chart_to_html(chart, bounds_.metric)
+               : kind == ".svg" ? chart_to_svg(chart, bounds_.metric)
+                                : chart_to_markdown(chart, bounds_.metric),
+               path);
 }
 
 }  // namespace momentscope::ui

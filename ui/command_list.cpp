@@ -193,10 +193,11 @@ void add_help(List& list) {
     list.push_back(plain("help.palette", "All commands…", {"Ctrl+Shift+P"},
                          "Finds a command by typing parts of its name.",
                          [](Explorer& e) { e.toggle_palette(); }));
-    list.push_back(
-        plain("help.close", "Close", {"Escape"},
-              "Closes a dialog, the help or the message; else forgets the region; else closes the card.",
-              [](Explorer& e) { e.close_topmost(); }));
+    list.push_back(plain(
+        "help.close", "Close", {"Escape"},
+        "Closes an open list or menu; else a dialog, the help or the message; else forgets the region; else "
+        "closes the card.",
+        [](Explorer& e) { e.close_topmost(); }));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "core/error.hpp"
@@ -189,13 +190,19 @@ void Explorer::update_ray() {
 }
 
 void Explorer::update_picture(glm::ivec2 size) {
+    const auto begun = std::chrono::steady_clock::now();
     leave_light_without_shadows();
+    const bool builds_scene = state_.scene != scene_.id && is_builtin_scene(state_.scene);
+    if (builds_scene)
+        announce(picture_kind({camera(), size, state_.technique, state_.parameters}, Stage::opaque), size);
     load_scene_if_changed();
     if (busy()) return;
     const View view = {camera(), size, state_.technique, state_.parameters};
     const Stage stage = first_stale_stage(shown_view_, view);
     const PassCounts before = renderer_.pass_counts();
     if (wants_draft(view, stage)) return draw_draft(view, stage);
+    const PictureKind kind = picture_kind(view, stage);
+    if (!builds_scene) announce(kind, size);
     draft_view_.technique = nullptr;
     if (stage != Stage::nothing) renderer_.render(view);
     report_passes(before);
@@ -205,6 +212,8 @@ void Explorer::update_picture(glm::ivec2 size) {
     update_scene_picture(view, stage);
     shown_view_ = view;
     measure_if_changed(report_.capture);
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begun;
+    picture_times_.took(kind, size, took.count());
 }
 
 void Explorer::report_passes(const PassCounts& before) {

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -18,6 +19,7 @@
 #include "ui/file_dialog.hpp"
 #include "ui/history.hpp"
 #include "ui/measurement.hpp"
+#include "ui/picture_times.hpp"
 #include "ui/pinned_plots.hpp"
 #include "ui/plot_panel.hpp"
 #include "ui/ray_editor.hpp"
@@ -31,8 +33,11 @@ struct ExplorerOptions {
     float scale = 1;         // of fonts and spacing
     bool show_times = true;  // milliseconds in the status line; off where pictures must repeat bit by bit
     double most_milliseconds =
-        std::numeric_limits<double>::infinity();  // for a picture, while the mouse drags;
-                                                  // one that takes longer is drafted
+        std::numeric_limits<double>::infinity();     // for a picture, while the mouse drags;
+                                                     // one that takes longer is drafted
+    double most_silent_milliseconds = 100;           // a picture takes as its kind did before, but times vary
+    std::function<void()> before_long_picture = {};  // called before one that takes longer, or nobody knows
+                                                     // how long; draw_waiting is for the window to show then
 };
 
 /// What a frame had to compute; all false when nothing had changed.
@@ -55,6 +60,9 @@ public:
     /// Fills the whole ImGui viewport. Recomputes what the state's changes made stale. Failures become the
     /// message line; the last good picture stays. Throws Error only when there never was a good one.
     void frame();
+
+    /// The word that is shown over the last frame while a long picture is drawn.
+    void draw_waiting(ImDrawList& list) const;
 
     /// Does what is shown lag behind the state, so that another frame is needed without any input?
     bool wants_frame() const {
@@ -150,7 +158,12 @@ private:
     void choose_picture();
     void measure_if_changed(bool captured);
     void report_passes(const PassCounts& before);
+    bool wants_reference() const;
+    View reference_view(const View& view) const;
+    PictureKind picture_kind(const View& view, Stage stage) const;
+    void announce(const PictureKind& kind, glm::ivec2 size) const;
 
+    bool close_popup_on_escape() const;
     void message_until_input();
     void draw_menu(const Ui& ui);
     void draw_lessons(const Ui& ui);
@@ -189,7 +202,9 @@ private:
     float still_seconds_ = 0;      // that the draft's view has not changed
     SceneLoader loader_;
     std::unique_ptr<Renderer> reference_;  // of the same scene, made when it is first asked for
-    bool flipped_ = false;                 // to the reference
+    View reference_view_;                  // that it drew last
+    PictureTimes picture_times_;
+    bool flipped_ = false;  // to the reference
     bool flip_button_held_ = false;
     bool lens_flipped_ = false;
     bool transmittance_stale_ = true;
@@ -218,7 +233,7 @@ private:
     BackgroundWork<std::optional<SharpBounds>> sharp_bounds_;
     std::optional<SharpBoundsInput> sharp_input_;  // of the last that were asked for; nullopt: of no ray
     bool help_ = false;
-    bool escape_is_taken_ = false;  // by a dialog or a text field that it closes
+    bool escape_is_taken_ = false;  // by a popup, a dialog or a text field that it closes
     std::optional<ParameterId> to_type_;
     bool focus_go_to_ = false;
     std::optional<std::filesystem::path> window_export_;

@@ -10,14 +10,23 @@ bool Explorer::has_comparison() const {
     return !state_.ray && state_.technique != state_.compare.reference;
 }
 
-// The reference is drawn only for those who look: flipped to, beside the picture, or compared with it.
+// It is drawn only for those who look: flipped to, beside the picture, or compared with it.
+bool Explorer::wants_reference() const {
+    return has_comparison() && (flipped_ || state_.compare.mode != CompareMode::off ||
+                                state_.panel == Panel::compare || worst_wanted_);
+}
+
+View Explorer::reference_view(const View& view) const {
+    return {view.camera, view.size, state_.compare.reference, view.parameters};
+}
+
 void Explorer::update_comparison(const View& view, Stage stage) {
     pair_stale_ |= stage != Stage::nothing;
     const CompareMode mode = has_comparison() ? state_.compare.mode : CompareMode::off;
     const bool map = mode == CompareMode::difference || mode == CompareMode::false_color;
     const bool panel = state_.panel == Panel::compare;
     const bool numbers = has_comparison() && (map || panel || worst_wanted_);
-    if (numbers || mode == CompareMode::wipe || (flipped_ && has_comparison())) {
+    if (wants_reference()) {
         render_reference(view);
         pair_stale_ |= report_.reference;
     }
@@ -44,7 +53,8 @@ void Explorer::render_reference(const View& view) {
         reference_->set_scene(scene_);
     }
     const int before = reference_->pass_counts().composite;
-    reference_->render({view.camera, view.size, state_.compare.reference, view.parameters});
+    reference_view_ = reference_view(view);
+    reference_->render(reference_view_);
     report_.reference = reference_->pass_counts().composite > before;
 }
 

@@ -122,18 +122,18 @@ void Explorer::export_to(const FileDialog::Choice& choice) {
         if (state_.ray) throw Error("A view ray of its own has no picture; choose a scene first.");
         write_image(renderer_.read_picture(), choice.path, tone_map_of(state_.parameters));
     } else if (kind == "curves_csv") {
-        write_text_file(curves_to_csv(curves), choice.path);
+        write_file(curves_to_csv(curves), choice.path);
     } else if (kind == "curves_json") {
-        write_text_file(curves_to_json(ray, curves), choice.path);
+        write_file(curves_to_json(ray, curves), choice.path);
     } else if (kind == "ray_json") {
-        write_text_file(json_text(ray_to_json(ray), 1) + "\n", choice.path);
+        write_file(json_text(ray_to_json(ray), 1) + "\n", choice.path);
     } else {
         if (!state_.ray && !measurement_.light && measurement_.capture.transmittance.empty() &&
             !ray.fragments.empty())
             measurement_.capture = renderer_.capture_pixel(measurement_.pixel);
         const auto rows =
             pixel_history(ray, measurement_.capture.transmittance, *state_.technique, state_.parameters);
-        write_text_file(pixel_history_to_csv(ray, rows), choice.path);
+        write_file(pixel_history_to_csv(ray, rows), choice.path);
     }
     message_ = fmt::format("Written to {}.", choice.path.string());
 }

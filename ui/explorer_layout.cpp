@@ -1,7 +1,9 @@
 // explorer_layout.cpp -- where things stand in the window.
 #include <fmt/format.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 
 #include "ui/compare_panel.hpp"
@@ -43,6 +45,18 @@ void splitter(const Ui& ui, const char* name, bool vertical, ImVec2 size, float 
 
 }  // namespace
 
+// A list, a menu or another popup closes before Escape reaches anything else; dialog and palette, which are
+// popups, too, close themselves, and a text that is being typed goes first.
+bool Explorer::close_popup_on_escape() const {
+    constexpr int ESCAPE = 256;
+    const int stay = files_.is_open() || palette_.is_open() ? 1 : 0;
+    const int open = ImGui::GetCurrentContext()->OpenPopupStack.Size;
+    if (open <= stay || ImGui::GetIO().WantTextInput || !ImGui::IsKeyPressed(ESCAPE, false)) return false;
+    ImGui::ClosePopupToLevel(open - 1, true);
+    ImGui::GetIO().KeysDownDuration[ESCAPE] = FLT_MIN;  // held, but not pressed any more
+    return true;
+}
+
 void Explorer::frame() {
     if (styled_ != state_.theme) {
         apply_style(state_.theme, options_.scale);
@@ -63,7 +77,7 @@ void Explorer::frame() {
                      ImGuiWindowFlags_NoSavedSettings);
     const bool dialog = files_.is_open() || palette_.is_open();
     const bool reading = busy();  // may change within the frame
-    escape_is_taken_ = dialog || reading || ImGui::GetIO().WantTextInput;
+    escape_is_taken_ = close_popup_on_escape() || dialog || reading || ImGui::GetIO().WantTextInput;
     ImGui::BeginDisabled(reading);  // what is shown and what is chosen must not part
     flipped_ = !state_.ray && !dialog && (held({.key = 'G'}) || flip_button_held_);
     draw_menu(ui);
@@ -253,6 +267,10 @@ void Explorer::draw_loading(const Ui& ui) {
     ImGui::Begin("Reading###loading", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings);
     ImGui::TextWrapped("Reading %s", loader_.name().c_str());
+    const float top = ImGui::GetCursorPosY();
+    ImGui::TextWrapped("%s", loader_.stage().c_str());
+    // The button stays where it is, however long the text.
+    ImGui::SetCursorPosY(top + 3 * ImGui::GetTextLineHeightWithSpacing());
     const double seconds = loader_.seconds();
     const auto sweep =
         static_cast<float>(seconds - std::floor(seconds));  // how long it takes is not known beforehand

@@ -14,7 +14,10 @@
 
 namespace momentscope::ui {
 
-/// Reads one object's keys; every key that was asked for is known, the others are reported.
+constexpr std::size_t MAX_NAMED = 20;  // keys that nobody asked for; a file may have millions
+constexpr std::size_t MAX_NAME = 60;   // letters of each
+
+/// Reads one object's keys; every key that was asked for is known, the first others are reported.
 class JsonReader {
 public:
     JsonReader(const nlohmann::json& object, std::string path, std::vector<std::string>& ignored)
@@ -23,7 +26,8 @@ public:
     }
     ~JsonReader() {
         for (const auto& item : object_.items())
-            if (!known_.contains(item.key())) ignored_.push_back(path_ + item.key());
+            if (!known_.contains(item.key()) && ignored_.size() < MAX_NAMED)
+                ignored_.push_back(path_ + item.key().substr(0, MAX_NAME));
     }
     JsonReader(const JsonReader&) = delete;
     JsonReader& operator=(const JsonReader&) = delete;

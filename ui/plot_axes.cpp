@@ -26,8 +26,13 @@ Range fitting_depths(const PlotAxes& axes, const Curve& curve, const PlotState& 
 
 Range fitting_values(const Curve& curve, Quantity quantity) {
     if (quantity == Quantity::transmittance) return {0, 1.04f};
-    const float highest = curve.beta1.empty() ? 0.0f : *std::ranges::max_element(curve.beta1);
-    return {0, 1.08f * std::max({static_cast<float>(curve.total_absorbance), highest, 1e-3f})};
+    float highest = 1e-3f;
+    const auto reach = [&](float value) {  // no axis reaches infinity
+        if (std::isfinite(value)) highest = std::max(highest, value);
+    };
+    reach(static_cast<float>(curve.total_absorbance));
+    for (const float value : curve.beta1) reach(value);
+    return {0, 1.08f * highest};
 }
 
 // A step of 1, 2 or 5 times a power of ten that gives about `count` ticks.

@@ -1,7 +1,12 @@
 #include "ui/scene_loader.hpp"
 
-#include <cassert>
+#include <fmt/format.h>
 
+#include <cassert>
+#include <utility>
+
+#include "core/memory.hpp"
+#include "core/render/scene_size.hpp"
 #include "core/scene/scenes.hpp"
 
 namespace momentscope::ui {
@@ -14,10 +19,15 @@ void SceneLoader::start(const std::string& id_or_path, float opacity) {
     assert(!busy());
     name_ = id_or_path;
     stop_ = std::stop_source();
+    drawing_is_told_ = false;
+    tell("");
     started_ = std::chrono::steady_clock::now();
-    result_ = std::async(std::launch::async, [id_or_path, opacity, stop = stop_.get_token()] {
-        Scene scene = load_scene(id_or_path, opacity, stop);
+    result_ = std::async(std::launch::async, [this, id_or_path, opacity, stop = stop_.get_token()] {
+        Scene scene = load_scene(id_or_path, opacity, stop, [this](const std::string& what) { tell(what); });
         scene.id = id_or_path;
+        const SceneSize size = size_of(scene);
+        tell(fmt::format("drawing {} triangles, which take {} of graphics memory", size.indices / 3,
+                         memory_text(size.bytes())));
         return scene;
     });
 }
@@ -25,7 +35,18 @@ void SceneLoader::start(const std::string& id_or_path, float opacity) {
 std::optional<Scene> SceneLoader::take() {
     if (!busy() || result_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
         return std::nullopt;
+    if (!std::exchange(drawing_is_told_, true)) return std::nullopt;
     return result_.get();  // leaves the future without a state: not busy any more, even if it throws
+}
+
+void SceneLoader::tell(const std::string& what) {
+    const std::scoped_lock lock(mutex_);
+    stage_ = what;
+}
+
+std::string SceneLoader::stage() const {
+    const std::scoped_lock lock(mutex_);
+    return stage_;
 }
 
 double SceneLoader::seconds() const {

@@ -2,6 +2,7 @@
 #pragma once
 #include <chrono>
 #include <future>
+#include <mutex>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -22,14 +23,23 @@ public:
     bool busy() const { return result_.valid(); }
     void cancel() { stop_.request_stop(); }
 
-    /// The scene when it is there, nullopt before. Throws the Error of a file that cannot be used.
+    /// The scene when it is there, nullopt before, and once more, so that a frame says that it is drawn now,
+    /// which may take longer than a frame. Throws the Error of a file that cannot be used.
     std::optional<Scene> take();
 
     const std::string& name() const { return name_; }
     double seconds() const;
 
+    /// What is done now: "placing its triangles".
+    std::string stage() const;
+
 private:
+    void tell(const std::string& what);
+
     std::string name_;
+    mutable std::mutex mutex_;
+    std::string stage_;  // behind the mutex
+    bool drawing_is_told_ = false;
     std::stop_source stop_;
     std::future<Scene> result_;
     std::chrono::steady_clock::time_point started_;

@@ -124,16 +124,16 @@ void ScenePanel::draw_tools(const Ui& ui, const Measurement& m, const ScenePictu
 void ScenePanel::draw_go_to(glm::ivec2 size, ExplorerState& state, std::string& message) {
     if (focus_go_to_) ImGui::SetKeyboardFocusHere();
     focus_go_to_ = false;
-    if (!ImGui::InputTextWithHint("##goto", "go to x, y", &go_to_, ImGuiInputTextFlags_EnterReturnsTrue))
+    std::string typed;  // ImGui keeps what is typed until Enter; then one starts afresh
+    if (!ImGui::InputTextWithHint("##goto", "go to x, y", &typed, ImGuiInputTextFlags_EnterReturnsTrue))
         return;
-    const auto place = parse_place(go_to_);
+    const auto place = parse_place(typed);
     if (place && glm::all(glm::greaterThanEqual(*place, glm::ivec2(0))) &&
         glm::all(glm::lessThan(*place, size))) {
         pick(state, fraction_of(*place, size));
-        go_to_.clear();
     } else {
-        message = fmt::format("'{}' is no pixel of the picture; type two numbers from 0, 0 to {}, {}.",
-                              go_to_, size.x - 1, size.y - 1);
+        message = fmt::format("'{}' is no pixel of the picture; type two numbers from 0, 0 to {}, {}.", typed,
+                              size.x - 1, size.y - 1);
     }
 }
 

@@ -50,7 +50,6 @@ private:
     enum class Drag { none, pick, divider, region };
 
     ImVec2 corner_{0, 0};
-    std::string go_to_;
     bool flip_held_ = false;
     bool focus_go_to_ = false;
     Drag drag_ = Drag::none;  // of the left button

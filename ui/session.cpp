@@ -6,11 +6,7 @@
 
 #include "core/bounded_json.hpp"
 #include "core/error.hpp"
-#include "core/input_file.hpp"
-#include "core/json_text.hpp"
-#include "core/output_file.hpp"
 #include "core/ray/ray_json.hpp"
-#include "core/scene/scenes.hpp"
 #include "ui/json_reader.hpp"
 #include "ui/lessons.hpp"
 #include "ui/series.hpp"
@@ -22,7 +18,6 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-constexpr std::uintmax_t MAX_SESSION_BYTES = MAX_RAY_FILE_BYTES + (1U << 20);  // a ray is the only large part
 constexpr const char* PANELS[] = {"controls", "fragments", "technique", "steps",
                                   "editor",   "stress",    "compare",   "chart"};
 constexpr const char* COMPARE_MODES[] = {"off", "wipe", "difference", "false_color"};
@@ -193,7 +188,7 @@ void read_techniques(JsonReader& reader, ExplorerState& state) {
 
 json parse(const std::string& text) {
     try {
-        return parse_bounded_json(text, MAX_SESSION_BYTES);
+        return parse_bounded_json(text, {.bytes = MAX_SESSION_BYTES});
     } catch (const Error& error) {
         throw Error(fmt::format("The session cannot be read: {}", error.what()));
     }
@@ -246,7 +241,7 @@ Session session_from_json(const std::string& text) {
             version->get<long long>(), SESSION_VERSION));
     reader.text("scene", state.scene);
     if (const json* ray = reader.find("ray"); ray != nullptr && !ray->is_null())
-        state.ray = ray_from_json(ray->dump());
+        state.ray = ray_from_value(*ray);
     read_techniques(reader, state);
     if (const json* found = reader.find("parameters"))
         read_parameters(*found, state.parameters, session.ignored);
@@ -266,53 +261,6 @@ Session session_from_json(const std::string& text) {
     reader.number("scene_share", state.scene_share, 0.2f, 0.8f);
     reader.number("plot_share", state.plot_share, 0.2f, 0.8f);
     return session;
-}
-
-namespace {
-
-std::filesystem::path folder_of(const std::filesystem::path& file) {
-    return std::filesystem::path(absolute_scene(file.string())).parent_path();
-}
-
-// Relative to the session's folder if the mesh lies there, so that both can be moved together.
-std::string portable_scene(const std::string& scene, const std::filesystem::path& session) {
-    if (is_builtin_scene(scene)) return scene;
-    const std::filesystem::path path = absolute_scene(scene);
-    const std::filesystem::path relative = path.lexically_relative(folder_of(session));
-    return relative.empty() || *relative.begin() == ".." ? path.string() : relative.string();
-}
-
-// A path that does not begin at the root is looked for beside the session first.
-std::string scene_beside(const std::string& scene, const std::filesystem::path& session) {
-    if (is_builtin_scene(scene)) return scene;
-    const std::filesystem::path beside = folder_of(session) / scene;
-    std::error_code code;
-    return std::filesystem::exists(beside, code) ? beside.string() : scene;
-}
-
-}  // namespace
-
-Session read_session_file(const std::filesystem::path& path) {
-    Session session = session_from_json(read_input_file(path, MAX_SESSION_BYTES, "session"));
-    session.state.scene = scene_beside(session.state.scene, path);
-    return session;
-}
-
-void require_session_name(const std::string& scene) {
-    if (!is_utf8(scene))
-        throw Error(
-            "The name of the mesh file is no UTF-8, which a session needs; rename the file and open it again.");
-}
-
-std::string session_text(const ExplorerState& state) {
-    require_session_name(state.scene);
-    return json_text(session_to_json(state), 1) + "\n";
-}
-
-void write_session_file(const ExplorerState& state, const std::filesystem::path& path) {
-    ExplorerState portable = state;
-    portable.scene = portable_scene(state.scene, path);
-    write_text_file(session_text(portable), path);
 }
 
 }  // namespace momentscope::ui

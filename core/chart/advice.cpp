@@ -86,7 +86,9 @@ const Technique* technique_of(const ChartRow& row) {
 
 double worst_error(const ChartRow& row, Metric metric, const std::optional<double>& held_out) {
     assert(row.numbers);
-    return std::max(error_of(*row.numbers, metric), held_out.value_or(0));
+    const double elsewhere = held_out.value_or(0);
+    if (std::isnan(elsewhere)) return elsewhere;  // which std::max would leave out
+    return std::max(error_of(*row.numbers, metric), elsewhere);
 }
 
 Judgement judge(const ChartRow& row, const AdviceBounds& bounds, const std::optional<double>& held_out) {
@@ -97,6 +99,7 @@ Judgement judge(const ChartRow& row, const AdviceBounds& bounds, const std::opti
     if (bounds.order_independent &&
         (technique->order_dependent || std::string_view(technique->id) == "unsorted"))
         return Judgement::order_dependent;
+    if (held_out && !std::isfinite(*held_out)) return Judgement::infinite_elsewhere;
     // Written so that an error that is no number meets nothing.
     if (!(error_of(*row.numbers, bounds.metric) <= bounds.max_error)) return Judgement::inaccurate;
     if (!(worst_error(row, bounds.metric, held_out) <= bounds.max_error))

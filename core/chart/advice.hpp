@@ -23,15 +23,17 @@ struct AdviceBounds {
 /// Throws Error when a bound is no number, is not above 0, or bounds nothing.
 void require_sensible(const AdviceBounds& bounds);
 
-/// For each row the greatest error at views at which the rows were not measured; nullopt where it is unknown.
+/// For each row the greatest error at views at which the rows were not measured, infinite where a picture is;
+/// nullopt where it is unknown.
 using HeldOutErrors = std::vector<std::optional<double>>;
 
 /// What stands between a row and the advice, first things first.
 enum class Judgement {
     meets,
-    unavailable,      // the GL cannot draw it, or this version does not know it
-    ground_truth,     // a reference, not a candidate
-    order_dependent,  // and that was ruled out
+    unavailable,         // the GL cannot draw it, or this version does not know it
+    ground_truth,        // a reference, not a candidate
+    order_dependent,     // and that was ruled out
+    infinite_elsewhere,  // pixels at views that are held out are infinite or NaN
     inaccurate,
     inaccurate_elsewhere,  // at views that are held out alone
     too_many_bits,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <iterator>
 
 namespace momentscope {
@@ -14,6 +15,11 @@ constexpr std::size_t MOST_EVIDENCE = 9;
 
 const char* symbol_of(Metric metric) {
     return metrics()[static_cast<std::size_t>(metric)].symbol;
+}
+
+// Infinite where the picture has pixels that are infinite or NaN.
+std::string error_text(double error) {
+    return std::isfinite(error) ? fmt::format("{:.3g}", error) : "infinite";
 }
 
 std::string bits_text(const ChartRow& row) {
@@ -52,7 +58,7 @@ std::string evidence_table(std::span<const ChartRow> rows, const AdviceBounds& b
         const std::string role = role_of(i, advice);
         fmt::format_to(std::back_inserter(text), "{:<{}}  {:>8.1f}  {:>6.1f}  {:>5}  {:>9.3g}  {:>9}  {}\n",
                        rows[i].configuration, width, n.total.median, n.total.range, bits_text(rows[i]),
-                       error_of(n, bounds.metric), held_out[i] ? fmt::format("{:.3g}", *held_out[i]) : "",
+                       error_of(n, bounds.metric), held_out[i] ? error_text(*held_out[i]) : "",
                        role.empty() ? judgement_text(judge(rows[i], bounds, held_out[i])) : role);
     }
     return text;
@@ -69,8 +75,8 @@ std::string bounds_text(const AdviceBounds& bounds) {
 }
 
 std::string cost_text(const ChartRow& row, Metric metric, const std::optional<double>& held_out) {
-    return fmt::format("{} {:.3g}, {:.1f} ms, {}", symbol_of(metric), worst_error(row, metric, held_out),
-                       row.numbers->total.median,
+    return fmt::format("{} {}, {:.1f} ms, {}", symbol_of(metric),
+                       error_text(worst_error(row, metric, held_out)), row.numbers->total.median,
                        row.numbers->bits_with_factor ? bits_text(row) + " bits per pixel"
                                                      : "bits that grow with the layers");
 }
@@ -85,6 +91,8 @@ const char* judgement_text(Judgement judgement) {
             return "ground truth";
         case Judgement::order_dependent:
             return "depends on the order";
+        case Judgement::infinite_elsewhere:
+            return "infinite pixels elsewhere";
         case Judgement::inaccurate:
             return "error too great";
         case Judgement::inaccurate_elsewhere:
@@ -137,6 +145,7 @@ std::vector<std::size_t> evidence_of(std::span<const ChartRow> rows, const Advic
         }
     };
     const std::size_t share = std::max<std::size_t>(most / 3, 1);
+    add(Judgement::infinite_elsewhere, share);
     add(Judgement::inaccurate_elsewhere, share);
     for (const Judgement missed :
          {Judgement::inaccurate, Judgement::too_many_bits, Judgement::too_slow, Judgement::order_dependent})

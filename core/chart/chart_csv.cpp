@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <limits>
+
 #include "core/error.hpp"
 #include "core/markup.hpp"
 #include "core/parse_number.hpp"
@@ -11,6 +14,7 @@ namespace momentscope {
 namespace {
 
 constexpr std::size_t FIELDS = 20;
+constexpr double MOST = std::numeric_limits<float>::max();  // errors are floats, and no time is as long
 constexpr const char* COLUMNS =
     "scene,configuration,moments_ms,moments_range_ms,color_ms,color_range_ms,composite_ms,composite_range_ms,"
     "total_ms,total_range_ms,differential_ms,differential_range_ms,stored_bits,bits_with_factor,geometry_passes,rmse,delta_e,"
@@ -19,33 +23,46 @@ constexpr const char* COLUMNS =
 /// Reads one field after another; throws Error at the first that is none.
 class Fields {
 public:
-    Fields(std::string_view line, std::string_view name) : fields_(csv_fields(line)), name_(name) {
+    Fields(std::string_view line, std::string_view name)
+        : fields_(csv_fields(line, FIELDS + 1)), name_(name) {
         if (fields_.size() != FIELDS) refuse(line);
     }
     std::string text() { return fields_[next_++]; }
-    double number() { return parsed<double>(fields_[next_++]); }
+    /// Finite, and within +-MOST.
+    double number() {
+        const std::string& field = fields_[next_++];
+        const auto value = parse_number<double>(field);
+        if (!value || std::abs(*value) > MOST) refuse(field);
+        return *value;
+    }
+    double at_least_zero() {
+        const double value = number();
+        if (value < 0) refuse(fields_[next_ - 1]);
+        return value;
+    }
     Spread spread() {
+        const double median = at_least_zero();
+        return {median, at_least_zero()};
+    }
+    Spread signed_spread() {
         const double median = number();
-        return {median, number()};
+        return {median, at_least_zero()};
     }
     std::optional<int> count() {
         const std::string& field = fields_[next_++];
-        return field.empty() ? std::nullopt : std::optional(parsed<int>(field));
+        if (field.empty()) return std::nullopt;
+        const auto value = parse_number<int>(field);
+        if (!value || *value < 0) refuse(field);
+        return value;
     }
     bool at_numbers() const { return !fields_[next_].empty(); }
     void skip_to_last() { next_ = FIELDS - 1; }
 
 private:
-    template <typename T>
-    T parsed(const std::string& field) const {
-        const auto value = parse_any_number<T>(field);  // a picture may be infinitely wrong
-        if (!value) refuse(field);
-        return *value;
-    }
     [[noreturn]] void refuse(std::string_view what) const {
-        constexpr int MOST = 60;  // letters of a record that lost a quote and goes on for long
+        constexpr int SHORT = 60;  // letters of a record that lost a quote and goes on for long
         throw Error(
-            fmt::format("'{}' is damaged at '{:.{}}'; remove it and make it again.", name_, what, MOST));
+            fmt::format("'{}' is damaged at '{:.{}}'; remove it and make it again.", name_, what, SHORT));
     }
 
     std::vector<std::string> fields_;
@@ -89,14 +106,14 @@ ChartRow parse_chart_line(std::string_view line, std::string_view name) {
         n.color = fields.spread();
         n.composite = fields.spread();
         n.total = fields.spread();
-        n.differential = fields.spread();
+        n.differential = fields.signed_spread();
         n.stored_bits = fields.count();
         n.bits_with_factor = fields.count();
         n.geometry_passes = fields.count();
-        n.rmse = fields.number();
-        n.delta_e = fields.number();
-        n.flip = fields.number();
-        n.stability = fields.number();
+        n.rmse = fields.at_least_zero();
+        n.delta_e = fields.at_least_zero();
+        n.flip = fields.at_least_zero();
+        n.stability = fields.at_least_zero();
         row.numbers = n;
     }
     fields.skip_to_last();

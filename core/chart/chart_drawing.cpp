@@ -20,6 +20,7 @@ constexpr float LEGEND_LINE = 20, LEGEND_TOP = 14;   // without a title
 constexpr float STRIP = 30;                          // at the bottom, for errors too small for the axis
 constexpr float RADIUS = 5;
 constexpr float FONT = 11, AXIS_FONT = 12, TITLE_FONT = 17;
+constexpr double MOST_ERROR = 1e30;   // of an axis, whose ticks go up to it
 constexpr double LEAST_SHARE = 4e-3;  // of the greatest error, that still has a place of its own
 const glm::vec3 TEXT(0.13f, 0.15f, 0.18f), WEAK(0.42f, 0.45f, 0.50f), GRID(0.90f, 0.91f, 0.93f),
     AXIS(0.55f, 0.58f, 0.62f), FRONT(0.13f, 0.15f, 0.18f);
@@ -41,17 +42,31 @@ struct Point {
     bool standard;  // no parameter was changed
 };
 
-/// 1, 2 and 5 times powers of ten within a range; of more than three decades powers alone.
+/// 1, 2 and 5 times powers of ten within a range; of more than three decades powers alone. None where an end
+/// has no logarithm.
 std::vector<double> ticks_of(double least, double most) {
     std::vector<double> ticks;
+    if (!(least > 0 && std::isfinite(least) && std::isfinite(most))) return ticks;
     const bool wide = most / least > 1000;
-    for (double power = std::pow(10, std::floor(std::log10(least))); power <= most; power *= 10)
+    const int last = static_cast<int>(std::floor(std::log10(most)));
+    for (int decade = static_cast<int>(std::floor(std::log10(least))); decade <= last; ++decade)
         for (const double factor : {1.0, 2.0, 5.0}) {
-            const double tick = power * factor;
+            const double tick = std::pow(10, decade) * factor;
             if (tick >= least * 0.999 && tick <= most * 1.001 && (factor < 1.5 || !wide))
                 ticks.push_back(tick);
         }
     return ticks;
+}
+
+/// As far to the left as the logarithm goes.
+double drawn_time(const ChartRow& row) {
+    return std::max(row.numbers->total.median, 1e-3);
+}
+
+/// What has no place on an axis is left out.
+bool is_drawn(const ChartRow& row, Metric metric) {
+    return row.numbers && std::isfinite(row.numbers->total.median) &&
+           std::isfinite(error_of(*row.numbers, metric));
 }
 
 const Family& family_of_row(const ChartRow& row) {
@@ -67,12 +82,13 @@ public:
         plot_ = {{LEFT, 0}, {size_.x - RIGHT, size_.y - (title_ ? BOTTOM : CLOSE_BOTTOM)}};
         std::vector<double> times, errors;
         for (const ChartRow& row : rows) {
-            if (!row.numbers) continue;
-            times.push_back(std::max(row.numbers->total.median, 1e-3));
-            errors.push_back(error_of(*row.numbers, metric));
+            if (!is_drawn(row, metric)) continue;
+            times.push_back(drawn_time(row));
+            errors.push_back(std::min(error_of(*row.numbers, metric), MOST_ERROR));
         }
         if (times.empty()) return;
-        const double most = std::max(*std::ranges::max_element(errors), 1e-6);
+        double most = 1e-6;
+        for (const double error : errors) most = std::max(most, error);
         double least = most;
         for (const double error : errors)
             if (error >= most * LEAST_SHARE) least = std::min(least, error);
@@ -102,12 +118,13 @@ public:
 
 private:
     void add_point(std::size_t i) {
-        if (!rows_[i].numbers) return;
+        if (!is_drawn(rows_[i], metric_)) return;
         const double error = error_of(*rows_[i].numbers, metric_);
-        const float y = error < error_.least ? plot_.high.y - 0.5f * STRIP : error_.at(error);
+        const double shown = error < error_.most ? error : error_.most;  // infinite or NaN: at the top
+        const float y = shown < error_.least ? plot_.high.y - 0.5f * STRIP : error_.at(shown);
         const std::string& text = rows_[i].configuration;
         points_.push_back({i,
-                           {time_.at(std::max(rows_[i].numbers->total.median, 1e-3)), y},
+                           {time_.at(drawn_time(rows_[i])), y},
                            &family_of_row(rows_[i]),
                            text.find(':') == std::string::npos});
     }
@@ -159,8 +176,8 @@ private:
 
     void draw_unsorted() {
         const auto row = std::ranges::find(rows_, "unsorted", &ChartRow::configuration);
-        if (row == rows_.end() || !row->numbers) return;
-        const float x = time_.at(row->numbers->total.median);
+        if (row == rows_.end() || !is_drawn(*row, metric_)) return;
+        const float x = time_.at(drawn_time(*row));
         add_line({{x, plot_.low.y}, {x, plot_.high.y}}, AXIS, 1.2f, true);
         taken_.push_back({{x - 1, plot_.low.y}, {x + 1, plot_.high.y}});
     }

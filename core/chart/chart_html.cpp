@@ -96,11 +96,17 @@ json json_of(const Chart& chart, const ChartRow& row) {
             {"stability", n.stability}};
 }
 
-// The rows of a scene begin at `first` of the page's.
-std::string scene_svg(const Chart& chart, std::span<const ChartRow> rows, Metric metric) {
-    Drawing drawing = chart_drawing(rows, metric, setting(chart.settings, "times"));
+// Of all rows of a page.
+std::vector<std::string> titles_of(const Chart& chart) {
     std::vector<std::string> titles;
     for (const ChartRow& row : chart.rows) titles.push_back(row.configuration);
+    return titles;
+}
+
+// The rows of a scene begin at `first` of the page's.
+std::string scene_svg(const Chart& chart, std::span<const ChartRow> rows, Metric metric,
+                      const std::vector<std::string>& titles) {
+    Drawing drawing = chart_drawing(rows, metric, setting(chart.settings, "times"));
     const auto first = static_cast<std::size_t>(rows.data() - chart.rows.data());
     for (Drawing::Mark& mark : drawing.marks)
         if (mark.row != Drawing::NO_ROW) mark.row += first;
@@ -134,12 +140,13 @@ std::string explore_command(const Chart& chart, const ChartRow& row) {
 }
 
 std::string chart_to_svg(const Chart& chart, Metric metric) {
+    const std::vector<std::string> titles = titles_of(chart);
     std::string parts;
     float width = 0, height = 0;
     for (const std::span<const ChartRow> rows : scenes_of(chart)) {
         const Drawing drawing = chart_drawing(rows, metric, setting(chart.settings, "times"));
         parts += fmt::format("<g transform=\"translate(0 {})\">\n{}</g>\n", height,
-                             scene_svg(chart, rows, metric));
+                             scene_svg(chart, rows, metric, titles));
         width = std::max(width, drawing.size.x);
         height += drawing.size.y;
     }
@@ -149,6 +156,7 @@ std::string chart_to_svg(const Chart& chart, Metric metric) {
 }
 
 std::string chart_to_html(const Chart& chart, Metric metric) {
+    const std::vector<std::string> titles = titles_of(chart);
     std::string drawings, choices;
     json rows = json::array();
     for (const ChartRow& row : chart.rows) rows.push_back(json_of(chart, row));
@@ -158,7 +166,8 @@ std::string chart_to_html(const Chart& chart, Metric metric) {
                         markup_escaped(row.help), row.key, row.id == metric ? " checked" : "", row.name);
     for (const std::span<const ChartRow> scene : scenes_of(chart)) {
         for (const MetricRow& row : metrics())
-            drawings += fmt::format("<div class={}>{}</div>\n", row.key, scene_svg(chart, scene, row.id));
+            drawings +=
+                fmt::format("<div class={}>{}</div>\n", row.key, scene_svg(chart, scene, row.id, titles));
         drawings += unavailable_text(scene);
     }
     return fmt::format(

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <sstream>
 
 #include "core/chart/camera_path.hpp"
 #include "core/chart/chart_csv.hpp"
@@ -18,6 +19,7 @@ namespace {
 // Configurations that are timed in turn. More of them would share their noise, and lose more when the run is
 // ended.
 constexpr std::size_t BLOCK = 6;
+constexpr const char* MESH_CONTENT = "mesh content";  // a setting, so that rows of another mesh are refused
 
 /// The rows of a run by their places in it.
 using Rows = std::map<std::size_t, std::string>;
@@ -81,7 +83,17 @@ RunSettings chart_settings(const ChartPlan& plan, const GlInfo& gl) {
                      {"camera path", PATH_TEXT},
                      {"times", timing_text(reliable_timing(gl))},
                      {"gl", gl.renderer}});
+    if (!plan.contents.empty())
+        settings.emplace_back(MESH_CONTENT, fmt::format("{}", fmt::join(plan.contents, " ")));
     return settings;
+}
+
+std::string charted_content(const RunSettings& settings, std::size_t scene) {
+    std::istringstream contents(setting(settings, MESH_CONTENT));
+    std::string content;
+    for (std::size_t i = 0; i <= scene; ++i)
+        if (!(contents >> content)) return "";
+    return content;
 }
 
 RunTable run_chart(const ChartPlan& plan, const RunTable& kept, const std::stop_token& stop,

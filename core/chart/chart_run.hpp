@@ -12,7 +12,8 @@
 namespace momentscope {
 
 struct ChartPlan {
-    std::vector<std::string> scenes;  // each once
+    std::vector<std::string> scenes;    // each once
+    std::vector<std::string> contents;  // scene_content of each, or none when all are built in
     std::vector<Configuration> configurations;
     ChartSettings settings;
     Shard shard;
@@ -20,6 +21,9 @@ struct ChartPlan {
 
 /// What makes two charts comparable row by row.
 RunSettings chart_settings(const ChartPlan& plan, const GlInfo& gl);
+
+/// The scene_content of the scene that comes after so many others in a chart; empty where it does not tell.
+std::string charted_content(const RunSettings& settings, std::size_t scene);
 
 /// What a chart asks of its surroundings.
 struct ChartHooks {

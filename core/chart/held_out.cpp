@@ -1,9 +1,12 @@
 #include "core/chart/held_out.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 
 #include "core/chart/camera_path.hpp"
+#include "core/error.hpp"
+#include "core/image/finite_pixels.hpp"
 
 namespace momentscope {
 
@@ -37,13 +40,21 @@ HeldOutViews::HeldOutViews(const Scene& scene, glm::ivec2 size, const ParameterV
     renderer_.set_scene(scene);
 }
 
-double HeldOutViews::error(const Configuration& configuration, std::size_t view, Metric metric) {
+double HeldOutViews::error(const Configuration& configuration, std::size_t view, Metric metric,
+                           const std::stop_token& stop) {
     if (!references_[view]) {
         renderer_.render({cameras_[view], size_, &require_technique("sorted"), values_});
         references_[view] = renderer_.read_picture();
+        const std::string why =
+            non_finite_text(*references_[view], "the picture by sorted at a held-out view");
+        if (!why.empty()) throw Error(why + "; choose a scene with finite colours.");
     }
+    if (stop.stop_requested()) return 0;
     renderer_.render({cameras_[view], size_, configuration.technique, configuration.values});
-    return mean_difference(*references_[view], renderer_.read_picture(), metric);
+    const Image picture = renderer_.read_picture();
+    // Metrics that clamp colours would not see it.
+    if (!non_finite_text(picture, "").empty()) return std::numeric_limits<double>::infinity();
+    return mean_difference(*references_[view], picture, metric, stop);
 }
 
 }  // namespace momentscope

@@ -3,6 +3,7 @@
 #pragma once
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "core/compare/difference.hpp"
@@ -25,8 +26,11 @@ public:
 
     std::size_t count() const { return cameras_.size(); }
 
-    /// Of one view, against `sorted`. Draws one or two pictures. Throws Error when the GL fails.
-    double error(const Configuration& configuration, std::size_t view, Metric metric);
+    /// Of one view, against `sorted`; infinite when a pixel of the picture is infinite or NaN. Draws
+    /// one or two pictures. Means nothing when it was stopped. Throws Error when the GL fails, and when such
+    /// a pixel is in the picture by `sorted`.
+    double error(const Configuration& configuration, std::size_t view, Metric metric,
+                 const std::stop_token& stop = {});
 
 private:
     glm::ivec2 size_;

@@ -1,5 +1,7 @@
 #include "core/chart/measure.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -7,6 +9,7 @@
 
 #include "core/chart/camera_path.hpp"
 #include "core/compare/difference.hpp"
+#include "core/image/finite_pixels.hpp"
 
 namespace momentscope {
 
@@ -17,6 +20,12 @@ struct ChartBench::Candidate {
     std::string unavailable;
     ChartNumbers numbers;
     std::vector<double> moments, color, composite, total, differential;  // of each round
+
+    /// Takes its numbers from it, and what it needs to have any.
+    void refuse(const std::string& why) {
+        unavailable = why + "; so it has no error.";
+        renderer.reset();
+    }
 
     ChartRow row(const std::string& scene) const {
         ChartRow result = {scene, configuration_text(configuration), unavailable, {}};
@@ -64,27 +73,36 @@ std::unique_ptr<Renderer> ChartBench::new_renderer() const {
     return renderer;
 }
 
-void ChartBench::draw_references() {
+void ChartBench::draw_references(const std::stop_token& stop) {
     if (!path_references_.empty()) return;
     const auto renderer = new_renderer();
     View view = view_of(reference_configuration(settings_.values));
     renderer->render(view);
     reference_ = renderer->read_picture();
+    no_reference_ = non_finite_text(reference_, "the picture by sorted");
     view.size = path_size(settings_.size);
     for (const Camera& camera : camera_path(scene_.camera)) {
+        if (stop.stop_requested()) return;
         view.camera = camera;
         renderer->render(view);
         path_references_.push_back(renderer->read_picture());
+        if (no_reference_.empty())
+            no_reference_ =
+                non_finite_text(path_references_.back(), "a picture by sorted on the camera path");
     }
 }
 
-void ChartBench::compare(Candidate& candidate) const {
+void ChartBench::compare(Candidate& candidate, const std::stop_token& stop) const {
     candidate.renderer->render(view_of(candidate.configuration));
     const Image picture = candidate.renderer->read_picture();
+    if (const std::string why = non_finite_text(picture, "its picture"); !why.empty())
+        return candidate.refuse(why);
     ChartNumbers& numbers = candidate.numbers;
-    numbers.rmse = mean_difference(reference_, picture, Metric::rmse);
-    numbers.delta_e = mean_difference(reference_, picture, Metric::delta_e);
-    numbers.flip = mean_difference(reference_, picture, Metric::flip);
+    numbers.rmse = mean_difference(reference_, picture, Metric::rmse, stop);
+    numbers.delta_e = mean_difference(reference_, picture, Metric::delta_e, stop);
+    numbers.flip = mean_difference(reference_, picture, Metric::flip, stop);
+    if (!std::isfinite(numbers.rmse))
+        return candidate.refuse("The colours of its picture are so great that their squares are infinite");
     const Configuration& configuration = candidate.configuration;
     const Technique& technique = *configuration.technique;
     numbers.stored_bits = unless_zero(stored_bits(technique, configuration.values), technique.is_truth());
@@ -93,12 +111,14 @@ void ChartBench::compare(Candidate& candidate) const {
     numbers.geometry_passes = unless_zero(geometry_passes(configuration), true);
 }
 
-void ChartBench::prepare(Candidate& candidate) {
-    draw_references();
+void ChartBench::prepare(Candidate& candidate, const std::stop_token& stop) {
+    draw_references(stop);
+    if (stop.stop_requested()) return;
+    if (!no_reference_.empty()) return candidate.refuse(no_reference_);
     candidate.unavailable = why_unavailable(*candidate.configuration.technique, yardstick_->ordered_access());
     if (!candidate.unavailable.empty()) return;
     candidate.renderer = new_renderer();
-    compare(candidate);  // which also compiles its shaders
+    compare(candidate, stop);  // which also compiles its shaders
 }
 
 void ChartBench::time(std::size_t place) {
@@ -117,23 +137,28 @@ void ChartBench::time(std::size_t place) {
     candidate.differential.push_back(sum_of(times) - unsorted_);
 }
 
-void ChartBench::follow_path(Candidate& candidate) const {
+void ChartBench::follow_path(Candidate& candidate, const std::stop_token& stop) const {
     View view = view_of(candidate.configuration);
     view.size = path_size(settings_.size);
     std::optional<double> before;
     const std::vector<Camera> path = camera_path(scene_.camera);
     for (std::size_t i = 0; i < path.size(); ++i) {
+        if (stop.stop_requested()) return;
         view.camera = path[i];
         candidate.renderer->render(view);
-        const double error =
-            mean_difference(path_references_[i], candidate.renderer->read_picture(), Metric::rmse);
+        const Image picture = candidate.renderer->read_picture();
+        const double error = mean_difference(path_references_[i], picture, Metric::rmse);
+        if (!std::isfinite(error))
+            return candidate.refuse(
+                fmt::format("Its picture {} of {} on the camera path has colours that are infinite or NaN",
+                            i + 1, path.size()));
         if (before)
             candidate.numbers.stability = std::max(candidate.numbers.stability, std::abs(error - *before));
         before = error;
     }
 }
 
-void ChartBench::finish(Candidate& candidate) const {
+void ChartBench::finish(Candidate& candidate, const std::stop_token& stop) const {
     if (candidate.renderer == nullptr) return;
     ChartNumbers& numbers = candidate.numbers;
     numbers.moments = spread_of(candidate.moments);
@@ -141,7 +166,7 @@ void ChartBench::finish(Candidate& candidate) const {
     numbers.composite = spread_of(candidate.composite);
     numbers.total = spread_of(candidate.total);
     numbers.differential = spread_of(candidate.differential);
-    follow_path(candidate);
+    follow_path(candidate, stop);
 }
 
 void ChartBench::begin(std::span<const Configuration> block) {
@@ -151,16 +176,16 @@ void ChartBench::begin(std::span<const Configuration> block) {
     done_ = 0;
 }
 
-void ChartBench::advance() {
+void ChartBench::advance(const std::stop_token& stop) {
     assert(!finished());
     const std::size_t place = done_ % block_size_;
     const std::size_t turn = done_ / block_size_;
     if (turn == 0)
-        prepare(candidates_[place]);
+        prepare(candidates_[place], stop);
     else if (turn <= static_cast<std::size_t>(settings_.repeat))
         time(place);
     else
-        finish(candidates_[place]);
+        finish(candidates_[place], stop);
     ++done_;
 }
 
@@ -176,7 +201,7 @@ std::vector<ChartRow> ChartBench::measure(std::span<const Configuration> block, 
     begin(block);
     while (!finished()) {
         if (stop.stop_requested()) return {};
-        advance();
+        advance(stop);
         step();
     }
     return stop.stop_requested() ? std::vector<ChartRow>() : rows();

@@ -38,7 +38,8 @@ public:
     /// The rows are there once it is finished. Throws Error when the GL fails.
     void begin(std::span<const Configuration> block);
     bool finished() const { return done_ == chart_steps(block_size_, settings_); }
-    void advance();
+    /// After a stop, which is looked for between pictures, the bench must not go on.
+    void advance(const std::stop_token& stop = {});
     std::vector<ChartRow> rows() const;
 
     /// All steps of a block: a row per configuration, in their order. They are timed in rounds, one after the
@@ -51,14 +52,14 @@ public:
 
 private:
     struct Candidate;
-    void prepare(Candidate& candidate);
+    void prepare(Candidate& candidate, const std::stop_token& stop);
     void time(std::size_t candidate);
-    void finish(Candidate& candidate) const;
+    void finish(Candidate& candidate, const std::stop_token& stop) const;
     View view_of(const Configuration& configuration) const;
     std::unique_ptr<Renderer> new_renderer() const;
-    void draw_references();
-    void compare(Candidate& candidate) const;
-    void follow_path(Candidate& candidate) const;
+    void draw_references(const std::stop_token& stop);
+    void compare(Candidate& candidate, const std::stop_token& stop) const;
+    void follow_path(Candidate& candidate, const std::stop_token& stop) const;
 
     Scene scene_;
     ChartSettings settings_;
@@ -66,6 +67,7 @@ private:
     std::unique_ptr<Renderer> yardstick_;  // `unsorted`
     Image reference_;
     std::vector<Image> path_references_;
+    std::string no_reference_;           // why pictures cannot be compared with the references
     std::vector<Candidate> candidates_;  // the block
     std::size_t block_size_ = 0;
     std::size_t done_ = 0;  // steps

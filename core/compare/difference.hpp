@@ -49,9 +49,10 @@ struct PixelRegion {
 /// The part of a map of that width that lies in the region, which must lie in the map.
 std::vector<float> part_of(std::span<const float> map, int width, const PixelRegion& region);
 
-/// Of the whole pictures.
-inline double mean_difference(const Image& reference, const Image& test, Metric metric) {
-    return mean_difference(difference_map(reference, test, metric), metric);
+/// Of the whole pictures. Means nothing when it was stopped.
+inline double mean_difference(const Image& reference, const Image& test, Metric metric,
+                              const std::stop_token& stop = {}) {
+    return mean_difference(difference_map(reference, test, metric, stop), metric);
 }
 
 }  // namespace momentscope

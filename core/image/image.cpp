@@ -1,5 +1,6 @@
 #include "core/image/image.hpp"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
@@ -10,6 +11,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/image/picture_file.hpp"
 #include "core/output_file.hpp"
 #include "core/reachable.hpp"
 
@@ -17,21 +19,33 @@ namespace momentscope {
 
 namespace {
 
-void write_pixels(const std::filesystem::path& path, const OIIO::ImageSpec& spec, const OIIO::TypeDesc& type,
-                  const void* pixels) {
-    replace_file(path, [&](const std::filesystem::path& partial) {
-        auto file = OIIO::ImageOutput::create(partial.string());
-        return file && file->open(partial.string(), spec) && file->write_image(type, pixels) && file->close();
-    });
+// In memory, since the library does not tell when a disk is full. `kind` is .png or .exr.
+std::vector<unsigned char> encoded(const OIIO::ImageSpec& spec, const char* kind, const OIIO::TypeDesc& type,
+                                   const void* pixels) {
+    std::vector<unsigned char> bytes;
+    OIIO::Filesystem::IOVecOutput memory(bytes);
+    const std::string name = std::string("memory") + kind;
+    const auto file = OIIO::ImageOutput::create(name, &memory);
+    if (!file || !file->open(name, spec) || !file->write_image(type, pixels) || !file->close())
+        throw Error(fmt::format("The picture could not be made ({}); try a smaller --size.",
+                                first_sentence(file ? file->geterror() : OIIO::geterror())));
+    return bytes;
 }
 
-/// Places of red, green and blue, which are one of a grey picture, and of alpha.
+void write_pixels(const std::filesystem::path& path, const OIIO::ImageSpec& spec, const OIIO::TypeDesc& type,
+                  const void* pixels) {
+    const auto bytes = encoded(spec, path.extension() == ".exr" ? ".exr" : ".png", type, pixels);
+    write_file({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path);
+}
+
+/// Where a pixel's values hold red, green and blue (the same place in a grey picture), and alpha.
 struct Channels {
     std::array<std::size_t, 3> color;
     std::optional<std::size_t> alpha;
 };
 
-// By name, for files may hold depths and much else; by place where they have no such names.
+// Channels are found by their names, because files may also hold depths and normals; unnamed ones go by their
+// order.
 Channels channels_of(const OIIO::ImageSpec& spec) {
     const auto named = [&](std::string_view name) {
         const auto found = std::ranges::find(spec.channelnames, name);
@@ -51,10 +65,8 @@ Channels channels_of(const OIIO::ImageSpec& spec) {
     return channels;
 }
 
-// What a library says, as part of a sentence.
-std::string first_sentence(const std::string& text) {
-    return text.substr(0, std::min(text.find('\n'), text.find(". ")));
-}
+constexpr int MOST_SIDE = 16384;
+constexpr std::size_t MOST_PIXELS = std::size_t{1} << 26;  // 67 million, twice as many as 8K has
 
 }  // namespace
 
@@ -78,32 +90,26 @@ Image read_image(const std::filesystem::path& path) {
     if (!std::filesystem::exists(path, code))
         throw Error(fmt::format("There is no picture '{}'; give the path of one, or the id of a technique.",
                                 path.string()));
-    constexpr int MOST_SIDE = 16384;
     OIIO::ImageSpec as_stored;
     as_stored.attribute("oiio:UnassociatedAlpha", 1);
-    const auto file = OIIO::ImageInput::open(path.string(), &as_stored);
-    if (!file)
-        throw Error(fmt::format("'{}' is no picture that can be read ({}).", path.string(),
-                                first_sentence(OIIO::geterror())));
-    const OIIO::ImageSpec& spec = file->spec();
-    if (spec.width < 1 || spec.height < 1 || spec.width > MOST_SIDE || spec.height > MOST_SIDE ||
-        spec.nchannels < 1 || spec.depth > 1)
-        throw Error(fmt::format("'{}' is a picture of {}x{} pixels, more than can be compared.",
-                                path.string(), spec.width, spec.height));
+    PictureFile file(path, "picture", &as_stored);
+    const OIIO::ImageSpec& spec = file.spec();
     const Channels where = channels_of(spec);
-    const auto channels = static_cast<std::size_t>(spec.nchannels);
+    // Files may have hundreds of channels; those between the first and the last that are needed are read.
+    const auto [least, most] = std::ranges::minmax(where.color);
+    const std::size_t first = std::min(least, where.alpha.value_or(least));
+    const std::size_t channels = std::max(most, where.alpha.value_or(most)) - first + 1;
+    file.require_size(MOST_SIDE, MOST_PIXELS, sizeof(glm::vec4) + channels * sizeof(float));
     Image image(spec.width, spec.height);
     std::vector<float> values(image.pixels.size() * channels);
-    if (!file->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data()))
-        throw Error(fmt::format("'{}' ends before its picture does ({}).", path.string(),
-                                first_sentence(file->geterror())));
+    file.read(static_cast<int>(first), static_cast<int>(channels), OIIO::TypeDesc::FLOAT, values.data());
     const bool linear = spec.format.is_floating_point();
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         for (std::size_t c = 0; c < 3; ++c) {
-            const float value = values[i * channels + where.color[c]];
+            const float value = values[i * channels + where.color[c] - first];
             image.pixels[i][static_cast<int>(c)] = linear ? value : linear_from_srgb(value);
         }
-        image.pixels[i].a = where.alpha ? values[i * channels + *where.alpha] : 1;
+        image.pixels[i].a = where.alpha ? values[i * channels + *where.alpha - first] : 1;
     }
     return image;
 }

@@ -7,15 +7,25 @@
 
 namespace momentscope {
 
-ViewRay drawn_fragments(const ViewRay& ray, const Technique& technique) {
-    if (technique.path != RenderPath::peeling) return ray;
+std::vector<bool> drawn_flags(const ViewRay& ray, const Technique& technique) {
+    std::vector<bool> drawn(ray.fragments.size(), true);
+    if (technique.path != RenderPath::peeling) return drawn;
     const bool known = ray.near_plane > 0 && ray.far_plane > ray.near_plane;
-    ViewRay drawn = ray;
     std::set<float> taken;
-    std::erase_if(drawn.fragments, [&](const Fragment& fragment) {
-        return !taken.insert(known ? method_fragment(ray, fragment).window_depth : fragment.depth).second;
-    });
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        const Fragment& fragment = ray.fragments[i];
+        drawn[i] = taken.insert(known ? method_fragment(ray, fragment).window_depth : fragment.depth).second;
+    }
     return drawn;
+}
+
+ViewRay drawn_fragments(const ViewRay& ray, const Technique& technique) {
+    const std::vector<bool> drawn = drawn_flags(ray, technique);
+    ViewRay result = ray;
+    result.fragments.clear();
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+        if (drawn[i]) result.fragments.push_back(ray.fragments[i]);
+    return result;
 }
 
 bool has_ties(const ViewRay& ray) {

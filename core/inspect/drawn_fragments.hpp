@@ -5,9 +5,12 @@
 
 namespace momentscope {
 
-/// The ray as the technique draws it: all fragments, or with depth peeling, of those that have one depth in
-/// the depth buffer, only the one that is submitted first. Without known near and far planes depths are
-/// compared as they are.
+/// Whether the technique draws each fragment of the ray: all are drawn, but depth peeling draws, of those
+/// that have one depth in the depth buffer, only the one that is submitted first. Without known near and far
+/// planes depths are compared as they are.
+std::vector<bool> drawn_flags(const ViewRay& ray, const Technique& technique);
+
+/// The ray with the drawn fragments alone.
 ViewRay drawn_fragments(const ViewRay& ray, const Technique& technique);
 
 /// Do two of the fragments have the same depth?

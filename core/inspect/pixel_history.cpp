@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -19,7 +18,7 @@ std::vector<PixelHistoryRow> pixel_history(const ViewRay& ray, std::span<const f
     const std::vector<float> own = technique.method != nullptr
                                        ? own_transmittance(ray, technique, curve.parameters.method)
                                        : std::vector<float>();
-    const std::vector<Fragment> drawn = drawn_fragments(ray, technique).fragments;
+    const std::vector<bool> drawn = drawn_flags(ray, technique);
     std::vector<PixelHistoryRow> in_submission_order;
     glm::vec4 sum(0);
     for (std::size_t i = 0; i < ray.fragments.size(); ++i) {
@@ -30,8 +29,7 @@ std::vector<PixelHistoryRow> pixel_history(const ViewRay& ray, std::span<const f
         row.true_transmittance = std::exp(-curve.truth[i]);
         row.transmittance = own.empty() ? transmittance(curve.reconstructed[i]) : own[i];
         if (!gl_transmittance.empty()) row.gl_transmittance = gl_transmittance[i];
-        if (std::ranges::find(drawn, fragment) != drawn.end())
-            row.source = row.transmittance * fragment.opacity * glm::vec4(fragment.color, 1);
+        if (drawn[i]) row.source = row.transmittance * fragment.opacity * glm::vec4(fragment.color, 1);
         row.sum = sum;
         sum += row.source;
         in_submission_order.push_back(row);

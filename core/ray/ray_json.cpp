@@ -17,7 +17,7 @@ using nlohmann::json;
 
 json parse_ray(const std::string& text) {
     try {
-        return parse_bounded_json(text, MAX_RAY_FILE_BYTES);
+        return parse_bounded_json(text, {.bytes = MAX_RAY_FILE_BYTES});
     } catch (const Error& error) {
         throw Error(fmt::format("The view ray cannot be read: {}", error.what()));
     }
@@ -190,7 +190,10 @@ json ray_to_json(const ViewRay& ray) {
 }
 
 ViewRay ray_from_json(const std::string& text) {
-    const json root = parse_ray(text);
+    return ray_from_value(parse_ray(text));
+}
+
+ViewRay ray_from_value(const json& root) {
     if (!root.is_object() || !root.contains("fragments") || !root["fragments"].is_array())
         throw Error("The view ray needs a list \"fragments\"; see the README for its form.");
     // total_absorbance: what inspect adds to a ray that it prints.

@@ -17,6 +17,7 @@ nlohmann::json ray_to_json(const ViewRay& ray);
 
 /// Throws Error that names the offending entry.
 ViewRay ray_from_json(const std::string& text);
+ViewRay ray_from_value(const nlohmann::json& root);  // of JSON that was read with bounds
 ViewRay read_ray_file(const std::filesystem::path& path);
 
 }  // namespace momentscope

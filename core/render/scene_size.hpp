@@ -18,7 +18,7 @@ struct SceneSize {
 SceneSize size_of(const Scene& scene);
 
 /// Throws Error with the numbers when there are more bytes than MAX_SCENE_BYTES, or more indices in a mesh
-/// than OpenGL counts in one draw call.
+/// than OpenGL counts in one draw call, or too little memory is free.
 void require_drawable(const SceneSize& size);
 
 }  // namespace momentscope

@@ -1,7 +1,9 @@
 // gltf_file.cpp -- the JSON of a glTF file: extensions, accessors of positions, nodes in double.
 #include "core/scene/gltf_file.hpp"
 
+#include "core/bounded_json.hpp"
 #include "core/scene/mesh_error.hpp"
+#include "core/scene/mesh_file.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -40,6 +42,10 @@ constexpr std::size_t MAX_NAMED = 8;   // extensions in a sentence
 constexpr std::size_t MAX_NAME = 60;   // characters of each
 constexpr int FLOAT_COMPONENT = 5126;  // the code of glTF
 
+/// Some ten values describe a node, of which there are fewer than triangles. Extensions nest deeper than glTF
+/// itself, whose 7 levels are the most.
+constexpr JsonBounds BOUNDS = {.bytes = MAX_MESH_FILE_BYTES, .values = 10'000'000, .nesting = 64};
+
 bool is_harmless(std::string_view name) {
     return std::ranges::any_of(HARMLESS_EXTENSIONS, [&](std::string_view pattern) {
         return pattern.ends_with('*') ? name.starts_with(pattern.substr(0, pattern.size() - 1))
@@ -48,7 +54,7 @@ bool is_harmless(std::string_view name) {
 }
 
 /// The JSON chunk of a binary file, a text file's all; nothing when it is neither.
-std::optional<std::string> json_text(std::string_view bytes) {
+std::optional<std::string> json_part(std::string_view bytes) {
     if (bytes.starts_with("glTF")) {
         const auto word = [&](std::size_t offset) {
             std::uint32_t value = 0;  // little-endian, as are all machines with GL
@@ -95,7 +101,7 @@ std::set<std::string> strings(const json& array) {
     return names;
 }
 
-/// The extensions by which anything is extended, whether or not the file lists them.
+/// All extensions that are used, whether or not the file lists them.
 void collect_extensions(const json& value, std::set<std::string>& names) {
     if (value.is_object()) {
         for (const auto& [key, child] : value.items()) {
@@ -119,7 +125,7 @@ std::string unread(const std::set<std::string>& names) {
                        fmt::join(left, ", "), left.size() > 1 ? "are" : "is");
 }
 
-/// Assimp takes the bytes of positions and normals for floats, whatever they are, and none for zeros.
+/// Assimp reads positions and normals as floats whatever their type is, and missing ones as zeros.
 void require_floats(const json& file, const std::filesystem::path& path) {
     const auto check = [&](const json& attributes) {
         for (const char* name : {"POSITION", "NORMAL"}) {
@@ -159,7 +165,7 @@ glm::dmat4 local_transform(const json& node) {
     return local;
 }
 
-/// Indices of nodes; what is none is left out.
+/// The indices in the array that are indices of nodes.
 std::vector<std::uint32_t> node_indices(const json& array, std::size_t node_count) {
     std::vector<std::uint32_t> indices;
     if (!array.is_array()) return indices;
@@ -172,18 +178,17 @@ std::vector<std::uint32_t> node_indices(const json& array, std::size_t node_coun
 }  // namespace
 
 std::optional<GltfFile> read_gltf(std::string_view bytes, const std::filesystem::path& path) {
-    std::optional<std::string> text = json_text(bytes);
+    std::optional<std::string> text = json_part(bytes);
     if (!text) return std::nullopt;
     // Names in Latin-1 are met with and do not matter here; as UTF-8 they would be refused.
     std::ranges::replace_if(
         *text, [](char c) { return static_cast<unsigned char>(c) >= 0x80; }, '?');
     json file;
     try {
-        file = json::parse(*text);
-    } catch (const json::parse_error& error) {
+        file = parse_bounded_json(*text, BOUNDS);
+    } catch (const Error& error) {
         if (path.extension() != ".gltf" && path.extension() != ".glb") return std::nullopt;
-        refuse_mesh(path, fmt::format("is no JSON, which glTF is written in, at byte {}; export it again.",
-                                      error.byte));
+        refuse_mesh(path, fmt::format("cannot be read as glTF: {}", error.what()));
     }
     text.reset();
     const json& version = member(member(file, "asset"), "version");

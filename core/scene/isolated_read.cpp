@@ -1,14 +1,18 @@
 // isolated_read.cpp -- fork, read, send the mesh and its warnings home through a pipe.
 //
-// The pipe carries one byte, then either the text of an Error or a Header, three arrays and
-// the warnings, each of which ends in a line feed. Both ends
-// are the same program, so that no byte order or padding needs care.
+// The pipe carries messages, each of which begins with one byte: what is done now, as a text; in the end
+// either the text of an Error, or a Header, three arrays and the warnings, each of which ends in a line feed.
+// A text is its length and its bytes. Both ends are the same program, so that no byte order or padding needs
+// care.
 #include "core/scene/isolated_read.hpp"
 
 #include "core/error.hpp"
+#include "core/memory.hpp"
+#include "core/scene/mesh_file.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -16,16 +20,17 @@
 #include <cerrno>
 #include <csignal>
 #include <cstddef>
-#include <cstring>
 #include <sstream>
 #include <string>
 
 namespace momentscope {
 namespace {
 
+constexpr char IS_REPORT = 'R';
 constexpr char IS_MESH = 'M';
 constexpr char IS_ERROR = 'E';
-constexpr rlim_t MEMORY_LIMIT = rlim_t{8} << 30;  // bytes; 20 million triangles fit
+constexpr std::uintmax_t MEMORY_LIMIT = std::uintmax_t{8} << 30;  // bytes; 20 million triangles fit
+constexpr std::size_t MOST_TEXT = std::size_t{1} << 20;           // bytes of a text, of all warnings
 
 struct Header {
     std::size_t vertex_count;
@@ -33,32 +38,122 @@ struct Header {
     std::size_t warning_bytes;
 };
 
-/// Writes everything, or ends the process: without a reader there is nothing left to do.
-void write_all(int pipe, const void* data, std::size_t size) {
-    const char* next = static_cast<const char*>(data);
-    while (size > 0) {
-        const ssize_t written = ::write(pipe, next, size);
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) ::_exit(1);
-        next += written;
-        size -= static_cast<std::size_t>(written);
+/// The reader's end of the pipe. Whatever cannot be written ends the process: without a parent there is
+/// nothing left to do.
+class Sender {
+public:
+    explicit Sender(int pipe) : pipe_(pipe) {}
+
+    void write(const void* data, std::size_t size) const {
+        const char* next = static_cast<const char*>(data);
+        while (size > 0) {
+            const ssize_t written = ::write(pipe_, next, size);
+            if (written < 0 && errno == EINTR) continue;
+            if (written <= 0) ::_exit(1);
+            next += written;
+            size -= static_cast<std::size_t>(written);
+        }
     }
+    void write_text(char kind, const std::string& text) const {
+        const std::size_t size = std::min(text.size(), MOST_TEXT);
+        write(&kind, 1);
+        write(&size, sizeof size);
+        write(text.data(), size);
+    }
+    void write_mesh(const LoadedMesh& loaded) const {
+        const Mesh& mesh = loaded.mesh;
+        if (mesh.normals.size() != mesh.positions.size()) ::_exit(1);
+        std::string warnings;
+        for (const std::string& warning : loaded.warnings) warnings += warning + '\n';
+        const Header header{mesh.positions.size(), mesh.indices.size(), std::min(warnings.size(), MOST_TEXT)};
+        write(&IS_MESH, 1);
+        write(&header, sizeof header);
+        write(mesh.positions.data(), mesh.positions.size() * sizeof(glm::vec3));
+        write(mesh.normals.data(), mesh.normals.size() * sizeof(glm::vec3));
+        write(mesh.indices.data(), mesh.indices.size() * sizeof(std::uint32_t));
+        write(warnings.data(), header.warning_bytes);
+    }
+
+private:
+    int pipe_;
+};
+
+/// The other end.
+class Receiver {
+public:
+    Receiver(int pipe, const std::stop_token& stop) : pipe_(pipe), stop_(stop) {}
+
+    /// False when the pipe ends before, or a stop is requested.
+    bool read(void* data, std::size_t size) const {
+        constexpr int STOP_CHECK_MS = 50;
+        char* next = static_cast<char*>(data);
+        while (size > 0) {
+            if (stop_.stop_requested()) return false;
+            pollfd ready{pipe_, POLLIN, 0};
+            if (::poll(&ready, 1, STOP_CHECK_MS) == 0) continue;
+            const ssize_t got = ::read(pipe_, next, size);
+            if (got < 0 && errno == EINTR) continue;
+            if (got <= 0) return false;
+            next += got;
+            size -= static_cast<std::size_t>(got);
+        }
+        return true;
+    }
+    std::optional<std::string> read_text() const {
+        std::size_t size = 0;
+        if (!read(&size, sizeof size) || size > MOST_TEXT) return std::nullopt;
+        return read_bytes(size);
+    }
+    std::optional<LoadedMesh> read_mesh(const ReadReport& report) const;
+
+private:
+    std::optional<std::string> read_bytes(std::size_t size) const {
+        std::string bytes(size, '\0');
+        if (!read(bytes.data(), size)) return std::nullopt;
+        return bytes;
+    }
+    template <typename T>
+    bool read_array(std::vector<T>& array, std::size_t size) const {
+        array.resize(size);
+        return read(array.data(), size * sizeof(T));
+    }
+
+    int pipe_;
+    const std::stop_token& stop_;
+};
+
+/// The mesh, unless it ends too early or an index is wild: a library that ran over its own memory may well
+/// send something odd.
+std::optional<LoadedMesh> Receiver::read_mesh(const ReadReport& report) const {
+    Header header{};
+    constexpr std::size_t MOST = 3 * MAX_MESH_TRIANGLES;
+    if (!read(&header, sizeof header) || header.vertex_count > MOST || header.index_count > MOST ||
+        header.warning_bytes > MOST_TEXT || header.index_count % 3 != 0)
+        return std::nullopt;
+    const std::string triangles = std::to_string(header.index_count / 3) + " triangles";
+    const std::size_t bytes =
+        2 * header.vertex_count * sizeof(glm::vec3) + header.index_count * sizeof(std::uint32_t);
+    if (report) report("taking " + memory_text(bytes) + " of memory for " + triangles);
+    require_memory(bytes, "The mesh of " + triangles, "simplify it");
+
+    LoadedMesh loaded;
+    Mesh& mesh = loaded.mesh;
+    if (!read_array(mesh.positions, header.vertex_count) || !read_array(mesh.normals, header.vertex_count) ||
+        !read_array(mesh.indices, header.index_count))
+        return std::nullopt;
+    const std::optional<std::string> text = read_bytes(header.warning_bytes);
+    if (!text) return std::nullopt;
+    std::istringstream warnings(*text);
+    for (std::string warning; std::getline(warnings, warning);) loaded.warnings.push_back(warning);
+    const bool tame =
+        std::ranges::all_of(mesh.indices, [&](std::uint32_t index) { return index < header.vertex_count; });
+    return tame ? std::optional(std::move(loaded)) : std::nullopt;
 }
 
-/// Reads until the other end closes or a stop is requested.
-std::vector<char> read_all(int pipe, const std::stop_token& stop) {
-    constexpr int STOP_CHECK_MS = 50;
-    std::vector<char> bytes;
-    std::vector<char> chunk(std::size_t{1} << 16);
-    while (!stop.stop_requested()) {
-        pollfd ready{pipe, POLLIN, 0};
-        if (::poll(&ready, 1, STOP_CHECK_MS) == 0) continue;
-        const ssize_t got = ::read(pipe, chunk.data(), chunk.size());
-        if (got < 0 && errno == EINTR) continue;
-        if (got <= 0) return bytes;
-        bytes.insert(bytes.end(), chunk.begin(), chunk.begin() + got);
-    }
-    return bytes;
+/// Ends this process when its parent ends, however that comes. The parent may have ended before.
+void end_with(pid_t parent) {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (::getppid() != parent) ::_exit(1);
 }
 
 /// Bounds time and memory, and keeps the library's messages and core files out of the user's way.
@@ -69,96 +164,106 @@ void limit_process(unsigned seconds) {
     };
     limit(RLIMIT_CORE, 0);
 #ifndef __SANITIZE_ADDRESS__  // the sanitizer reserves terabytes
-    limit(RLIMIT_DATA, MEMORY_LIMIT);
+    limit(RLIMIT_DATA, std::min(MEMORY_LIMIT, own_memory() + free_memory().value_or(MEMORY_LIMIT)));
 #endif
     // A crash must end this process in silence, whatever handlers the program has.
     for (const int signal : {SIGALRM, SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL}) ::signal(signal, SIG_DFL);
+    // Ctrl+C goes to both processes. The parent decides: it would take the end of this one for a broken file.
+    ::signal(SIGINT, SIG_IGN);
     ::alarm(seconds);
     const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
     if (nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
 }
 
 /// The forked process from its beginning to its end.
-[[noreturn]] void serve(const std::function<LoadedMesh()>& read, int pipe) {
+[[noreturn]] void serve(const IsolatedReader& read, const Sender& home) {
     try {
-        const LoadedMesh loaded = read();
-        const Mesh& mesh = loaded.mesh;
-        if (mesh.normals.size() != mesh.positions.size()) ::_exit(1);
-        std::string warnings;
-        for (const std::string& warning : loaded.warnings) warnings += warning + '\n';
-        const Header header{mesh.positions.size(), mesh.indices.size(), warnings.size()};
-        write_all(pipe, &IS_MESH, 1);
-        write_all(pipe, &header, sizeof header);
-        write_all(pipe, mesh.positions.data(), mesh.positions.size() * sizeof(glm::vec3));
-        write_all(pipe, mesh.normals.data(), mesh.normals.size() * sizeof(glm::vec3));
-        write_all(pipe, mesh.indices.data(), mesh.indices.size() * sizeof(std::uint32_t));
-        write_all(pipe, warnings.data(), warnings.size());
+        home.write_mesh(read([&](const std::string& what) { home.write_text(IS_REPORT, what); }));
     } catch (const Error& error) {
-        write_all(pipe, &IS_ERROR, 1);
-        write_all(pipe, error.what(), std::strlen(error.what()));
+        home.write_text(IS_ERROR, error.what());
     } catch (...) {
         ::_exit(1);
     }
     ::_exit(0);  // not exit(): the parent's open files and GL contexts must not be closed from here
 }
 
-/// The mesh in the bytes, unless they are too few or too many or an index is wild: a library that ran
-/// over its own memory may well send something odd.
-std::optional<LoadedMesh> unpack(const std::vector<char>& bytes) {
-    Header header{};
-    if (bytes.size() < 1 + sizeof header) return std::nullopt;
-    std::memcpy(&header, bytes.data() + 1, sizeof header);
-    const std::size_t most = bytes.size();  // keeps the products below from overflowing
-    if (std::max({header.vertex_count, header.index_count, header.warning_bytes}) > most) return std::nullopt;
-    const std::size_t vertex_bytes = header.vertex_count * sizeof(glm::vec3);
-    const std::size_t index_bytes = header.index_count * sizeof(std::uint32_t);
-    if (bytes.size() != 1 + sizeof header + 2 * vertex_bytes + index_bytes + header.warning_bytes)
-        return std::nullopt;
+/// What a reader sends home.
+struct Answer {
+    std::optional<LoadedMesh> mesh;
+    std::optional<std::string> error;
+};
 
-    LoadedMesh loaded;
-    Mesh& mesh = loaded.mesh;
-    mesh.positions.resize(header.vertex_count);
-    mesh.normals.resize(header.vertex_count);
-    mesh.indices.resize(header.index_count);
-    const char* next = bytes.data() + 1 + sizeof header;
-    std::memcpy(mesh.positions.data(), next, vertex_bytes);
-    std::memcpy(mesh.normals.data(), next + vertex_bytes, vertex_bytes);
-    std::memcpy(mesh.indices.data(), next + 2 * vertex_bytes, index_bytes);
-    std::istringstream warnings(std::string(next + 2 * vertex_bytes + index_bytes, header.warning_bytes));
-    for (std::string warning; std::getline(warnings, warning);) loaded.warnings.push_back(warning);
-    const bool tame = std::all_of(mesh.indices.begin(), mesh.indices.end(),
-                                  [&](std::uint32_t index) { return index < header.vertex_count; });
-    if (!tame || header.index_count % 3 != 0) return std::nullopt;
-    return loaded;
+Answer answer_of(const Receiver& child, const ReadReport& report) {
+    for (char kind = 0; child.read(&kind, 1);) {
+        if (kind == IS_MESH) return {child.read_mesh(report), {}};
+        const std::optional<std::string> text = child.read_text();
+        if (kind == IS_ERROR) return {{}, text};
+        if (kind != IS_REPORT || !text) break;
+        if (report) report(*text);
+    }
+    return {};
 }
+
+/// A forked process, which is ended and waited for when nobody waits any more.
+class Child {
+public:
+    explicit Child(pid_t process) : process_(process) {}
+    ~Child() {
+        if (process_ <= 0) return;
+        ::kill(process_, SIGKILL);
+        wait();
+    }
+    Child(const Child&) = delete;
+    Child& operator=(const Child&) = delete;
+
+    /// Did it end in order?
+    bool wait() {
+        int status = 0;
+        while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+        }
+        process_ = 0;
+        return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    }
+
+private:
+    pid_t process_;
+};
+
+/// Closes a file.
+struct OpenEnd {
+    int file;
+    explicit OpenEnd(int opened) : file(opened) {}
+    ~OpenEnd() { ::close(file); }
+    OpenEnd(const OpenEnd&) = delete;
+    OpenEnd& operator=(const OpenEnd&) = delete;
+};
 
 }  // namespace
 
-std::optional<LoadedMesh> read_isolated(const std::function<LoadedMesh()>& read, unsigned seconds,
-                                        const std::stop_token& stop) {
+std::optional<LoadedMesh> read_isolated(const IsolatedReader& read, unsigned seconds,
+                                        const std::stop_token& stop, const ReadReport& report) {
     int ends[2];
     if (::pipe2(ends, O_CLOEXEC) != 0)
         throw Error("There are too many open files; close some and try again.");
-    const pid_t child = ::fork();
-    if (child == 0) {
+    const pid_t parent = ::getpid();
+    const pid_t process = ::fork();
+    if (process == 0) {
+        end_with(parent);
         ::close(ends[0]);
         limit_process(seconds);
-        serve(read, ends[1]);
+        serve(read, Sender(ends[1]));
     }
     ::close(ends[1]);
-    const std::vector<char> bytes = child > 0 ? read_all(ends[0], stop) : std::vector<char>();
-    ::close(ends[0]);
-    if (child < 0)
+    const OpenEnd end(ends[0]);
+    if (process < 0)
         throw Error("No process could be started to read the mesh; close some programs and try again.");
-
-    if (stop.stop_requested()) ::kill(child, SIGKILL);
-    int status = 0;
-    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
+    Child child(process);
+    Answer answer = answer_of(Receiver(end.file, stop), report);
     if (stop.stop_requested()) throw Error("Reading the mesh was cancelled; the last scene stays.");
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || bytes.empty()) return std::nullopt;
-    if (bytes.front() == IS_ERROR) throw Error(std::string(bytes.begin() + 1, bytes.end()));
-    return unpack(bytes);
+    // Without an answer the child may still want to write.
+    if ((!answer.mesh && !answer.error) || !child.wait()) return std::nullopt;
+    if (answer.error) throw Error(*answer.error);
+    return std::move(answer.mesh);
 }
 
 }  // namespace momentscope

@@ -1,6 +1,7 @@
 // mesh_file.cpp -- what Assimp reads becomes one mesh; everything odd in a file becomes a sentence.
 #include "core/scene/mesh_file.hpp"
 
+#include "core/memory.hpp"
 #include "core/plain_text.hpp"
 #include "core/scene/folder_files.hpp"
 #include "core/scene/gltf_file.hpp"
@@ -29,6 +30,7 @@ namespace {
 
 constexpr const char* NO_TRIANGLES = "has no triangles; export a surface, not points or lines.";
 constexpr const char* NO_MEMORY = "needs more memory than there is; export it again or simplify the mesh.";
+constexpr std::uintmax_t MEMORY_PER_BYTE = 12;  // of a file, that its reader takes; PLY 9, STL 5, OBJ 11
 constexpr const char* FORMATS = "OBJ, PLY, STL, glTF or 3DS";
 
 /// The file's size. Only ordinary files of bearable size go to Assimp, which reads them into memory whole.
@@ -135,8 +137,10 @@ std::vector<std::string> warnings_of(const PreparedFile& file, const FolderFiles
     return warnings;
 }
 
-/// Everything that a hostile file could derail.
-LoadedMesh read_with_assimp(const std::filesystem::path& path) {
+}  // namespace
+
+// Everything that a hostile file could derail.
+LoadedMesh read_mesh_here(const std::filesystem::path& path, const ReadReport& report) {
     try {
         Assimp::Importer importer;  // logs nowhere as long as nobody creates Assimp's logger
         PreparedFile file = prepare(importer, path);
@@ -153,6 +157,7 @@ LoadedMesh read_with_assimp(const std::filesystem::path& path) {
         if (scene == nullptr || scene->mRootNode == nullptr)
             refuse_unread(importer.GetErrorString(), files, path);
 
+        if (report) report("placing its triangles");
         PlacedGraph graph = place_graph(*scene, units, file.gltf ? &*file.gltf : nullptr, path);
         if (graph.mesh.indices.empty()) refuse_mesh(path, NO_TRIANGLES);
         std::vector<std::string> warnings = warnings_of(file, files, graph, path);
@@ -165,15 +170,18 @@ LoadedMesh read_with_assimp(const std::filesystem::path& path) {
     }
 }
 
-}  // namespace
-
 // Assimp 5.2.5 falls over broken files: of files with a few flipped bytes, one in five ASE files ended
 // in a segmentation fault, and a PLY file without "end_header" in a loop without end.
-LoadedMesh read_mesh_file(const std::filesystem::path& path, const std::stop_token& stop) {
+LoadedMesh read_mesh_file(const std::filesystem::path& path, const std::stop_token& stop,
+                          const ReadReport& report) {
     const std::uintmax_t size = check_file(path);
+    if (report)
+        report("reading " + memory_text(size) + ", which takes about " + memory_text(size * MEMORY_PER_BYTE) +
+               " of memory");
     // Assimp reads some 10 MB/s of text; ten times as long is allowed, and never less than 10 s.
     const auto seconds = static_cast<unsigned>(10 + size / 1'000'000);
-    std::optional<LoadedMesh> mesh = read_isolated([&] { return read_with_assimp(path); }, seconds, stop);
+    std::optional<LoadedMesh> mesh = read_isolated(
+        [&](const ReadReport& stage) { return read_mesh_here(path, stage); }, seconds, stop, report);
     if (!mesh)
         refuse_mesh(path,
                     std::string("is broken in a way that stops its reader; export it again, perhaps as ") +

@@ -101,7 +101,7 @@ std::vector<PlacedNode> placed_nodes(const aiScene& scene, const std::vector<dou
     return placed;
 }
 
-/// Adds to each vector what a morph target, which holds whole vectors, changes.
+/// Moves each vector towards that of a morph target, which holds whole vectors, not differences.
 void morph(std::vector<aiVector3D>& vectors, const aiVector3D* base, const aiVector3D* target,
            double weight) {
     const auto w = static_cast<float>(weight);

@@ -23,7 +23,8 @@ bool is_blank(char c) {
     return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\0';
 }
 
-/// A decimal number, whatever follows refused. Too small is 0; nothing when too large, infinite or NaN.
+/// The decimal number that is the whole word. Numbers too small for a double are 0; infinite ones and NaN are
+/// refused.
 std::optional<double> number_in(std::string_view word) {
     const bool is_signed = word.starts_with('-') || word.starts_with('+');
     const char first = word.size() > (is_signed ? 1 : 0) ? word[is_signed ? 1 : 0] : ' ';
@@ -102,7 +103,7 @@ private:
     std::size_t not_shown_ = 0;
 };
 
-/// Words without comment.
+/// Splits a line into words and drops its comment.
 void ObjReader::split(std::string_view line) {
     words_.clear();
     line = line.substr(0, line.find('#'));
@@ -132,7 +133,7 @@ void ObjReader::read_line(std::string_view line) {
     }
 }
 
-/// x y z, perhaps with a weight (which only curves have a use for), a colour of three or of four numbers.
+/// Reads x, y and z. A weight, which only curves use, and a colour may follow; both are ignored.
 void ObjReader::read_vertex() {
     const std::size_t count = words_.size() - 1;
     if (count < 3 || count == 5 || count > 7)
@@ -165,7 +166,7 @@ void ObjReader::read_directions(std::size_t fewest) {
     rest_ += '\n';
 }
 
-/// Counted from 1; negative ones count back from what has been read so far.
+/// Indices count from 1; negative ones count back from the last vertex read so far.
 std::int64_t ObjReader::index_in(std::string_view word, std::int64_t count) const {
     std::string_view digits = word;
     if (digits.starts_with('+')) digits.remove_prefix(1);

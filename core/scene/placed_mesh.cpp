@@ -211,6 +211,8 @@ LoadedMesh centered_mesh(PlacedMesh placed, const std::filesystem::path& path) {
     }
     const glm::dvec3 half = 0.5 * high - 0.5 * low;
     const double half_diagonal = std::hypot(half.x, half.y, half.z);
+    if (!std::isfinite(half_diagonal))
+        refuse_mesh(path, "is larger than numbers are; scale it down and export it again.");
     if (!(half_diagonal > 0.0)) refuse_mesh(path, "has all its triangles in one point; export it again.");
 
     LoadedMesh loaded{{{}, std::move(placed.normals), std::move(placed.indices)}};

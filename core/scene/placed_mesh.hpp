@@ -42,8 +42,8 @@ void append_mesh(PlacedMesh& placed, const aiMesh& mesh, const VertexArrays& ver
 
 /// The bounding box's centre becomes the origin, its half diagonal 1; then the numbers are rounded to floats.
 /// Normals become unit vectors, smooth ones where there are none. Warns when floats did not hold the
-/// positions, and when there is next to nothing to see. Throws Error for positions that are not finite or all
-/// the same.
+/// positions, and when there is next to nothing to see. Throws Error for positions that are not finite, all
+/// the same, or farther apart than numbers go.
 LoadedMesh centered_mesh(PlacedMesh placed, const std::filesystem::path& path);
 
 /// Warns when positions may be wrong by more than a ten thousandth of the half diagonal.

@@ -38,12 +38,13 @@ std::string scene_ids() {
 }
 
 /// The mesh alone above an opaque ground, seen obliquely from a height.
-Scene scene_of_mesh(const std::string& path, float opacity, const std::stop_token& stop) {
+Scene scene_of_mesh(const std::string& path, float opacity, const std::stop_token& stop,
+                    const ReadReport& report) {
     if (!(opacity >= 0.0f && opacity < 1.0f))  // also when it is no number
         throw Error("The opacity of a mesh must be at least 0 and less than 1, such as 0.5.");
     Scene scene;
     scene.id = path;
-    auto [mesh, warnings] = read_mesh_file(path, stop);
+    auto [mesh, warnings] = read_mesh_file(path, stop, report);
     scene.warnings = std::move(warnings);
     float lowest = std::numeric_limits<float>::infinity();
     for (const glm::vec3& position : mesh.positions) lowest = std::min(lowest, position.y);
@@ -81,12 +82,13 @@ void require_scene(const std::string& id_or_path) {
                     ", or the path of a mesh file.");
 }
 
-Scene load_scene(const std::string& id_or_path, float opacity, const std::stop_token& stop) {
+Scene load_scene(const std::string& id_or_path, float opacity, const std::stop_token& stop,
+                 const ReadReport& report) {
     for (const SceneEntry& entry : ENTRIES) {
         if (id_or_path == entry.id) return entry.build();
     }
     require_scene(id_or_path);
-    return scene_of_mesh(id_or_path, opacity, stop);
+    return scene_of_mesh(id_or_path, opacity, stop, report);
 }
 
 }  // namespace momentscope

@@ -1,5 +1,6 @@
 // scenes.hpp -- the built-in scenes by id, and scenes made of a mesh file.
 #pragma once
+#include "core/scene/read_report.hpp"
 #include "core/scene/scene.hpp"
 
 #include <span>
@@ -24,7 +25,8 @@ void require_scene(const std::string& id_or_path);
 /// The built-in scene of that id, or the mesh file at that path as one transparent object of
 /// the given opacity in [0, 1). Throws Error when it is neither, the file cannot be used, or a stop is
 /// requested while it is read.
-Scene load_scene(const std::string& id_or_path, float opacity, const std::stop_token& stop = {});
+Scene load_scene(const std::string& id_or_path, float opacity, const std::stop_token& stop = {},
+                 const ReadReport& report = {});
 
 /// Is it in the registry? What is not is the path of a mesh file, which may take long to read.
 bool is_builtin_scene(const std::string& id);

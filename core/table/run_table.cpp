@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <unordered_set>
 
 #include "core/error.hpp"
 #include "core/input_file.hpp"
@@ -15,7 +16,11 @@ namespace momentscope {
 namespace {
 
 constexpr int MOST_SHARDS = 10'000;
-constexpr std::uintmax_t MOST_BYTES = std::uintmax_t{256} << 20;
+// A chart has some hundred rows of 300 bytes, a stress run a thousand of 15 KB. What is larger would take
+// more memory than a table is worth.
+constexpr std::uintmax_t MOST_BYTES = std::uintmax_t{64} << 20;
+constexpr std::size_t MOST_ROWS = 100'000;
+constexpr std::size_t MOST_SETTINGS = 1000;
 constexpr std::size_t SHORT_VALUE = 60;  // letters that a sentence bears
 
 // A value takes one line, even when it names a file whose name has several.
@@ -52,9 +57,10 @@ std::vector<std::string_view> words_of(std::string_view text) {
 }
 
 std::optional<std::string_view> word_only_in(std::string_view text, std::string_view other) {
-    const auto others = words_of(other);
+    const auto words = words_of(other);
+    const std::unordered_set<std::string_view> others(words.begin(), words.end());
     for (const std::string_view word : words_of(text))
-        if (std::ranges::find(others, word) == others.end()) return word;
+        if (!others.contains(word)) return word;
     return std::nullopt;
 }
 
@@ -66,6 +72,13 @@ std::string difference_text(const std::string& name, const std::string& value, c
     if (const auto word = word_only_in(value, wanted)) return fmt::format("only its {} have {}", name, *word);
     if (const auto word = word_only_in(wanted, value)) return fmt::format("its {} lack {}", name, *word);
     return fmt::format("its {} are in another order", name);
+}
+
+std::size_t bytes_of(const RunTable& table) {
+    std::size_t bytes = table.columns.size();
+    for (const auto& [name, value] : table.settings) bytes += name.size() + value.size();
+    for (const std::string& row : table.rows) bytes += row.size() + 1;
+    return bytes;
 }
 
 }  // namespace
@@ -124,6 +137,10 @@ RunTable read_run_table(const std::filesystem::path& path) {
             table.columns = line;
         else
             table.rows.push_back(line);
+        if (table.rows.size() > MOST_ROWS || table.settings.size() > MOST_SETTINGS)
+            throw Error(fmt::format(
+                "'{}' has more than {} rows or {} settings; give a CSV file that chart or stress wrote.",
+                path.string(), MOST_ROWS, MOST_SETTINGS));
     }
     for (const char* name :
          {run_setting::COMMAND, run_setting::SCHEMA, run_setting::ROWS, run_setting::SHARD})
@@ -144,7 +161,14 @@ RunSettings begin_settings(std::string_view command, int schema, std::size_t row
 
 RunTable merge_shards(const std::vector<std::filesystem::path>& paths) {
     std::vector<RunTable> tables;
-    for (const auto& path : paths) tables.push_back(read_run_table(path));
+    std::size_t bytes = 0;
+    for (const auto& path : paths) {
+        bytes += bytes_of(tables.emplace_back(read_run_table(path)));
+        if (bytes > MOST_BYTES)
+            throw Error(fmt::format(
+                "The files are larger than {} MiB together, the most that a table may have; merge fewer.",
+                MOST_BYTES >> 20));
+    }
     const RunTable& first = tables.front();
     const int count = parse_shard(setting(first.settings, run_setting::SHARD)).count;
     const auto row_count = parse_number<int>(setting(first.settings, run_setting::ROWS));
@@ -179,7 +203,7 @@ RunTable merge_shards(const std::vector<std::filesystem::path>& paths) {
     }
     RunTable merged = {first.settings, first.columns, {}};
     for (std::size_t row = 0; row < rows; ++row)
-        merged.rows.push_back(tables[place_of[row % shards]].rows[row / shards]);
+        merged.rows.push_back(std::move(tables[place_of[row % shards]].rows[row / shards]));
     for (auto& [name, value] : merged.settings)
         if (name == run_setting::SHARD) value = shard_text({});
     return merged;

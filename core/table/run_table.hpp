@@ -44,7 +44,7 @@ struct RunTable {
 
 std::string run_table_text(const RunTable& table);
 
-/// Throws Error when the file cannot be read or is no such table.
+/// Throws Error when the file cannot be read, is no such table or is larger than any run.
 RunTable read_run_table(const std::filesystem::path& path);
 
 /// Settings that every run has; the rest is the command's.
@@ -60,7 +60,8 @@ constexpr const char* SHARD = "shard";
 RunSettings begin_settings(std::string_view command, int schema, std::size_t rows, const Shard& shard);
 
 /// The whole table of all shards of one run, in whatever order they come. Throws Error when they are of
-/// different runs, when one is missing, comes twice or is not finished, with the names of the files.
+/// different runs, when one is missing, comes twice or is not finished, with the names of the files, and when
+/// they are too large together.
 RunTable merge_shards(const std::vector<std::filesystem::path>& paths);
 
 }  // namespace momentscope

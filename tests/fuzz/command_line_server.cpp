@@ -1,9 +1,9 @@
 // command_line_server.cpp -- runs command lines one after another, each in a forked process, which spares
-// them the dynamic loader's half a second. For tests/fuzz/command_lines.py.
+// them the dynamic loader's half a second. For tests/fuzz/command_lines.py and tests/faults.
 //
-// usage: command_line_server OUTPUT ERRORS. Each request on stdin is the number of words, a line break, and
-// the words, each with a NUL behind it; the answer is a line: the exit code, or minus the signal that ended
-// the process.
+// usage: command_line_server OUTPUT ERRORS, files or devices; an empty name closes the stream. Each request
+// on stdin is the number of words, a line break, and the words, each with a NUL behind it; the answer is a
+// line: the exit code, or minus the signal that ended the process.
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -20,16 +20,21 @@ namespace {
 constexpr unsigned MOST_SECONDS = 60;
 
 void redirect(const char* path, int to) {
+    if (*path == '\0') {
+        ::close(to);
+        return;
+    }
     const int file = ::open(path, O_WRONLY | O_CREAT | O_TRUNC, 0644);
     if (file < 0 || ::dup2(file, to) < 0) ::_exit(99);
+    ::close(file);
 }
 
 [[noreturn]] void become_program(const std::vector<std::string>& words, char** files) {
     ::alarm(MOST_SECONDS);
     const int nothing = ::open("/dev/null", O_RDONLY);
     ::dup2(nothing, STDIN_FILENO);
-    redirect(files[1], STDOUT_FILENO);
     redirect(files[2], STDERR_FILENO);
+    redirect(files[1], STDOUT_FILENO);  // last: a closed one stays closed
     std::vector<const char*> arguments = {"momentscope"};
     for (const std::string& word : words) arguments.push_back(word.c_str());
     const int code = momentscope::run_command_line(static_cast<int>(arguments.size()), arguments.data());

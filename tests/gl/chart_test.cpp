@@ -1,4 +1,5 @@
 // chart_test.cpp -- charts of real pictures: what must repeat does, what was ended goes on, times are taken.
+#include <limits>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -7,6 +8,7 @@
 #include "core/chart/chart.hpp"
 #include "core/chart/chart_run.hpp"
 #include "core/chart/grid.hpp"
+#include "core/chart/held_out.hpp"
 #include "tests/gl/gl_fixture.hpp"
 
 namespace momentscope::test {
@@ -116,6 +118,31 @@ TEST_F(ChartTest, StoppedBeforeItBeganIsEmpty) {
     stop.request_stop();
     const ChartPlan plan = small_plan({"wboit"});
     EXPECT_TRUE(run_chart(plan, nothing_of(plan), stop.get_token(), quiet_hooks()).rows.empty());
+}
+
+/// Transparent surfaces of that colour.
+ChartHooks bright_hooks(float brightness) {
+    ChartHooks hooks = quiet_hooks();
+    hooks.load = [brightness](const std::string& id) {
+        Scene scene = load_scene(id, 0.4f);
+        for (Object& object : scene.objects)
+            if (!object.opaque()) object.color = glm::vec3(brightness);
+        return scene;
+    };
+    return hooks;
+}
+
+TEST_F(ChartTest, PicturesThatAreNoNumbersHaveNoErrors) {
+    ChartPlan plan = small_plan({"power4-32", "sorted"});
+    plan.scenes = {"planes"};
+    plan.settings.repeat = 1;
+    const ChartHooks infinite = bright_hooks(std::numeric_limits<float>::infinity());
+    for (const ChartRow& row : chart_of(run_chart(plan, nothing_of(plan), {}, infinite), "the test").rows)
+        EXPECT_NE(row.unavailable.find("pixels of the picture by sorted are infinite or NaN"),
+                  std::string::npos)
+            << row.unavailable;
+    HeldOutViews views(infinite.load("planes"), plan.settings.size, {});
+    EXPECT_THROW(views.error(plan.configurations[0], 0, Metric::flip), Error);
 }
 
 TEST_F(ChartTest, RedrawingRunsEveryStageButTheOpaqueOneAndChangesNothing) {

@@ -1,4 +1,7 @@
 // files_test.cpp -- what the window opens, saves and exports.
+#include <sys/resource.h>
+
+#include <csignal>
 #include <nlohmann/json.hpp>
 
 #include "core/ray/ray_json.hpp"
@@ -18,6 +21,33 @@ TEST_F(FilesTest, SavingAsksBeforeItReplaces) {
     play("click @file.cancel");
     EXPECT_EQ(read("momentscope.json"), "precious");
     play("key Ctrl+S\nclick @file.accept\nclick @file.accept");
+    EXPECT_NE(read("momentscope.json"), "precious");
+}
+
+// No file may become longer, as on a disk that is full. The window stays open and says it.
+TEST_F(FilesTest, AFullDiskKeepsTheOldSessionAndExports) {
+    open("planes", "power4-32");
+    write("momentscope.json", "precious");
+    write("curves.csv", "precious");
+    write("curves.png", "precious");
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    rlimit before{};
+    ::getrlimit(RLIMIT_FSIZE, &before);
+    const rlimit full = {100, before.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &full);
+    const char* said =
+        "expect-message could not be written (File too large); check the folder and free space.\n";
+    play(std::string("key Ctrl+S\nclick @file.accept\nclick @file.accept\n") + said);
+    play(std::string("key Ctrl+E\nclick @file.accept\nclick @file.accept\n") + said);
+    play(std::string("key Ctrl+E\nclick @file.kind\nclick @file.kind.window_png\nclick @file.accept\n"
+                     "click @file.accept\nwait 1\n") +
+         said);
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+    for (const char* name : {"momentscope.json", "curves.csv", "curves.png"})
+        EXPECT_EQ(read(name), "precious") << name;
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 3) << "and nothing half-written";
+    play("key Ctrl+S\nclick @file.accept\nclick @file.accept\nexpect-message The session was saved");
     EXPECT_NE(read("momentscope.json"), "precious");
 }
 

@@ -1,4 +1,5 @@
 // session_test.cpp -- sessions lose nothing, and broken ones are explained.
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
@@ -130,6 +131,11 @@ TEST_F(SessionTest, MissingKeysAreStandardAndUnknownOnesAreNamed) {
     expected.technique = &require_technique("trig4-32");
     EXPECT_EQ(session.state, expected);
     EXPECT_EQ(session.ignored.size(), 2u);
+    nlohmann::json many = {{"momentscope_session", 1}, {std::string(1000, 'k'), 0}};
+    for (int i = 0; i < 100; ++i) many[fmt::format("x{}", i)] = i;
+    const auto ignored = ui::session_from_json(many.dump()).ignored;
+    EXPECT_EQ(ignored.size(), 20u) << "a message names some";
+    EXPECT_EQ(ignored.front().size(), 60u);
     EXPECT_THROW(ui::read_session_file("/nowhere/x.json"), Error);
 }
 

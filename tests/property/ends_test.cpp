@@ -83,11 +83,32 @@ TEST_P(EndsOfTheDepthRange, HoldNoSurprise) {
             // Two surfaces with only a narrow zone between them are told apart by the last digits: .4 % of
             // these rays. In 16 bits both solvers have the same rounded moments, and an error of .02 is a
             // matter of luck.
-            const long allowed = floats ? (also == Also::nothing ? 0 : rays / 100)
-                                        : count(theta, also, true, rays) + 1 + rays / 20'000;
+            const long allowed =
+                floats ? (also == Also::nothing ? 0 : (theta == 0 ? rays / 100 : 1 + rays / 500))
+                       : count(theta, also, true, rays) + 1 + rays / 20'000;
             EXPECT_LE(failed, allowed) << "theta " << theta;
         }
     }
+}
+
+// Moments of one surface are powers of a point on the unit circle. Rounding alone takes them off it by half
+// an ulp (3e-8) for each of two coordinates; without normalisation errors of one power pass on to the next.
+TEST(Trigonometric, MomentsOfOneSurfaceLieOnTheCircle) {
+    const Technique& technique = require_technique("trig4-32");
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> anywhere(-1.0f, 1.0f);
+    double sum = 0;
+    constexpr int SURFACES = 5000, POWERS = 4;
+    for (int i = 0; i < SURFACES; ++i) {
+        MomentVector moments;
+        technique.kernel->add_fragment(moments, anywhere(random), 1.0f, 0.3f);
+        for (std::size_t k = 0; k < POWERS; ++k)
+            sum += std::abs(
+                std::hypot(static_cast<double>(moments.b[2 * k]), static_cast<double>(moments.b[2 * k + 1])) -
+                1);
+    }
+    fmt::print("off the circle by {:.3g} on average\n", sum / (SURFACES * POWERS));
+    EXPECT_LT(sum / (SURFACES * POWERS), 3e-8);
 }
 
 INSTANTIATE_TEST_SUITE_P(Techniques, EndsOfTheDepthRange, testing::ValuesIn(moment_based_techniques()),

@@ -185,6 +185,31 @@ TEST(Layered, IsThePublishedAlgorithmAndExactWithEnoughLayers) {
     }
 }
 
+// One cap for all techniques: an opaque fragment counts as an absorbance of 10, two as 20. Where a method
+// lets nothing through, that is 10, or the ray's total if it is more.
+TEST(Methods, AnOpaqueFragmentCountsAsTen) {
+    const std::vector<float> depths = {-0.5f, 0.0f, 0.5f};
+    ViewRay ray;
+    for (const float depth : {-0.2f, 0.2f})
+        ray.fragments.push_back({.depth = depth, .view_depth = depth, .opacity = 1});
+    for (const char* id : {"at", "mlab"}) {
+        const Curve curve =
+            sample_curve(ray, require_technique(id), values_with({{ParameterId::layer_bits, 2}}), depths);
+        for (std::size_t i = 0; i < depths.size(); ++i)
+            EXPECT_NEAR(curve.reconstructed[i], 10.0f * static_cast<float>(i), 2e-2f) << id;
+    }
+    for (const char* id : {"hashed", "stochastic"}) {
+        const Curve both = sample_curve(ray, require_technique(id), {}, depths);
+        EXPECT_NEAR(both.reconstructed[2], 20, 1e-3f) << id;
+        ViewRay one = ray;
+        one.fragments.resize(1);
+        one.fragments[0].opacity = 0.9f;  // drawn by both with this seed
+        one.fragments[0].threshold = 0.5f;
+        EXPECT_EQ(sample_curve(one, require_technique("hashed"), {}, depths).reconstructed[2],
+                  fragment_absorbance(1.0f));
+    }
+}
+
 // Depths 1e-6 apart are the same 16-bit number: the one that came last is in front, as among equal depths in
 // `sorted`.
 TEST(Layered, SixteenBitDepthsTie) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/inspect/drawn_fragments.hpp"
 #include "core/inspect/pixel_color.hpp"
 #include "core/inspect/verdict.hpp"
 #include "core/ray/random_ray.hpp"
@@ -114,6 +115,22 @@ TEST(VerdictTest, PeelingLosesTies) {
     const Verdict verdict = pixel_verdict(ray, peeling, {}, BEHIND);
     EXPECT_NEAR(verdict.error, glm::length(glm::dvec3(colors.technique - colors.truth)), 1e-6);
     EXPECT_NE(verdict.sentence.find("1 of 3 fragments is lost"), std::string::npos) << verdict.sentence;
+}
+
+// Far away the depth buffer has one number for two view depths.
+TEST(VerdictTest, PeelingComparesWindowDepths) {
+    ViewRay ray;
+    ray.warp = {DepthWarp::Kind::logarithmic, 1, 1000};
+    for (const float view_depth : {900.0f, 900.1f})
+        ray.fragments.push_back(
+            {.depth = to_depth(view_depth, ray.warp), .view_depth = view_depth, .opacity = 0.5f});
+    const Technique& peeling = require_technique("peeling");
+    EXPECT_EQ(drawn_fragments(ray, peeling).fragments.size(), 2u) << "near and far planes are unknown";
+    ray.near_plane = 0.05f;
+    ray.far_plane = 1000;
+    EXPECT_EQ(drawn_fragments(ray, peeling).fragments.size(), 1u);
+    ray.fragments[1].view_depth = 950;
+    EXPECT_EQ(drawn_fragments(ray, peeling).fragments.size(), 2u);
 }
 
 // Half floats from 2048 on are 2 apart, so that nothing is left of 0.7 that is added.

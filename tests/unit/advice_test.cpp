@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 using namespace momentscope;
@@ -140,6 +141,22 @@ TEST(Advice, WhenNothingMeetsTheNearestMissesLeast) {
     EXPECT_NE(text.find("the nearest is power8-32 (RMSE 0.005, 10.0 ms, 288 bits per pixel)"),
               std::string::npos)
         << text;
+}
+
+// The maximum of numbers and NaN must not hide it.
+TEST(Advice, InfinitePicturesElsewhereAreToldAsSuch) {
+    const AdviceBounds bounds = error_of_at_most(0.05);
+    for (const double none : {std::numeric_limits<double>::infinity(), std::nan("")}) {
+        EXPECT_FALSE(worst_error(ROWS[4], Metric::rmse, none) < 1e300);
+        EXPECT_EQ(judge(ROWS[4], bounds, none), Judgement::infinite_elsewhere);
+        HeldOutErrors held_out = unknown();
+        held_out[4] = none;
+        const Advice advice = advise(ROWS, bounds, held_out);
+        ASSERT_TRUE(advice.winner);
+        EXPECT_NE(advice.winner, Row(4));
+        const std::string text = advice_text(ROWS, bounds, held_out, advice);
+        EXPECT_NE(text.find("infinite  infinite pixels elsewhere"), std::string::npos) << text;
+    }
 }
 
 TEST(Advice, OfGroundTruthsAloneThereIsNone) {

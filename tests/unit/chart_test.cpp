@@ -6,10 +6,12 @@
 #include "core/chart/family.hpp"
 #include "core/chart/grid.hpp"
 #include "core/chart/pareto.hpp"
+#include "core/markup.hpp"
 #include "core/scene/scenes.hpp"
 #include "tests/unit/expect_error.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
@@ -113,12 +115,41 @@ TEST(ChartCsv, DamageIsNamed) {
     expect_error([&] { chart_of(table, "x.csv"); }, "not of chart");
 }
 
+// A field of each kind, which an axis or a table could not bear.
+TEST(ChartCsv, OnlyFiniteNumbersInTheirRangeAreRead) {
+    const std::string line = chart_line(row_of("s", "at", 1, 1));  // behind its names: moments, ...
+    std::vector<std::string> fields = csv_fields(line);
+    for (const char* wrong : {"inf", "-inf", "nan", "-nan", "1e999", "1e300", "-1"})
+        for (std::size_t i = 2; i < fields.size() - 1; ++i) {
+            if (i == 10 && std::string_view(wrong) == "-1") continue;  // the difference to unsorted
+            std::vector<std::string> damaged = fields;
+            damaged[i] = wrong;
+            expect_error([&] { parse_chart_line(fmt::format("{}", fmt::join(damaged, ",")), "x.csv"); },
+                         fmt::format("'x.csv' is damaged at '{}'", wrong));
+        }
+}
+
+TEST(ChartOutputs, DrawErrorsThatAreNoFiniteNumbers) {
+    for (const double error : {std::numeric_limits<double>::infinity(), std::nan(""), 1.7e308, -1.0}) {
+        Chart chart = some_chart();
+        chart.rows[1].numbers->rmse = error;
+        chart.rows[0].numbers->total.median = 0;
+        const std::string svg = chart_to_svg(chart, Metric::rmse);
+        EXPECT_EQ(svg.find("=\"nan"), std::string::npos) << error;
+        EXPECT_EQ(svg.find("=\"-nan"), std::string::npos) << error;
+        EXPECT_EQ(svg.find("=\"inf"), std::string::npos) << error;
+        EXPECT_EQ(svg.find("=\"-inf"), std::string::npos) << error;
+        EXPECT_EQ(svg.find("inf,"), std::string::npos) << error;
+        EXPECT_EQ(svg.find("nan,"), std::string::npos) << error;
+    }
+}
+
 TEST(ChartOutputs, HoldEveryRowAndNeedNoOtherFile) {
     const Chart chart = some_chart();
     const std::string markdown = chart_to_markdown(chart, Metric::rmse);
-    EXPECT_NE(
-        markdown.find("**`at:nodes=8`** | 5.0 | 10.0 | 5.0 | 20.0 (2.0) | 10.0 (3.0) | grows | grows | layers |"),
-        std::string::npos)
+    EXPECT_NE(markdown.find(
+                  "**`at:nodes=8`** | 5.0 | 10.0 | 5.0 | 20.0 (2.0) | 10.0 (3.0) | grows | grows | layers |"),
+              std::string::npos)
         << markdown;
     EXPECT_NE(markdown.find("| `mt:resolution=half,read-format=theta16` |"), std::string::npos)
         << "not on the front";
@@ -183,6 +214,23 @@ TEST(ChartDrawing, BearsScenesWithoutNumbers) {
     EXPECT_TRUE(chart_drawing({&none, 1}, Metric::rmse, "").marks.empty());
     const ChartRow exact = row_of("teapots", "sorted", 0, 0);
     EXPECT_FALSE(chart_drawing({&exact, 1}, Metric::rmse, "").marks.empty());
+}
+
+// Rows come from files as well as from measurements; whatever they hold, the axes end.
+TEST(ChartDrawing, LeavesOutWhatHasNoPlaceOnAnAxis) {
+    const double infinite = std::numeric_limits<double>::infinity();
+    for (const double none : {infinite, -infinite, std::nan("")}) {
+        std::vector<ChartRow> rows = {row_of("teapots", "unsorted", none, 1),
+                                      row_of("teapots", "wboit", 1, none), row_of("teapots", "at", 2, 0.5)};
+        const Drawing drawing = chart_drawing(rows, Metric::rmse, "");
+        for (const Drawing::Mark& mark : drawing.marks)
+            EXPECT_TRUE(mark.row == 2 || mark.row == Drawing::NO_ROW) << mark.row;
+        for (const Drawing::Line& one : drawing.lines)
+            for (const glm::vec2& point : one.points)
+                EXPECT_TRUE(std::isfinite(point.x) && std::isfinite(point.y));
+    }
+    const ChartRow wide = row_of("teapots", "at", 3e38, 3e38);
+    EXPECT_LT(chart_drawing({&wide, 1}, Metric::rmse, "").lines.size(), 100U);
 }
 
 }  // namespace

@@ -228,7 +228,7 @@ TEST_F(CommandLine, CompareTellsOfAlphaAndRefusesWhatIsNoNumber) {
     picture.at(3, 2).b = INFINITY;
     write_picture(picture, "nan.exr");
     expect_refused("compare a.exr nan.exr",
-                   "2 of the 12 pixels of 'nan.exr' are infinite or no numbers, the first at 1,2");
+                   "2 of the 12 pixels of 'nan.exr' are infinite or NaN, the first at 1,2");
     expect_refused("compare nan.exr nan.exr --metric rmse", "nan.exr");
 }
 

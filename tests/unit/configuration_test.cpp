@@ -73,6 +73,10 @@ TEST(Grid, HoldsEveryTechniqueFirstAsItIsAndNothingTwice) {
         EXPECT_EQ(configuration_text(chart_grid(technique).front()), technique.id);
     }
     EXPECT_EQ(chart_grid(require_technique("at")).size(), 3U);
+    // What advise --max-bits 160 may answer: two trigonometric moments without room for a factor.
+    const Configuration lean = parse_configuration("trig2-32:factorisation=per-fragment");
+    EXPECT_TRUE(texts.contains(configuration_text(lean)));
+    EXPECT_EQ(bits_with_factor(*lean.technique, lean.values), 160);
     ParameterValues many;
     many.set(ParameterId::nodes, 8.0f);
     EXPECT_EQ(chart_grid(require_technique("at"), many).size(), 2U) << "at:nodes=8 is there already";

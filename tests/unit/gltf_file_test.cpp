@@ -150,7 +150,27 @@ TEST_F(GltfMesh, RefusesExtensionsThatItNeedsByName) {
 }
 
 TEST_F(GltfMesh, RefusesWhatIsNoJson) {
-    expect_refused(write("nan.gltf", "{\"asset\": {\"version\": \"2.0\"}, \"a\": NaN}"), "no JSON");
+    expect_refused(write("nan.gltf", "{\"asset\": {\"version\": \"2.0\"}, \"a\": NaN}"),
+                   "not valid JSON at byte");
+    expect_refused(write("far.gltf", "{\"asset\": {\"version\": \"2.0\"}, \"a\": 1e999}"),
+                   "a value that JSON cannot carry");
+}
+
+TEST_F(GltfMesh, RefusesNestingWithoutFollowingIt) {
+    std::string extras;
+    for (int i = 0; i < 200'000; ++i) extras += "{\"a\":";
+    expect_refused(write("deep.gltf", "{\"asset\": {\"version\": \"2.0\"}, \"x\": " + extras + "1" +
+                                          std::string(200'001, '}')),
+                   "nested too deeply");
+}
+
+TEST_F(GltfMesh, RefusesAShapeLargerThanNumbers) {
+    json file = panes_json("panes.bin");
+    for (const int node : {0, 1}) {
+        const double end = node == 0 ? 1.5e308 : -1.5e308;
+        file["nodes"][node]["translation"] = {end, end, 0.0};
+    }
+    expect_refused(write_json(file), "is larger than numbers are");
 }
 
 TEST_F(GltfMesh, RefusesPositionsThatAreNoFloats) {

@@ -1,12 +1,18 @@
 // mesh_file_test.cpp -- meshes from files: what is read, and what is refused with which sentence.
 #include "core/scene/mesh_file.hpp"
+#include "core/memory.hpp"
 #include "core/scene/isolated_read.hpp"
 #include "tests/unit/mesh_checks.hpp"
 #include "tests/unit/mesh_folder.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/wait.h>
 #include <unistd.h>
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
@@ -172,15 +178,21 @@ const Mesh ONE_TRIANGLE{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, 1}, {0, 0, 1}
 
 TEST(IsolatedRead, BringsTheMeshTheWarningsAndTheErrorHome) {
     const std::vector<std::string> warnings = {"One.", "Two."};
-    const auto read = [&] { return LoadedMesh{ONE_TRIANGLE, warnings}; };
-    const std::optional<LoadedMesh> loaded = read_isolated(read, 5);
+    const auto read = [&](const ReadReport& report) {
+        report("placing it");
+        return LoadedMesh{ONE_TRIANGLE, warnings};
+    };
+    std::vector<std::string> reports;
+    const std::optional<LoadedMesh> loaded =
+        read_isolated(read, 5, {}, [&](const std::string& what) { reports.push_back(what); });
+    EXPECT_EQ(reports, (std::vector<std::string>{"placing it", "taking 1 KiB of memory for 1 triangles"}));
     ASSERT_TRUE(loaded.has_value());
     EXPECT_EQ(loaded->mesh.positions, ONE_TRIANGLE.positions);
     EXPECT_EQ(loaded->mesh.normals, ONE_TRIANGLE.normals);
     EXPECT_EQ(loaded->mesh.indices, ONE_TRIANGLE.indices);
     EXPECT_EQ(loaded->warnings, warnings);
     try {
-        read_isolated([]() -> LoadedMesh { throw Error("A sentence."); }, 5);
+        read_isolated([](const ReadReport&) -> LoadedMesh { throw Error("A sentence."); }, 5);
         FAIL() << "the error did not arrive";
     } catch (const Error& error) {
         EXPECT_STREQ(error.what(), "A sentence.");
@@ -188,19 +200,77 @@ TEST(IsolatedRead, BringsTheMeshTheWarningsAndTheErrorHome) {
 }
 
 TEST(IsolatedRead, OutlivesAReaderThatCrashesHangsOrLies) {
-    EXPECT_FALSE(read_isolated([]() -> LoadedMesh { std::abort(); }, 5));
-    EXPECT_FALSE(read_isolated([]() -> LoadedMesh { throw 1; }, 5));
+    EXPECT_FALSE(read_isolated([](const ReadReport&) -> LoadedMesh { std::abort(); }, 5));
+    EXPECT_FALSE(read_isolated([](const ReadReport&) -> LoadedMesh { throw 1; }, 5));
     EXPECT_FALSE(read_isolated(
-        []() -> LoadedMesh {
+        [](const ReadReport&) -> LoadedMesh {
             for (;;) ::usleep(1000);
         },
         1));
     Mesh wild = ONE_TRIANGLE;
     wild.indices[2] = 3;
-    EXPECT_FALSE(read_isolated([&] { return LoadedMesh{wild}; }, 5));
+    EXPECT_FALSE(read_isolated([&](const ReadReport&) { return LoadedMesh{wild}; }, 5));
     Mesh incomplete = ONE_TRIANGLE;
     incomplete.indices.pop_back();
-    EXPECT_FALSE(read_isolated([&] { return LoadedMesh{incomplete}; }, 5));
+    EXPECT_FALSE(read_isolated([&](const ReadReport&) { return LoadedMesh{incomplete}; }, 5));
+}
+
+// A parent that is killed cannot tell its child; the system must.
+TEST(IsolatedRead, EndsWithItsParent) {
+    int held[2];
+    ASSERT_EQ(::pipe2(held, O_CLOEXEC), 0);
+    int begun[2];
+    ASSERT_EQ(::pipe2(begun, O_CLOEXEC), 0);
+    const pid_t parent = ::fork();
+    if (parent == 0) {
+        read_isolated(
+            [&](const ReadReport&) -> LoadedMesh {
+                if (::write(begun[1], "x", 1) != 1) ::_exit(1);
+                for (;;) ::pause();
+            },
+            60);
+        ::_exit(0);
+    }
+    ::close(held[1]);
+    char byte = 0;
+    ASSERT_EQ(::read(begun[0], &byte, 1), 1);
+    ::kill(parent, SIGKILL);
+    ::waitpid(parent, nullptr, 0);
+    // Both hold the other end of the pipe open as long as they live.
+    pollfd end{held[0], POLLIN, 0};
+    constexpr int GENEROUS_MS = 20'000;
+    EXPECT_EQ(::poll(&end, 1, GENEROUS_MS), 1) << "the reader lives on";
+    for (const int file : {held[0], begun[0], begun[1]}) ::close(file);
+}
+
+TEST(IsolatedRead, IsStoppedWhileItReads) {
+    std::stop_source stop;
+    const auto begin = std::chrono::steady_clock::now();
+    const auto read = [&](const ReadReport& report) -> LoadedMesh {
+        report("reading");
+        for (;;) ::pause();
+    };
+    expect_error(
+        [&] { read_isolated(read, 60, stop.get_token(), [&](const std::string&) { stop.request_stop(); }); },
+        "cancelled");
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
+}
+
+// What a file takes is told before it is taken, and what it means is told before it is drawn.
+TEST_F(MeshFile, TellsItsMemoryAndItsTriangles) {
+    std::vector<std::string> reports;
+    read_mesh_file(write("triangle.obj", TRIANGLE), {},
+                   [&](const std::string& what) { reports.push_back(what); });
+    ASSERT_EQ(reports.size(), 3U);
+    EXPECT_TRUE(reports[0].starts_with("reading 1 KiB, which takes about ")) << reports[0];
+    EXPECT_EQ(reports[1], "placing its triangles");
+    EXPECT_EQ(reports[2], "taking 1 KiB of memory for 1 triangles");
+}
+
+TEST(Memory, MoreThanIsFreeIsRefusedInNumbers) {
+    EXPECT_NO_THROW(require_memory(1 << 20, "This", "leave it"));
+    expect_error([] { require_memory(std::uintmax_t{1} << 60, "A mesh", "simplify it"); },
+                 "A mesh takes 1073741824.0 GiB of memory, more than the ");
 }
 
 }  // namespace

@@ -65,6 +65,7 @@ TEST(Csv, RecordsRoundTrip) {
     for (const std::string& record : {quoted, bare}) {
         EXPECT_EQ(first_csv_record(record + "\nnext,one\n"), record);
         EXPECT_EQ(csv_fields(record), fields);
+        EXPECT_EQ(csv_fields(record, 2), (std::vector<std::string>{"", "a"}));
     }
     EXPECT_EQ(csv_field("at:nodes=8"), "at:nodes=8");
 }
@@ -78,8 +79,6 @@ TEST(ParseNumber, TakesWholeFiniteNumbers) {
         EXPECT_EQ(parse_number<double>(wrong), std::nullopt) << wrong;
     for (const char* wrong : {"", "1.5", "1e3", "2147483648", "inf"})
         EXPECT_EQ(parse_number<int>(wrong), std::nullopt) << wrong;
-    EXPECT_TRUE(std::isinf(*parse_any_number<double>("-inf")));
-    EXPECT_TRUE(std::isnan(*parse_any_number<double>("nan")));
 }
 
 }  // namespace

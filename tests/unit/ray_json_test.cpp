@@ -243,6 +243,13 @@ TEST(RayJson, ReadsAsManyFragmentsAsItSaysAndNoMore) {
     expect_refused(std::string(MAX_RAY_FILE_BYTES + 1, ' '), "larger than 64 MiB");
 }
 
+// Twenty million empty values, of 3 bytes each, would take 1 GiB and more.
+TEST(RayJson, RefusesMoreValuesThanMemoryBears) {
+    std::string values = "{}";
+    for (int i = 0; i < 1'000'000; ++i) values += ",{}";
+    expect_refused(with_fragments(values), "more than 2000000 values");
+}
+
 TEST(RayFile, IsReadAndWhatIsNoneIsRefused) {
     const fs::path folder = fs::temp_directory_path() / ("momentscope_ray_" + std::to_string(::getpid()));
     fs::create_directories(folder);

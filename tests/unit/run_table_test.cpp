@@ -3,6 +3,7 @@
 #include "core/output_file.hpp"
 #include "tests/unit/expect_error.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -34,7 +35,7 @@ protected:
     }
 
     fs::path write(const std::string& name, const RunTable& table) const {
-        write_text_file(run_table_text(table), folder_ / name);
+        write_file(run_table_text(table), folder_ / name);
         return folder_ / name;
     }
 
@@ -97,9 +98,40 @@ TEST_F(RunTables, MissingDoubledAndUnfinishedShardsAreRefused) {
 
 TEST_F(RunTables, OtherFilesAreRefused) {
     expect_error([&] { read_run_table(folder_ / "none.csv"); }, "no CSV file");
-    write_text_file("a,b\n1,2\n", folder_ / "plain.csv");
+    write_file("a,b\n1,2\n", folder_ / "plain.csv");
     expect_error([&] { read_run_table(folder_ / "plain.csv"); }, "does not say of which run");
     expect_error([&] { read_run_table(folder_); }, "no CSV file");
+}
+
+TEST_F(RunTables, FilesLargerThanAnyRunAreRefused) {
+    RunTable many = table_of({}, 0);
+    many.rows.resize(100'001);
+    expect_error([&] { read_run_table(write("rows.csv", many)); }, "more than 100000 rows or 1000 settings");
+    many.rows.clear();
+    many.settings.resize(1001, {"x", "y"});
+    expect_error([&] { read_run_table(write("settings.csv", many)); },
+                 "more than 100000 rows or 1000 settings");
+}
+
+TEST_F(RunTables, ShardsLargerThanAnyRunTogetherAreRefused) {
+    RunTable half = table_of({1, 2}, 2);
+    half.rows[0].assign(std::size_t{33} << 20, 'x');
+    const auto path = write("half.csv", half);
+    expect_error([&] { merge_shards({path, path}); }, "larger than 64 MiB together");
+}
+
+// Words were looked for one in all of the others, which takes minutes here.
+TEST_F(RunTables, LongListsAreCompared) {
+    RunTable one = table_of({1, 2}, 2), other = table_of({2, 2}, 2);
+    std::string words;
+    for (int i = 0; i < 200'000; ++i) words += fmt::format("w{} ", i);
+    one.settings.emplace_back("words", words);
+    other.settings.emplace_back("words", words + "more");
+    expect_error(
+        [&] {
+            merge_shards({write("a.csv", one), write("b.csv", other)});
+        },
+        "only its words have more");
 }
 
 TEST(Shards, AreParsed) {

@@ -1,0 +1,28 @@
+#include "app/end_by_signal.hpp"
+
+#include <unistd.h>
+
+#include <csignal>
+
+#include "core/output_file.hpp"
+
+namespace momentscope {
+
+void end_cleanly_on_signals() {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        if (std::signal(signal, end_by_signal) == SIG_IGN) std::signal(signal, SIG_IGN);
+}
+
+void end_by_signal(int signal) {
+    remove_unfinished_file();
+    std::signal(signal, SIG_DFL);
+    sigset_t one;
+    ::sigemptyset(&one);
+    ::sigaddset(&one, signal);
+    ::pthread_sigmask(SIG_UNBLOCK, &one, nullptr);  // a handler's own signal is blocked
+    ::kill(::getpid(), signal);
+    ::_exit(128 +
+            signal);  // not reached, but where the signal cannot end a process, as in a container's first
+}
+
+}  // namespace momentscope

@@ -1,0 +1,37 @@
+// runner.hpp -- reads inputs in a process of its own and notices what goes wrong there.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "tests/fuzz/input.hpp"
+
+namespace momentscope::fuzz {
+
+constexpr long MOST_MEMORY = 1L << 20;  // KiB
+
+/// The input of a number, counted from 0; nullopt at the end. Called in several processes.
+using Source = std::function<std::optional<Input>(std::uint64_t number)>;
+
+struct Fault {
+    std::uint64_t number;  // of the input
+    std::string what;      // one line
+    std::string report;    // of the sanitizers, if they wrote one
+};
+
+struct Summary {
+    std::uint64_t inputs = 0;
+    std::uint64_t faults = 0;
+    std::uint64_t stopped_in_library = 0;  // which is no fault
+    long most_memory = 0;                  // KiB
+};
+
+/// Reads one input after another. A fault is a crash, a sanitizer's report, an exception other than Error,
+/// more than MOST_SECONDS of the processor or more than MOST_MEMORY; then the next input is read, until there
+/// were `most_faults`. Prints the sentences of refusals if asked to.
+Summary run_inputs(const Source& source, const std::filesystem::path& scratch, std::uint64_t most_faults,
+                   const std::function<void(const Fault&)>& on_fault, bool tells_refusals = false);
+
+}  // namespace momentscope::fuzz

@@ -1,0 +1,84 @@
+// without_kernels.cpp -- what the readers are linked with in the place of the mathematics, the built-in
+// scenes and the shadows, which no file reaches and which take minutes to build with sanitizers.
+#include "core/scene/builtin_scenes.hpp"
+#include "core/shadow/shadow_settings.hpp"
+#include "core/techniques/method_techniques.hpp"
+#include "core/techniques/moment_kernel.hpp"
+#include "core/techniques/moment_techniques.hpp"
+#include "core/version.hpp"
+
+namespace momentscope {
+
+const char* const PROGRAM_VERSION = "0";
+
+namespace {
+
+MomentKernel moment_kernel_of(int count, int bits) {
+    MomentKernel kernel{};
+    kernel.moment_floats = kernel.factor_floats = count;
+    kernel.bits = bits;
+    kernel.has_textbook = true;
+    return kernel;
+}
+
+}  // namespace
+
+#define MOMENT_TECHNIQUE(id, basis, count, bits, ...)                         \
+    const MomentKernel& moment_kernel(MomentKernelTag<MomentTechnique::id>) { \
+        static const MomentKernel KERNEL = moment_kernel_of(count, bits);     \
+        return KERNEL;                                                        \
+    }
+#include "core/techniques/moment_techniques.def"
+#undef MOMENT_TECHNIQUE
+
+#define METHOD_TECHNIQUE(id, ...)                                             \
+    const MethodKernel& method_kernel(MethodKernelTag<MethodTechnique::id>) { \
+        static const MethodKernel KERNEL{};                                   \
+        return KERNEL;                                                        \
+    }
+#include "core/techniques/method_techniques.def"
+#undef METHOD_TECHNIQUE
+
+Scene build_planes() {
+    return {};
+}
+Scene build_spheres() {
+    return {};
+}
+Scene build_teapots() {
+    return {};
+}
+Scene build_ties() {
+    return {};
+}
+Scene build_cloud() {
+    return {};
+}
+Scene build_foliage() {
+    return {};
+}
+Scene build_ship() {
+    return {};
+}
+Scene build_smoke() {
+    return {};
+}
+std::uint32_t add_mesh(Scene& /*scene*/, Mesh /*mesh*/) {
+    return 0;
+}
+void add_ground(Scene& /*scene*/, float /*side*/, float /*y*/) {}
+glm::vec3 linear_color(std::uint32_t /*srgb*/) {
+    return {};
+}
+
+bool has_shadows(const ParameterValues& /*values*/) {
+    return false;
+}
+Configuration light_configuration(const ParameterValues& /*values*/) {
+    return {};
+}
+Configuration opaque_configuration(const ParameterValues& /*values*/) {
+    return {};
+}
+
+}  // namespace momentscope

@@ -1,0 +1,54 @@
+// Escape closes what was opened last, and only that.
+#include "tests/gui/folder_fixture.hpp"
+
+namespace momentscope::test {
+namespace {
+
+class EscapeTest : public FolderTest {
+protected:
+    static bool shows_popup() {
+        return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+    }
+};
+
+TEST_F(EscapeTest, ClosesAnOpenListBeforeAnythingElse) {
+    open();
+    play("click @card.beta");
+    for (const char* opener : {"click @controls.technique", "click @scene.views", "click @menu.view"}) {
+        play(opener);
+        ASSERT_TRUE(shows_popup()) << opener;
+        play("key Escape");
+        EXPECT_FALSE(shows_popup()) << opener;
+        EXPECT_EQ(state().card, "beta") << opener;
+    }
+    play("key Escape");
+    EXPECT_TRUE(state().card.empty()) << "then what remains";
+}
+
+TEST_F(EscapeTest, ClosesTheListOfADialogBeforeTheDialog) {
+    open();
+    play("key Ctrl+E\nclick @file.kind\nkey Escape");
+    EXPECT_TRUE(explorer().shows_file_dialog());
+    EXPECT_FALSE(explorer().anchors().contains("file.kind.ray_json"));
+    play("key Escape");
+    EXPECT_FALSE(explorer().shows_file_dialog());
+}
+
+TEST_F(EscapeTest, AListThatIsClosedStaysUsable) {
+    open();
+    play(
+        "click @controls.technique\nkey Escape\nclick @controls.technique\nclick @controls.technique.trig3-32");
+    EXPECT_EQ(state().technique->id, std::string("trig3-32"));
+}
+
+// What was refused must not stand before what is typed next.
+TEST_F(EscapeTest, GoToStartsAfreshAfterARefusal) {
+    open();
+    play("key Ctrl+G\ntype 99999, 3\nkey Enter\nexpect-message is no pixel of the picture");
+    play("key Ctrl+G\ntype 100, 90\nkey Enter");
+    EXPECT_EQ(explorer().measurement().pixel, glm::ivec2(100, 90));
+    EXPECT_TRUE(explorer().message().empty()) << explorer().message();
+}
+
+}  // namespace
+}  // namespace momentscope::test
