@@ -22,32 +22,34 @@ struct Kernel { float at_query; MonicPolynomial in_t; };
 /// The kernel of the first polynomials up to a degree from 1 to ROOT_COUNT: that of the first 2 degree moments alone.
 FN Kernel kernel_of_degree(IN(Query) query, IN(Factor) factor, int degree)
 {
-    float p[ORDER];            // p_k(z_f + s), coefficients of s^j
+    float p[ORDER];            // p_k(z_f + s), coefficients of s^j up to the leading one, which is 1
     float previous[ORDER];     // p_{k-1}
     float sum[ORDER];
     UNROLL
     for (int j = 0; j <= ROOT_COUNT; ++j)
     {
-        p[j] = j == 0 ? 1.0f : 0.0f;
-        previous[j] = 0.0f;
-        sum[j] = p[j];                  // k = 0, h_0 = 1
+        p[j] = 1.0f;
+        previous[j] = 1.0f;
+        sum[j] = j == 0 ? 1.0f : 0.0f;   // k = 0, h_0 = 1
     }
     UNROLL
     for (int k = 0; k < ROOT_COUNT; ++k)
     {
         if (k >= degree) continue;
-        PRECISE float carried = 0.0f;   // coefficient j - 1 of p_k: the product with s
+        // From the top: coefficient j of the next one needs j and j - 1 of this one. Products with 0 and 1 are left out, which
+        // no compiler may do.
+        p[k + 1] = 1.0f;
         UNROLL
-        for (int j = 0; j <= ROOT_COUNT; ++j)
+        for (int j = k; j >= 0; --j)
         {
-            PRECISE float next = query.offset[k] * p[j] - factor.ratio[k] * previous[j] + carried;
-            carried = p[j];
+            PRECISE float next = j == k ? query.offset[k] : query.offset[k] * p[j] - factor.ratio[k] * previous[j];
+            if (j > 0) next = next + p[max(j - 1, 0)];
             previous[j] = p[j];
             p[j] = next;
         }
         PRECISE float scale = p[0] * factor.inverse_h[k + 1];
         UNROLL
-        for (int j = 0; j <= ROOT_COUNT; ++j) sum[j] = sum[j] + scale * p[j];
+        for (int j = 0; j <= k + 1; ++j) sum[j] = sum[j] + (j == k + 1 ? scale : scale * p[j]);
     }
     Kernel kernel;
     kernel.at_query = sum[0];
@@ -66,15 +68,20 @@ FN Kernel kernel_polynomial(IN(Query) query, IN(Factor) factor)
 /// whichever is below 1, so that nothing overflows.
 FN float node_weight_of_degree(float t, IN(Query) query, IN(Factor) factor, int degree)
 {
+#if ROOT_COUNT == 2   // |t| is below 1e5, and t^4 overflows nothing
+    const float s = 1.0f;
+    PRECISE float u = t;
+#else
     PRECISE float s = 1.0f / max(abs(t), 1.0f);
     PRECISE float u = t * s;            // (s, u) is (1, t) scaled to a greatest component of at most 1
+#endif
     PRECISE float u2 = u * u;
-    PRECISE float previous = 0.0f;
-    PRECISE float q = 1.0f;             // u^k p_k
-    PRECISE float kernel = 1.0f;
-    PRECISE float u_power = 1.0f;
+    PRECISE float previous = 1.0f;
+    PRECISE float q = query.offset[0] * u + s;             // u^k p_k
+    PRECISE float kernel = u2 + q * q * factor.inverse_h[1];
+    PRECISE float u_power = u2;
     UNROLL
-    for (int k = 0; k < ROOT_COUNT; ++k)
+    for (int k = 1; k < ROOT_COUNT; ++k)
     {
         if (k >= degree) continue;
         PRECISE float next = (query.offset[k] * u + s) * q - factor.ratio[k] * u2 * previous;

@@ -1,9 +1,10 @@
-// real_roots.glsl -- all roots of a polynomial whose roots are known to be real; degree ROOT_COUNT in 2..4.
+// real_roots.glsl -- all roots of a polynomial whose roots are known to be real; degree ROOT_COUNT in 2..4, in closed form.
 //
 // The kernel polynomials come in t = 1/s, where s leads from the query depth to a node of the canonical
 // representation (reconstruction.glsl): monic, t^n + e[0] t^(n-1) + ... + e[n-1]. A node at infinity is t = 0;
-// a node close to the query, as when two fragments nearly tie, is one |t| that dwarfs the others. So that one
-// is found first, and deflated from the other end, which keeps the digits of the small ones.
+// a node close to the query, as when two fragments nearly tie, is one |t| that dwarfs the others. A closed form gives
+// every root an error of a few ulps of the greatest. So one root at a time comes from it, and is divided out from
+// the end that keeps the digits of the others.
 // + - * / sqrt and fixed counts only: C++ vectorises it, and GLSL and C++ agree in every bit.
 
 struct MonicPolynomial { float e[ROOT_COUNT]; };   // of t^(n-1), ..., t^0
@@ -24,52 +25,106 @@ FN RootPair quadratic_roots(float e1, float e2)
 }
 
 #if ROOT_COUNT >= 3
-/// How often to step after the first: convergence is cubic, but slow until two roots that lie close together are told
-/// apart (docs/tolerances.md).
-const int LAGUERRE_STEPS = 5;
+struct RootTriple { float first; float second; float third; };
 
-/// One Laguerre step for the root of least |s| of 1 + e[0] s + ... + e[n-1] s^n.
-FN float laguerre_step(IN(MonicPolynomial) p, float s)
+/// A cubic t^3 + e1 t^2 + e2 t + e3 with three real roots, depressed: t = shift + scale y, or shift - scale y, with
+/// y^3 - 3 y = r, r in [0, 2].
+struct DepressedCubic
 {
-    PRECISE float value = p.e[ROOT_COUNT - 1];
-    PRECISE float slope = 0.0f;
-    PRECISE float half_curvature = 0.0f;
-    UNROLL
-    for (int k = ROOT_COUNT - 2; k >= -1; --k)
-    {
-        half_curvature = half_curvature * s + slope;
-        slope = slope * s + value;
-        value = value * s + (k < 0 ? 1.0f : p.e[max(k, 0)]);
-    }
-    const float n = float(ROOT_COUNT);
-    PRECISE float discriminant = (n - 1.0f) * (n - 1.0f) * slope * slope
-        - 2.0f * n * (n - 1.0f) * value * half_curvature;
-    PRECISE float root = sqrt(max(discriminant, 0.0f));
-    PRECISE float denominator = slope < 0.0f ? slope - root : slope + root;
-    PRECISE float next = s - n * value / denominator;
-    return denominator == 0.0f ? s : next;
+    float shift;
+    float scale;
+    float y;          // the greatest root, in [sqrt 3, 2]; the others are below -y / 2 by half_gap and above
+    bool upwards;     // t = shift + scale y?
+};
+
+FN DepressedCubic depressed_cubic(float e1, float e2, float e3)
+{
+    PRECISE float shift = e1 * -0.333333333f;
+    PRECISE float scale2 = max(shift * shift - e2 * 0.333333333f, 0.0f);
+    PRECISE float scale = sqrt(scale2);
+    PRECISE float constant = e3 + shift * (e2 - 2.0f * shift * shift);   // p(shift)
+    PRECISE float cube = scale2 * scale;
+    float r = cube > 0.0f ? min(abs(constant) / cube, 2.0f) : 0.0f;
+    // A polynomial that is 8e-5 off at most; one Newton step squares that.
+    PRECISE float y = 1.7321326f + r * (0.16533034f + r * (-0.020345598f + r * 0.0023299308f));
+    y = (2.0f * y * y * y + r) / (3.0f * y * y - 3.0f);
+    DepressedCubic cubic;
+    cubic.shift = shift;
+    cubic.scale = scale;
+    cubic.y = y;
+    cubic.upwards = !(constant > 0.0f);
+    return cubic;
 }
 
-/// The s of least magnitude. If all roots lie at infinity, s is so large that 1/s counts as 0.
-FN float nearest_root(IN(MonicPolynomial) p)
+/// All roots of t^3 + e1 t^2 + e2 t + e3, which must be real.
+FN RootTriple cubic_roots(float e1, float e2, float e3)
 {
-    const float n = float(ROOT_COUNT);
-    // The first step from s = 0 in terms of t = 1/s, because s itself may be infinite.
-    PRECISE float root = sqrt(max((n - 1.0f) * (n - 1.0f) * p.e[0] * p.e[0]
-                                  - 2.0f * n * (n - 1.0f) * p.e[1], 0.0f));
-    PRECISE float t = (p.e[0] < 0.0f ? root - p.e[0] : -root - p.e[0]) / n;
-    float s = abs(t) < 1.0e-6f ? 1.0e6f : 1.0f / t;
-    // Steps shrink until, within a close pair, value and slope are rounding noise; then a step may lead anywhere.
-    float last_size = 1.0e30f;
-    UNROLL
-    for (int i = 0; i < LAGUERRE_STEPS; ++i)
-    {
-        float next = laguerre_step(p, s);
-        float size = abs(next - s);
-        s = size < last_size ? next : s;
-        last_size = min(size, last_size);
-    }
-    return s;
+    DepressedCubic cubic = depressed_cubic(e1, e2, e3);
+    // First the one that is farthest from the others, at least 1.7 scales away, with a Newton step in t to the last digits. A
+    // step that is no small part of the scale is noise, as where all three coincide.
+    PRECISE float offset = cubic.scale * cubic.y;
+    PRECISE float lone = cubic.upwards ? cubic.shift + offset : cubic.shift - offset;
+    PRECISE float slope = (3.0f * lone + 2.0f * e1) * lone + e2;
+    PRECISE float step_size = (((lone + e1) * lone + e2) * lone + e3) / slope;
+    lone = abs(step_size) < 0.25f * cubic.scale ? lone - step_size : lone;
+    // Then t^2 + d1 t + d2, divided out from the constant term up if the lone root lies beyond the mean as seen from 0, and
+    // else from the leading term down.
+    PRECISE float inverse = 1.0f / lone;
+    PRECISE float up2 = -e3 * inverse;
+    PRECISE float up1 = (up2 - e2) * inverse;
+    PRECISE float down1 = e1 + lone;
+    PRECISE float down2 = e2 + lone * down1;
+    bool beyond = abs(lone) > abs(cubic.shift);
+    RootPair pair = quadratic_roots(beyond ? up1 : down1, beyond ? up2 : down2);
+    RootTriple roots;
+    roots.first = lone;
+    roots.second = pair.first;
+    roots.third = pair.second;
+    return roots;
+}
+#endif
+
+#if ROOT_COUNT == 4
+/// The least |t| that a root of greatest magnitude may have: a node that far away weighs nothing.
+const float LEAST_ROOT = 1.0e-6f;
+
+/// The greatest root of a cubic with three real ones.
+FN float greatest_root(float e1, float e2, float e3)
+{
+    DepressedCubic cubic = depressed_cubic(e1, e2, e3);
+    PRECISE float half_gap = 0.5f * sqrt(max(12.0f - 3.0f * cubic.y * cubic.y, 0.0f));
+    PRECISE float root = cubic.shift + cubic.scale * (cubic.upwards ? cubic.y : 0.5f * cubic.y + half_gap);
+    return root;
+}
+
+/// The root of greatest magnitude of a quartic with four real ones (Ferrari). Of the depressed quartic
+/// y^4 + c2 y^2 + c1 y + c0 the two upper roots sum to m, the two lower ones to -m, and m^2 is the greatest root of the
+/// resolvent cubic.
+FN float far_root(IN(MonicPolynomial) p)
+{
+    // Scaled by at least the root of the sum of squares, so that powers do not overflow: not even those of coefficients whose
+    // roots are not real, of which the sum may be below 0.
+    PRECISE float squares = p.e[0] * p.e[0] - 2.0f * p.e[1];
+    float size2 = max(max(squares, abs(p.e[1])), max(abs(p.e[2]), abs(p.e[3])));
+    PRECISE float size = sqrt(max(size2, 1.0e-12f));
+    PRECISE float unit = 1.0f / size;
+    PRECISE float e0 = p.e[0] * unit;
+    PRECISE float e1 = p.e[1] * unit * unit;
+    PRECISE float e2 = p.e[2] * unit * unit * unit;
+    PRECISE float e3 = p.e[3] * unit * unit * unit * unit;
+    PRECISE float shift = -0.25f * e0;
+    PRECISE float shift2 = shift * shift;
+    PRECISE float c2 = e1 - 6.0f * shift2;
+    PRECISE float c1 = e2 + shift * (2.0f * e1 - 8.0f * shift2);
+    PRECISE float c0 = e3 + shift * (e2 + shift * (e1 - 3.0f * shift2));
+    PRECISE float m2 = max(greatest_root(2.0f * c2, c2 * c2 - 4.0f * c0, -c1 * c1), 0.0f);
+    PRECISE float m = sqrt(m2);
+    PRECISE float skew = m > 0.0f ? 2.0f * c1 / m : 0.0f;
+    PRECISE float spread = -m2 - 2.0f * c2;
+    PRECISE float upper = shift + 0.5f * (m + sqrt(max(spread - skew, 0.0f)));
+    PRECISE float lower = shift - 0.5f * (m + sqrt(max(spread + skew, 0.0f)));
+    PRECISE float root = size * (upper + lower > 0.0f ? upper : lower);
+    return root;
 }
 
 /// Improves all roots at once (Ehrlich and Aberth): a Newton step that the other roots repel. A step that
@@ -119,33 +174,6 @@ FN Roots polished_roots(IN(MonicPolynomial) p, IN(Roots) roots)
 }
 #endif
 
-#if ROOT_COUNT == 4
-struct RootTriple { float first; float second; float third; };
-
-/// Roots of t^3 + e1 t^2 + e2 t + e3, all real. Depressed and scaled to y^3 - 3 y = r with r in [0, 2],
-/// whose largest root lies in [sqrt 3, 2]: the chord there is at most .002 off, and three Newton steps
-/// exhaust a float.
-FN RootTriple cubic_roots(float e1, float e2, float e3)
-{
-    PRECISE float shift = e1 * -0.333333333f;
-    PRECISE float scale2 = max(shift * shift - e2 * 0.333333333f, 0.0f);
-    PRECISE float scale = sqrt(scale2);
-    PRECISE float constant = e3 + shift * (e2 - 2.0f * shift * shift);   // p(shift)
-    PRECISE float cube = scale2 * scale;
-    float r = cube > 0.0f ? min(abs(constant) / cube, 2.0f) : 0.0f;
-    PRECISE float y = 1.73205081f + 0.133974596f * r;
-    UNROLL
-    for (int i = 0; i < 3; ++i) y = y - (y * (y * y - 3.0f) - r) / (3.0f * y * y - 3.0f);
-    PRECISE float half_gap = 0.5f * sqrt(max(12.0f - 3.0f * y * y, 0.0f));
-    float direction = constant > 0.0f ? -scale : scale;
-    RootTriple roots;
-    roots.first = shift + direction * y;
-    roots.second = shift + direction * (-0.5f * y - half_gap);
-    roots.third = shift + direction * (-0.5f * y + half_gap);
-    return roots;
-}
-#endif
-
 /// All roots of p, which must be real; those of a slightly indefinite p come out as a nearby real set.
 FN Roots real_roots(IN(MonicPolynomial) p)
 {
@@ -155,26 +183,25 @@ FN Roots real_roots(IN(MonicPolynomial) p)
     roots.t[0] = pair.first;
     roots.t[1] = pair.second;
     return roots;
+#elif ROOT_COUNT == 3
+    RootTriple triple = cubic_roots(p.e[0], p.e[1], p.e[2]);
+    roots.t[0] = triple.first;
+    roots.t[1] = triple.second;
+    roots.t[2] = triple.third;
+    return roots;
 #else
-    float s = nearest_root(p);
-    // Deflation from the constant term up: t^n + ... = (t - 1/s) (t^(n-1) + d1 t^(n-2) + ...), d_k-1 = (d_k - e_k) s.
-#if ROOT_COUNT == 3
-    PRECISE float d2 = -p.e[2] * s;
-    PRECISE float d1 = (d2 - p.e[1]) * s;
-    RootPair pair = quadratic_roots(d1, d2);
-    roots.t[0] = 1.0f / s;
-    roots.t[1] = pair.first;
-    roots.t[2] = pair.second;
-#else
+    float root = far_root(p);
+    float far = abs(root) < LEAST_ROOT ? LEAST_ROOT : root;
+    // From the constant term up: t^4 + ... = (t - far) (t^3 + d1 t^2 + d2 t + d3).
+    PRECISE float s = 1.0f / far;
     PRECISE float d3 = -p.e[3] * s;
     PRECISE float d2 = (d3 - p.e[2]) * s;
     PRECISE float d1 = (d2 - p.e[1]) * s;
     RootTriple triple = cubic_roots(d1, d2, d3);
-    roots.t[0] = 1.0f / s;
+    roots.t[0] = far;
     roots.t[1] = triple.first;
     roots.t[2] = triple.second;
     roots.t[3] = triple.third;
-#endif
     return polished_roots(p, roots);
 #endif
 }

@@ -143,16 +143,17 @@ using Degrees = testing::Types<std::integral_constant<std::size_t, 2>, std::inte
                                std::integral_constant<std::size_t, 4>>;
 TYPED_TEST_SUITE(RealRoots, Degrees);
 
-// Measured for degrees 2, 3, 4, in unavoidable errors, median .21 to .25 throughout:
-//   magnitudes from .01 to 100      99 % .86 .76 .86    99.9 % 1.1  .96 9400    worst 1.6 1.7 1e6
-//   one root from 1e4 to 1e6        99 % .86 .76 .75    99.9 % 1.1  .94  .93    worst 1.4 1.2  30
-//   two roots 1e-3 apart            99 % 1.2 .88 .90    99.9 % 1.4  3.9  7.8    worst 2.2 2e5 1e8
-//   nodes at distances up to 2      99 %  .  .79 .77    99.9 %  .   .98  .99    worst  .  1.9 5e4
-// So 99 % of roots are as good as their coefficients. A third of the errors must exceed a tenth of the unit,
-// lest it be too large to tell anything.
+// Measured for degrees 2, 3, 4, in unavoidable errors, median .20 to .30 throughout:
+//   magnitudes from .01 to 100      99 % .86 1.2 .76    99.9 % 1.1 2.0 .95    worst 1.5 4.3 3.2
+//   one root from 1e4 to 1e6        99 % .85 .93 .74    99.9 % 1.1 1.2 .92    worst 1.4 1.8 2.0
+//   two roots 1e-3 apart            99 % 1.2 2.8 1.8    99.9 % 1.4 4.7 5.6    worst 1.9 7.4 9.7
+//   nodes at distances up to 2      99 % .95 2.2 .77    99.9 % 1.3 3.3 .99    worst 1.8 5.5 5.4
+// So 99 % of roots are nearly as good as their coefficients, and none is far off; those of quartics are polished. A third
+// of the errors must exceed a tenth of the unit, lest it be too large to tell anything.
 void expect_as_good_as_the_coefficients(const std::vector<double>& errors) {
     EXPECT_LT(quantile(errors, 0.5), 0.5);
-    EXPECT_LT(quantile(errors, 0.99), 2.0);
+    EXPECT_LT(quantile(errors, 0.99), 4.0);
+    EXPECT_LT(errors.back(), 20.0);
     EXPECT_GT(quantile(errors, 0.67), 0.1);
 }
 
@@ -211,7 +212,7 @@ TYPED_TEST(RealRoots, AtZeroAreFoundAsNodesAtInfinity) {
 
 TYPED_TEST(RealRoots, AllAtInfinityCountAsZero) {
     constexpr std::size_t N = TestFixture::DEGREE;
-    // nearest_root gives s = 1e6 at most then, so that 1/s may be 1e-6.
+    // LEAST_ROOT stands for all of a quartic's.
     for (const double root : solve(Numbers<N>{})) EXPECT_LE(std::abs(root), 1.001e-6);
 }
 
@@ -236,8 +237,8 @@ TYPED_TEST(RealRoots, OfASlightlyIndefinitePolynomialAreRealAndNear) {
         }
         off += worst > 0.1 ? 1 : 0;
     }
-    // Measured 0, 4 to 13 and 5 to 7 in 10,000: a Laguerre step from within a double root is noise.
-    EXPECT_LT(off, 90);
+    // Measured 0 to 3.
+    EXPECT_LT(off, 10);
 }
 
 TEST(QuadraticRoots, TakeNoDigitsFromASmallRootAndClampTheDiscriminant) {

@@ -1,4 +1,4 @@
-// real_roots_tie_test.cpp -- polynomials in which a tie is the root nearest to the query, where a Laguerre
+// real_roots_tie_test.cpp -- polynomials in which a tie is the root nearest to the query, where a Newton
 // step from within the tie is the quotient of two roundings.
 #include "core/glsl.hpp"
 
