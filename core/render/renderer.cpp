@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 
 #include "core/error.hpp"
@@ -113,11 +114,15 @@ void Renderer::update_frame_block(const View& view) {
     const ResolvedParameters& p = parameters_;
     const glm::vec3 warp = depth_warp_factors(warp_);
     const float aspect = static_cast<float>(view.size.x) / static_cast<float>(view.size.y);
-    const FrameBlock block = {
-        view_matrix(view.camera), projection_matrix(view.camera, aspect),
-        glm::vec4(warp.x, warp.y, NEAR_PLANE, FAR_PLANE),
-        glm::vec4(p.beta, basis_parameter(p, *view.technique), p.alpha, p.renormalize ? 1 : 0),
-        glm::ivec4(view.size, warp.z, 0)};
+    std::array<float, MAX_BASIS_FLOATS> basis{};
+    if (const MomentKernel* kernel = view.technique->kernel)
+        basis = kernel->basis(basis_parameter(p, *view.technique));
+    const FrameBlock block = {view_matrix(view.camera),
+                              projection_matrix(view.camera, aspect),
+                              glm::vec4(warp.x, warp.y, NEAR_PLANE, FAR_PLANE),
+                              glm::vec4(p.beta, p.alpha, p.renormalize ? 1 : 0, 0),
+                              std::bit_cast<std::array<glm::vec4, 2>>(basis),
+                              glm::ivec4(view.size, warp.z, 0)};
     glNamedBufferSubData(frame_block_, 0, sizeof(block), &block);
 }
 

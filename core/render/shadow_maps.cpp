@@ -165,8 +165,11 @@ void ShadowMaps::make_sums() {
 // The passes' eye is the light.
 void ShadowMaps::write_blocks(const glm::mat4& eye_view) const {
     const glm::vec3 warp = depth_warp_factors(frame_.warp);
-    const FrameBlock frame = {frame_.view, frame_.projection,
-                              glm::vec4(warp.x, warp.y, frame_.near_plane, frame_.far_plane), glm::vec4(0),
+    const FrameBlock frame = {frame_.view,
+                              frame_.projection,
+                              glm::vec4(warp.x, warp.y, frame_.near_plane, frame_.far_plane),
+                              glm::vec4(0),
+                              {},
                               glm::ivec4(settings_->size, settings_->size, 1, 0)};
     glNamedBufferSubData(frame_block_, 0, sizeof(frame), &frame);
     const ResolvedParameters parameters =

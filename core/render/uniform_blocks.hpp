@@ -12,6 +12,7 @@ struct FrameBlock {
     glm::mat4 projection;
     glm::vec4 depth_warp;
     glm::vec4 parameters;
+    std::array<glm::vec4, 2> basis;
     glm::ivec4 picture;
 };
 

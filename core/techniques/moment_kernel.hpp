@@ -7,6 +7,7 @@
 namespace momentscope {
 
 constexpr int MAX_MOMENT_FLOATS = 8;
+constexpr int MAX_BASIS_FLOATS = 8;
 constexpr int MAX_NODES = 4;  // of the canonical representation, beside the query depth
 
 /// What a pixel stores: the total absorbance b0 >= 0 and, in 32 bits, its other real moments, not normalised;
@@ -55,6 +56,10 @@ struct MomentKernel {
     int factor_floats;  // numbers that the factor of a pixel's matrix takes
     int bits;           // per stored number, 32 or 16
     bool has_textbook;  // is there an Algorithm 1 or 2 for it? Else settings ask for Solver::robust
+
+    /// What depends on theta, or on the tolerance of nested orders, but not on depth: the shared source's
+    /// StoredBasis, then zeros.
+    std::array<float, MAX_BASIS_FLOATS> (*basis)(float parameter);
 
     /// Adds a fragment at depth [-1, 1] as the first pass does: in 32 bits one float addition per moment, in
     /// 16 bits with all roundings.

@@ -61,6 +61,13 @@ g::Basis basis_of(const ReconstructionSettings& settings) {
 #endif
 }
 
+std::array<float, MAX_BASIS_FLOATS> stored_basis(float parameter) {
+    std::array<float, MAX_BASIS_FLOATS> result{};
+    const g::StoredBasis stored = g::packed_basis(g::make_basis(parameter));
+    std::copy_n(stored.x, BASIS_FLOATS, result.begin());
+    return result;
+}
+
 g::Moments unpacked(const MomentVector& stored) {
     return g::unpacked_moments(to_shared(stored));
 }
@@ -172,6 +179,7 @@ const MomentKernel& moment_kernel(MomentKernelTag<MomentTechnique::KERNEL_ID>) {
                                             .factor_floats = FACTOR_FLOATS,
                                             .bits = MOMENT_BITS,
                                             .has_textbook = HAS_TEXTBOOK,
+                                            .basis = stored_basis,
                                             .add_fragment = add_fragment,
                                             .moments_of = moments_of,
                                             .evaluate = evaluate,

@@ -5,7 +5,8 @@ layout(std140, binding = 0) uniform Frame
     mat4 view;
     mat4 projection;
     vec4 depth_warp;      // origin, scale of shared/fragment.glsl; near and far plane
-    vec4 parameters;      // beta; theta, or epsilon of nested orders; alpha; renormalise (0 or 1)
+    vec4 parameters;      // beta; alpha; renormalise (0 or 1)
+    vec4 basis[2];        // the technique's StoredBasis
     ivec4 picture;        // width, height; is depth linear (0 or 1)?
 } frame;
 

@@ -19,7 +19,7 @@ void main()
 {
     Moments moments = stored_moments(ivec2(gl_FragCoord.xy));
     if (is_empty(moments)) discard;
-    StoredFactor stored = packed_factor(factor_moments(biased_moments(moments, frame.parameters.z)));
+    StoredFactor stored = packed_factor(factor_moments(biased_moments(moments, frame.parameters.y)));
     factor_1 = factor_texel(stored, 0);
 #if FACTOR_FLOATS > 4
     factor_2 = factor_texel(stored, 1);

@@ -22,7 +22,7 @@ void main()
 #ifdef TEXTBOOK_SOLVER
     bool failed = !within;
 #else
-    bool failed = factor_moments(biased_moments(moments, frame.parameters.z)).floored > 0 || isnan(fraction);
+    bool failed = factor_moments(biased_moments(moments, frame.parameters.y)).floored > 0 || isnan(fraction);
 #endif
     failed_clamped = vec2(failed ? 1.0 : 0.0, !failed && !within ? 1.0 : 0.0);
 }

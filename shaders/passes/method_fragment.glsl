@@ -16,7 +16,7 @@ MethodSettings method_settings()
     settings.size = METHOD_SIZE;
     settings.option = METHOD_OPTION;
     settings.overestimation = frame.parameters.x;
-    settings.bias = frame.parameters.z;
+    settings.bias = frame.parameters.y;
     return settings;
 }
 

@@ -8,6 +8,7 @@
 #include "passes/shading.glsl"
 #include "passes/transparent_fragment.glsl"
 #include "technique"
+#include "passes/frame_basis.glsl"
 #include "shared/storage.glsl"
 #include "passes/accumulation.glsl"
 
@@ -15,7 +16,7 @@ layout(early_fragment_tests) in;
 
 void main()
 {
-    Basis basis = make_basis(frame.parameters.y);
+    Basis basis = frame_basis();
     Moments moments = fragment_moments(fragment_depth(), absorbance_of_opacity(fragment_opacity()), basis);
 #ifdef INTERLOCK
     beginInvocationInterlockARB();

@@ -6,6 +6,7 @@
 #include "passes/moment_textures.glsl"
 #endif
 #include "shared/reconstruction.glsl"
+#include "passes/frame_basis.glsl"
 #ifdef TEXTBOOK_SOLVER
 #include "shared/textbook.glsl"
 #endif
@@ -16,7 +17,7 @@
 /// A(z_f, b, beta) / b_0 for the fragment at hand from its pixel's factor, before it is clamped.
 float fragment_fraction(Factor factor)
 {
-    Reconstruction at_depth = reconstruct(factor, make_basis(frame.parameters.y), fragment_depth());
+    Reconstruction at_depth = reconstruct(factor, frame_basis(), fragment_depth());
     precise float fraction = fraction_in_front(at_depth, frame.parameters.x);
     return fraction;
 }
@@ -25,11 +26,11 @@ float fragment_fraction(Factor factor)
 float fragment_fraction(Moments moments)
 {
 #ifdef TEXTBOOK_SOLVER
-    precise float fraction = textbook_fraction(moments, fragment_depth(), frame.parameters.z, frame.parameters.x,
-                                               make_basis(frame.parameters.y));
+    precise float fraction = textbook_fraction(moments, fragment_depth(), frame.parameters.y, frame.parameters.x,
+                                               frame_basis());
     return fraction;
 #else
-    return fragment_fraction(factor_moments(biased_moments(moments, frame.parameters.z)));
+    return fragment_fraction(factor_moments(biased_moments(moments, frame.parameters.y)));
 #endif
 }
 

@@ -35,6 +35,32 @@ FN Basis make_basis(float wrapping_zone_angle)
     return basis;
 }
 
+/// The same as numbers, for a uniform block.
+#define BASIS_FLOATS 5
+struct StoredBasis { float x[BASIS_FLOATS]; };
+
+FN StoredBasis packed_basis(IN(Basis) basis)
+{
+    StoredBasis stored;
+    stored.x[0] = basis.half_phase_scale;
+    stored.x[1] = basis.quarter_sine;
+    stored.x[2] = basis.quarter_cosine;
+    stored.x[3] = basis.ramp_scale;
+    stored.x[4] = basis.ramp_offset;
+    return stored;
+}
+
+FN Basis unpacked_basis(IN(StoredBasis) stored)
+{
+    Basis basis;
+    basis.half_phase_scale = stored.x[0];
+    basis.quarter_sine = stored.x[1];
+    basis.quarter_cosine = stored.x[2];
+    basis.ramp_scale = stored.x[3];
+    basis.ramp_offset = stored.x[4];
+    return basis;
+}
+
 /// exp(i phi / 2) of a depth in [-1, 1].
 FN Complex half_phase(float depth, IN(Basis) basis)
 {

@@ -19,3 +19,19 @@ FN Basis make_basis(float tolerance)
     basis.tolerance = tolerance;
     return basis;
 }
+
+/// The same as numbers, for a uniform block.
+#define BASIS_FLOATS 1
+struct StoredBasis { float x[BASIS_FLOATS]; };
+
+FN StoredBasis packed_basis(IN(Basis) basis)
+{
+    StoredBasis stored;
+    stored.x[0] = basis.tolerance;
+    return stored;
+}
+
+FN Basis unpacked_basis(IN(StoredBasis) stored)
+{
+    return make_basis(stored.x[0]);
+}
