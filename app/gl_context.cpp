@@ -4,6 +4,7 @@
 #include <glad/gl.h>
 
 #include <GL/osmesa.h>
+#include <dlfcn.h>
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
@@ -15,6 +16,42 @@
 namespace momentscope {
 
 namespace {
+
+/// The functions of OSMesa, which is loaded when a picture is drawn without a window: it brings LLVM, which
+/// takes 50 ms to load.
+struct OsMesa {
+    decltype(&OSMesaCreateContextAttribs) create_context;
+    decltype(&OSMesaMakeCurrent) make_current;
+    decltype(&OSMesaDestroyContext) destroy_context;
+    decltype(&OSMesaGetProcAddress) get_address;
+};
+
+OsMesa load_osmesa() {
+    void* const library = ::dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);  // until the process ends
+    const auto function = [&](const char* name) {
+        void* const found = library != nullptr ? ::dlsym(library, name) : nullptr;
+        if (found == nullptr)
+            throw Error(fmt::format(
+                "Pictures cannot be drawn without a window, because OSMesa cannot be loaded ({}); "
+                "install libosmesa6 22 or newer.",
+                ::dlerror()));
+        return found;
+    };
+    OsMesa osmesa{};
+    const auto load = [&](auto& pointer, const char* name) {
+        pointer = reinterpret_cast<std::decay_t<decltype(pointer)>>(function(name));
+    };
+    load(osmesa.create_context, "OSMesaCreateContextAttribs");
+    load(osmesa.make_current, "OSMesaMakeCurrent");
+    load(osmesa.destroy_context, "OSMesaDestroyContext");
+    load(osmesa.get_address, "OSMesaGetProcAddress");
+    return osmesa;
+}
+
+const OsMesa& osmesa() {
+    static const OsMesa library = load_osmesa();
+    return library;
+}
 
 class OsMesaContext : public GlContext {
 public:
@@ -31,14 +68,14 @@ public:
                                   OSMESA_CONTEXT_MINOR_VERSION,
                                   5,
                                   0};
-        context_ = OSMesaCreateContextAttribs(attributes, nullptr);
+        context_ = osmesa().create_context(attributes, nullptr);
         if (context_ == nullptr ||
-            OSMesaMakeCurrent(context_, pixels_.data(), GL_UNSIGNED_BYTE, size.x, size.y) == GL_FALSE ||
-            gladLoadGL(OSMesaGetProcAddress) == 0)
+            osmesa().make_current(context_, pixels_.data(), GL_UNSIGNED_BYTE, size.x, size.y) == GL_FALSE ||
+            gladLoadGL(osmesa().get_address) == 0)
             throw Error(
                 "OSMesa gives no OpenGL 4.5 context; install libosmesa6 22 or newer, or give the program more memory.");
     }
-    ~OsMesaContext() override { OSMesaDestroyContext(context_); }
+    ~OsMesaContext() override { osmesa().destroy_context(context_); }
     OsMesaContext(const OsMesaContext&) = delete;
     OsMesaContext& operator=(const OsMesaContext&) = delete;
 

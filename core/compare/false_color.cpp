@@ -1,27 +1,20 @@
 #include "core/compare/false_color.hpp"
 
-#include <OpenImageIO/imagebuf.h>
-#include <OpenImageIO/imagebufalgo.h>
+#include <algorithm>
+#include <vector>
+
+#include "core/image/picture_module.hpp"
 
 namespace momentscope {
 
 Image false_color(std::span<const float> values, int width, int height, float full_scale) {
-    const OIIO::ImageSpec spec(width, height, 1, OIIO::TypeDesc::FLOAT);
-    OIIO::ImageBuf source(spec);
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            const float share = values[static_cast<std::size_t>(y * width + x)] / full_scale;
-            source.setpixel(x, y, &share, 1);
-        }
-    const OIIO::ImageBuf colored = OIIO::ImageBufAlgo::color_map(source, 0, "magma");
+    std::vector<float> shares(values.size());
+    std::ranges::transform(values, shares.begin(), [&](float value) { return value / full_scale; });
+    const std::vector<float> srgb = picture_codec().magma(shares);  // meant for the screen as it is
     Image image(width, height);
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            float srgb[3] = {};  // the map is meant for the screen as it is
-            colored.getpixel(x, y, srgb, 3);
-            image.at(x, y) =
-                glm::vec4(linear_from_srgb(srgb[0]), linear_from_srgb(srgb[1]), linear_from_srgb(srgb[2]), 1);
-        }
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        image.pixels[i] = glm::vec4(linear_from_srgb(srgb[3 * i]), linear_from_srgb(srgb[3 * i + 1]),
+                                    linear_from_srgb(srgb[3 * i + 2]), 1);
     return image;
 }
 

@@ -1,7 +1,5 @@
 #include "core/image/image.hpp"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "core/image/picture_file.hpp"
+#include "core/image/picture_module.hpp"
 #include "core/output_file.hpp"
 #include "core/reachable.hpp"
 
@@ -19,22 +18,15 @@ namespace momentscope {
 
 namespace {
 
-// In memory, since the library does not tell when a disk is full. `kind` is .png or .exr.
-std::vector<unsigned char> encoded(const OIIO::ImageSpec& spec, const char* kind, const OIIO::TypeDesc& type,
-                                   const void* pixels) {
-    std::vector<unsigned char> bytes;
-    OIIO::Filesystem::IOVecOutput memory(bytes);
-    const std::string name = std::string("memory") + kind;
-    const auto file = OIIO::ImageOutput::create(name, &memory);
-    if (!file || !file->open(name, spec) || !file->write_image(type, pixels) || !file->close())
-        throw Error(fmt::format("The picture could not be made ({}); try a smaller --size.",
-                                first_sentence(file ? file->geterror() : OIIO::geterror())));
-    return bytes;
-}
-
-void write_pixels(const std::filesystem::path& path, const OIIO::ImageSpec& spec, const OIIO::TypeDesc& type,
+// Four channels.
+void write_pixels(const std::filesystem::path& path, int width, int height, PictureNumbers numbers,
                   const void* pixels) {
-    const auto bytes = encoded(spec, path.extension() == ".exr" ? ".exr" : ".png", type, pixels);
+    std::string reason;
+    const auto bytes = picture_codec().encode(path.extension() == ".exr" ? ".exr" : ".png", width, height,
+                                              numbers, pixels, reason);
+    if (bytes.empty())
+        throw Error(
+            fmt::format("The picture could not be made ({}); try a smaller --size.", first_sentence(reason)));
     write_file({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path);
 }
 
@@ -46,22 +38,21 @@ struct Channels {
 
 // Channels are found by their names, because files may also hold depths and normals; unnamed ones go by their
 // order.
-Channels channels_of(const OIIO::ImageSpec& spec) {
+Channels channels_of(const PictureHeader& header) {
     const auto named = [&](std::string_view name) {
-        const auto found = std::ranges::find(spec.channelnames, name);
-        return found == spec.channelnames.end()
-                   ? std::nullopt
-                   : std::optional<std::size_t>(found - spec.channelnames.begin());
+        const auto found = std::ranges::find(header.channels, name);
+        return found == header.channels.end() ? std::nullopt
+                                              : std::optional<std::size_t>(found - header.channels.begin());
     };
     const auto red = named("R"), green = named("G"), blue = named("B");
     Channels channels{};
     if (red && green && blue)
         channels.color = {*red, *green, *blue};
-    else if (spec.nchannels >= 3 && !named("Y"))
+    else if (header.channels.size() >= 3 && !named("Y"))
         channels.color = {0, 1, 2};
     else
         channels.color.fill(named("Y").value_or(0));
-    if (spec.alpha_channel >= 0) channels.alpha = static_cast<std::size_t>(spec.alpha_channel);
+    if (header.alpha_channel >= 0) channels.alpha = static_cast<std::size_t>(header.alpha_channel);
     return channels;
 }
 
@@ -90,20 +81,18 @@ Image read_image(const std::filesystem::path& path) {
     if (!std::filesystem::exists(path, code))
         throw Error(fmt::format("There is no picture '{}'; give the path of one, or the id of a technique.",
                                 path.string()));
-    OIIO::ImageSpec as_stored;
-    as_stored.attribute("oiio:UnassociatedAlpha", 1);
-    PictureFile file(path, "picture", &as_stored);
-    const OIIO::ImageSpec& spec = file.spec();
-    const Channels where = channels_of(spec);
+    PictureFile file(path, "picture", true);
+    const PictureHeader& header = file.header();
+    const Channels where = channels_of(header);
     // Files may have hundreds of channels; those between the first and the last that are needed are read.
     const auto [least, most] = std::ranges::minmax(where.color);
     const std::size_t first = std::min(least, where.alpha.value_or(least));
     const std::size_t channels = std::max(most, where.alpha.value_or(most)) - first + 1;
     file.require_size(MOST_SIDE, MOST_PIXELS, sizeof(glm::vec4) + channels * sizeof(float));
-    Image image(spec.width, spec.height);
+    Image image(header.width, header.height);
     std::vector<float> values(image.pixels.size() * channels);
-    file.read(static_cast<int>(first), static_cast<int>(channels), OIIO::TypeDesc::FLOAT, values.data());
-    const bool linear = spec.format.is_floating_point();
+    file.read(static_cast<int>(first), static_cast<int>(channels), PictureNumbers::floats, values.data());
+    const bool linear = header.holds_floats;
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         for (std::size_t c = 0; c < 3; ++c) {
             const float value = values[i * channels + where.color[c] - first];
@@ -116,8 +105,7 @@ Image read_image(const std::filesystem::path& path) {
 
 void write_image(const Image& image, const std::filesystem::path& path, ToneMap tone_map) {
     if (path.extension() == ".exr") {
-        const OIIO::ImageSpec spec(image.width, image.height, 4, OIIO::TypeDesc::FLOAT);
-        write_pixels(path, spec, OIIO::TypeDesc::FLOAT, image.pixels.data());
+        write_pixels(path, image.width, image.height, PictureNumbers::floats, image.pixels.data());
         return;
     }
     std::vector<unsigned char> bytes;
@@ -137,8 +125,7 @@ void write_png(const std::vector<unsigned char>& rgba, int width, int height,
     if (path.extension() != ".png")
         throw Error(fmt::format("'{}' is no kind of picture that can be written; end it in .png or .exr.",
                                 path.string()));
-    const OIIO::ImageSpec spec(width, height, 4, OIIO::TypeDesc::UINT8);
-    write_pixels(path, spec, OIIO::TypeDesc::UINT8, rgba.data());
+    write_pixels(path, width, height, PictureNumbers::bytes, rgba.data());
 }
 
 }  // namespace momentscope
