@@ -134,6 +134,7 @@ private:
         explorer_.frame();
         gui_.end_frame(size);
         log_.frame(explorer_);
+        for (const std::string& note : renderer_.programs()->take_notes()) log_.line(note);
         need_.drawn();
         if (!picked_ && !explorer_.busy()) {
             pick_option(options_, explorer_);

@@ -30,6 +30,7 @@ void HeadlessWindow::draw() {
     explorer_.frame();
     GuiSession::end_frame();
     log_.frame(explorer_);
+    for (const std::string& note : renderer_.programs()->take_notes()) log_.line(note);
     need_.drawn();
     if (const auto path = explorer_.take_window_export()) {
         try {

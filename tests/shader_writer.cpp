@@ -30,6 +30,7 @@ void write(const std::filesystem::path& folder, const std::string& prefix, const
     const std::string text = expand_shader(path, variant);
     const WrittenOut written = with_loops_written_out(text);
     write_file(text, folder / (prefix + "." + name));  // glslang reads the stage from the end
+    if (written.left > 0) throw Error(fmt::format("{} {} keeps {} loops.", prefix, name, written.left));
     if (written.loops > 0) write_file(written.text, folder / (prefix + ".written." + name));
 }
 
@@ -50,6 +51,8 @@ void write_technique(const std::filesystem::path& folder, const Technique& techn
     factored.defines["WITH_TRANSMITTANCE"] = "1";
     for (const char* path : {"passes/color.frag", "passes/capture.frag"})
         write(folder, id + ".factored", path, factored);
+    factored.defines["NO_ALPHA_MAPS"] = "1";
+    write(folder, id + ".lean", "passes/color.frag", factored);
     const auto access = OrderedAccess::interlock;
     write(folder, id + ".ordered", "passes/moments.frag", accumulation_variant(technique, true, access));
     if (technique.kernel->bits == 32)

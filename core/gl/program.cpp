@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <sstream>
 
 #include "core/error.hpp"
@@ -95,13 +96,19 @@ bool compiles(const GlShader& shader, const std::string& text) {
     return compiled != 0;
 }
 
-// With its loops written out; with loops if that is too large, or if the driver does not take it.
-GlShader compile(GLenum kind, std::string_view path, const ShaderVariant& variant) {
+// With its loops written out; with loops, and a note, if that is too large or if the driver does not take it.
+GlShader compile(GLenum kind, std::string_view path, const ShaderVariant& variant,
+                 std::vector<std::string>& notes) {
     std::vector<std::string> files;
     const std::string text = expand_shader(path, variant, &files);
     GlShader shader(glCreateShader(kind));
     const WrittenOut written = with_loops_written_out(text);
-    if (written.text.size() <= MOST_WRITTEN_OUT && compiles(shader, written.text)) return shader;
+    const bool fits = written.text.size() <= MOST_WRITTEN_OUT;
+    if (fits && compiles(shader, written.text)) return shader;
+    notes.push_back(
+        fmt::format("{} keeps its loops: {}", path,
+                    fits ? "this GL does not compile it with loops written out"
+                         : fmt::format("written out it would have {} bytes", written.text.size())));
     if (!compiles(shader, text)) {
         std::string log(4096, '\0');
         GLsizei length = 0;
@@ -142,16 +149,20 @@ std::string expand_shader(std::string_view path, const ShaderVariant& variant,
     return text;
 }
 
-GlProgram link_program(std::string_view vertex, std::string_view fragment, const ShaderVariant& variant) {
+GlProgram link_program(std::string_view vertex, std::string_view fragment, const ShaderVariant& variant,
+                       std::vector<std::string>* notes) {
+    std::vector<std::string> said;
     std::vector<GlShader> shaders;
-    shaders.push_back(compile(GL_VERTEX_SHADER, vertex, variant));
-    shaders.push_back(compile(GL_FRAGMENT_SHADER, fragment, variant));
+    shaders.push_back(compile(GL_VERTEX_SHADER, vertex, variant, said));
+    shaders.push_back(compile(GL_FRAGMENT_SHADER, fragment, variant, said));
+    if (notes != nullptr) std::ranges::move(said, std::back_inserter(*notes));
     return link(shaders, fragment);
 }
 
 GlProgram link_compute_program(std::string_view path, const ShaderVariant& variant) {
+    std::vector<std::string> notes;
     std::vector<GlShader> shaders;
-    shaders.push_back(compile(GL_COMPUTE_SHADER, path, variant));
+    shaders.push_back(compile(GL_COMPUTE_SHADER, path, variant, notes));
     return link(shaders, path);
 }
 
@@ -159,7 +170,7 @@ GLuint ProgramCache::get(const char* vertex, const char* fragment, const ShaderV
     const auto key = std::tuple(std::string(vertex), std::string(fragment), variant);
     auto found = programs_.find(key);
     if (found == programs_.end())
-        found = programs_.emplace(key, link_program(vertex, fragment, variant)).first;
+        found = programs_.emplace(key, link_program(vertex, fragment, variant, &notes_)).first;
     return found->second;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "core/gl/handle.hpp"
@@ -38,8 +39,10 @@ struct ShaderVariant {
 std::string expand_shader(std::string_view path, const ShaderVariant& variant,
                           std::vector<std::string>* files = nullptr);
 
-/// Compiles and links. Throws Error with the first line of the driver's log.
-GlProgram link_program(std::string_view vertex, std::string_view fragment, const ShaderVariant& variant = {});
+/// Compiles and links, with the loops of shaders written out (loop_writer.hpp). Throws Error with the first
+/// line of the driver's log. `notes` gets a sentence for each shader that keeps its loops, and why.
+GlProgram link_program(std::string_view vertex, std::string_view fragment, const ShaderVariant& variant = {},
+                       std::vector<std::string>* notes = nullptr);
 GlProgram link_compute_program(std::string_view compute, const ShaderVariant& variant = {});
 
 /// Programs of a few files and many variants, linked when they are first asked for.
@@ -47,8 +50,12 @@ class ProgramCache {
 public:
     GLuint get(const char* vertex, const char* fragment, const ShaderVariant& variant = {});
 
+    /// What was noted since it was asked last, for a log.
+    std::vector<std::string> take_notes() { return std::exchange(notes_, {}); }
+
 private:
     std::map<std::tuple<std::string, std::string, ShaderVariant>, GlProgram> programs_;
+    std::vector<std::string> notes_;
 };
 
 }  // namespace momentscope

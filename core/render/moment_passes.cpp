@@ -86,7 +86,8 @@ void MomentPasses::draw_moments(const PassInput& input) {
             glBindImageTexture(2, moments_5_to_8_, 0, GL_FALSE, 0, GL_READ_WRITE,
                                two ? formats.two_moments : formats.four_moments);
     }
-    glUseProgram(input.programs.get(SCENE, MOMENTS, accumulation_variant(technique_, ordered, access_)));
+    glUseProgram(
+        input.programs.get(SCENE, MOMENTS, input.lean(accumulation_variant(technique_, ordered, access_))));
     draw_transparent(input.scene, by_images ? depth_target_ : moment_target_,
                      ordered ? Blending::none : Blending::add);
     if (by_images) glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
@@ -115,8 +116,8 @@ void MomentPasses::draw_factors(const PassInput& input) {
 void MomentPasses::draw_color(const PassInput& input) {
     if (input.parameters.factored_once) draw_factors(input);
     clear_colors(color_target_, 1);
-    glUseProgram(
-        input.programs.get(SCENE, COLOR, input.lit(reconstruction_variant(technique_, input.parameters))));
+    glUseProgram(input.programs.get(
+        SCENE, COLOR, input.lean(input.lit(reconstruction_variant(technique_, input.parameters)))));
     bind_stored();
     draw_transparent(input.scene, color_target_, Blending::add);
 }

@@ -23,6 +23,8 @@ public:
     /// Which object, by its index in Scene::objects, is the draw call of that index.
     std::uint32_t object_of_draw(std::uint32_t draw) const { return sequence_[draw]; }
 
+    bool has_alpha_maps() const { return !alpha_maps_.empty(); }
+
     /// Draws the opaque or the transparent objects, or of the former those that cast shadows, in submission
     /// order with the program in use.
     void draw(Surfaces surfaces) const;

@@ -107,8 +107,9 @@ void StatePasses::clear_states() const {
 void StatePasses::draw_moments(const PassInput& input) {
     make_states(input.parameters.method);
     clear_states();
-    glUseProgram(input.programs.get("passes/scene.vert", "passes/state.frag",
-                                    input.lit(state_building_variant(technique_, settings_, access_))));
+    glUseProgram(
+        input.programs.get("passes/scene.vert", "passes/state.frag",
+                           input.lean(input.lit(state_building_variant(technique_, settings_, access_)))));
     draw_states(input);
 }
 
@@ -134,7 +135,7 @@ void StatePasses::draw_color(const PassInput& input) {
     if (technique_.method->holds_colors) return;
     clear_colors(color_target_, own_absorbance_ != 0 ? 2 : 1);
     glUseProgram(input.programs.get("passes/scene.vert", "passes/state_color.frag",
-                                    input.lit(state_variant(technique_, settings_))));
+                                    input.lean(input.lit(state_variant(technique_, settings_)))));
     bind_states();
     draw_transparent(input.scene, color_target_, Blending::add);
 }

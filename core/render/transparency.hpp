@@ -26,6 +26,12 @@ struct PassInput {
     const ResolvedParameters& parameters;
     const ShaderLighting* lighting = nullptr;  // how fragments are lit; null: by no light of the scene
 
+    /// The variant of a geometry pass that is drawn often: without what the scene does not need.
+    ShaderVariant lean(ShaderVariant variant) const {
+        if (!scene.has_alpha_maps()) variant.defines["NO_ALPHA_MAPS"] = "1";
+        return variant;
+    }
+
     /// The variant of a pass that shades fragments.
     ShaderVariant lit(ShaderVariant variant) const {
         if (lighting != nullptr) add_lighting(variant, *lighting);

@@ -9,13 +9,19 @@ in vec3 object_position;
 
 in vec2 texture_coordinate;
 
+#ifndef NO_ALPHA_MAPS
 layout(binding = 15) uniform sampler2D alpha_map;   // white where the object has none
+#endif
 
 /// May be 0. Level 0 always: what a pass samples must not depend on derivatives, which passes compute for different
 /// pixels.
 float fragment_opacity()
 {
+#ifdef NO_ALPHA_MAPS   // the scene has none, and a fetch is not free
+    return object.color_opacity.a;
+#else
     return object.color_opacity.a * textureLod(alpha_map, texture_coordinate, 0.0).x;
+#endif
 }
 
 float fragment_view_depth()
