@@ -105,10 +105,11 @@ GlShader compile(GLenum kind, std::string_view path, const ShaderVariant& varian
     const WrittenOut written = with_loops_written_out(text);
     const bool fits = written.text.size() <= MOST_WRITTEN_OUT;
     if (fits && compiles(shader, written.text)) return shader;
-    notes.push_back(
-        fmt::format("{} keeps its loops: {}", path,
-                    fits ? "this GL does not compile it with loops written out"
-                         : fmt::format("written out it would have {} bytes", written.text.size())));
+    if (written.loops > 0)
+        notes.push_back(
+            fmt::format("{} keeps its loops: {}", path,
+                        fits ? "this GL does not compile it with loops written out"
+                             : fmt::format("written out it would have {} bytes", written.text.size())));
     if (!compiles(shader, text)) {
         std::string log(4096, '\0');
         GLsizei length = 0;

@@ -85,8 +85,10 @@ FN RootTriple cubic_roots(float e1, float e2, float e3)
 #endif
 
 #if ROOT_COUNT == 4
-/// The least |t| that a root of greatest magnitude may have: a node that far away weighs nothing.
-const float LEAST_ROOT = 1.0e-6f;
+/// Of a quartic whose roots' squares sum to between 2/3 and 4: the root of greatest magnitude is at least .4, and the
+/// coefficients are at most 4, 6, 4 and 1. These limits hold for all others, whose roots are not real.
+const float LEAST_FAR_ROOT = 0.1f;
+const float MOST_SCALED = 16.0f;
 
 /// The greatest root of a cubic with three real ones.
 FN float greatest_root(float e1, float e2, float e3)
@@ -102,29 +104,19 @@ FN float greatest_root(float e1, float e2, float e3)
 /// resolvent cubic.
 FN float far_root(IN(MonicPolynomial) p)
 {
-    // Scaled by at least the root of the sum of squares, so that powers do not overflow: not even those of coefficients whose
-    // roots are not real, of which the sum may be below 0.
-    PRECISE float squares = p.e[0] * p.e[0] - 2.0f * p.e[1];
-    float size2 = max(max(squares, abs(p.e[1])), max(abs(p.e[2]), abs(p.e[3])));
-    PRECISE float size = sqrt(max(size2, 1.0e-12f));
-    PRECISE float unit = 1.0f / size;
-    PRECISE float e0 = p.e[0] * unit;
-    PRECISE float e1 = p.e[1] * unit * unit;
-    PRECISE float e2 = p.e[2] * unit * unit * unit;
-    PRECISE float e3 = p.e[3] * unit * unit * unit * unit;
-    PRECISE float shift = -0.25f * e0;
+    PRECISE float shift = -0.25f * p.e[0];
     PRECISE float shift2 = shift * shift;
-    PRECISE float c2 = e1 - 6.0f * shift2;
-    PRECISE float c1 = e2 + shift * (2.0f * e1 - 8.0f * shift2);
-    PRECISE float c0 = e3 + shift * (e2 + shift * (e1 - 3.0f * shift2));
+    PRECISE float c2 = p.e[1] - 6.0f * shift2;
+    PRECISE float c1 = p.e[2] + shift * (2.0f * p.e[1] - 8.0f * shift2);
+    PRECISE float c0 = p.e[3] + shift * (p.e[2] + shift * (p.e[1] - 3.0f * shift2));
     PRECISE float m2 = max(greatest_root(2.0f * c2, c2 * c2 - 4.0f * c0, -c1 * c1), 0.0f);
     PRECISE float m = sqrt(m2);
-    PRECISE float skew = m > 0.0f ? 2.0f * c1 / m : 0.0f;
-    PRECISE float spread = -m2 - 2.0f * c2;
-    PRECISE float upper = shift + 0.5f * (m + sqrt(max(spread - skew, 0.0f)));
-    PRECISE float lower = shift - 0.5f * (m + sqrt(max(spread + skew, 0.0f)));
-    PRECISE float root = size * (upper + lower > 0.0f ? upper : lower);
-    return root;
+    // The squared gaps of the pairs are spread -+ skew, so that neither exceeds the other's sum.
+    PRECISE float spread = max(-m2 - 2.0f * c2, 0.0f);
+    float skew = m > 0.0f ? clamp(2.0f * c1 / m, -spread, spread) : 0.0f;
+    PRECISE float upper = shift + 0.5f * (m + sqrt(spread - skew));
+    PRECISE float lower = shift - 0.5f * (m + sqrt(spread + skew));
+    return upper + lower > 0.0f ? upper : lower;
 }
 
 /// Improves all roots at once (Ehrlich and Aberth): a Newton step that the other roots repel. A step that
@@ -172,6 +164,25 @@ FN Roots polished_roots(IN(MonicPolynomial) p, IN(Roots) roots)
     }
     return result;
 }
+
+/// All roots of a quartic whose roots' squares sum to between 2/3 and 4.
+FN Roots quartic_roots(IN(MonicPolynomial) p)
+{
+    float root = far_root(p);
+    float far = abs(root) < LEAST_FAR_ROOT ? LEAST_FAR_ROOT : root;
+    // From the constant term up: t^4 + ... = (t - far) (t^3 + d1 t^2 + d2 t + d3).
+    PRECISE float s = 1.0f / far;
+    PRECISE float d3 = -p.e[3] * s;
+    PRECISE float d2 = (d3 - p.e[2]) * s;
+    PRECISE float d1 = (d2 - p.e[1]) * s;
+    RootTriple triple = cubic_roots(d1, d2, d3);
+    Roots roots;
+    roots.t[0] = far;
+    roots.t[1] = triple.first;
+    roots.t[2] = triple.second;
+    roots.t[3] = triple.third;
+    return polished_roots(p, roots);
+}
 #endif
 
 /// All roots of p, which must be real; those of a slightly indefinite p come out as a nearby real set.
@@ -182,26 +193,28 @@ FN Roots real_roots(IN(MonicPolynomial) p)
     RootPair pair = quadratic_roots(p.e[0], p.e[1]);
     roots.t[0] = pair.first;
     roots.t[1] = pair.second;
-    return roots;
 #elif ROOT_COUNT == 3
     RootTriple triple = cubic_roots(p.e[0], p.e[1], p.e[2]);
     roots.t[0] = triple.first;
     roots.t[1] = triple.second;
     roots.t[2] = triple.third;
-    return roots;
 #else
-    float root = far_root(p);
-    float far = abs(root) < LEAST_ROOT ? LEAST_ROOT : root;
-    // From the constant term up: t^4 + ... = (t - far) (t^3 + d1 t^2 + d2 t + d3).
-    PRECISE float s = 1.0f / far;
-    PRECISE float d3 = -p.e[3] * s;
-    PRECISE float d2 = (d3 - p.e[2]) * s;
-    PRECISE float d1 = (d2 - p.e[1]) * s;
-    RootTriple triple = cubic_roots(d1, d2, d3);
-    roots.t[0] = far;
-    roots.t[1] = triple.first;
-    roots.t[2] = triple.second;
-    roots.t[3] = triple.third;
-    return polished_roots(p, roots);
+    // Scaled by a power of two, which is exact, so that no power over- or underflows. Coefficients beyond the limit belong to
+    // roots that are not real, whose squares may even sum to less than 0.
+    PRECISE float squares = p.e[0] * p.e[0] - 2.0f * p.e[1];
+    float unit = inverse_power_of_two(sqrt(clamp(max(squares, abs(p.e[1])), 1.0e-12f, 1.0e30f)));
+    MonicPolynomial scaled;
+    PRECISE float power = unit;
+    UNROLL
+    for (int k = 0; k < ROOT_COUNT; ++k)
+    {
+        scaled.e[k] = clamp(p.e[k] * power, -MOST_SCALED, MOST_SCALED);
+        power = power * unit;
+    }
+    roots = quartic_roots(scaled);
+    float size = 1.0f / unit;
+    UNROLL
+    for (int l = 0; l < ROOT_COUNT; ++l) roots.t[l] = roots.t[l] * size;
 #endif
+    return roots;
 }

@@ -25,6 +25,7 @@ namespace momentscope::glsl::degree3 {
 #undef ROOT_COUNT
 }  // namespace momentscope::glsl::degree3
 namespace momentscope::glsl::degree4 {
+#include "shaders/shared/portable_math.glsl"
 #define ROOT_COUNT 4
 #include "shaders/shared/real_roots.glsl"
 #undef ROOT_COUNT
@@ -212,7 +213,7 @@ TYPED_TEST(RealRoots, AtZeroAreFoundAsNodesAtInfinity) {
 
 TYPED_TEST(RealRoots, AllAtInfinityCountAsZero) {
     constexpr std::size_t N = TestFixture::DEGREE;
-    // LEAST_ROOT stands for all of a quartic's.
+    // A quartic's count as 1e-6 then.
     for (const double root : solve(Numbers<N>{})) EXPECT_LE(std::abs(root), 1.001e-6);
 }
 

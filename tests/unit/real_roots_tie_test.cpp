@@ -11,6 +11,7 @@ namespace momentscope::glsl::tied3 {
 #undef ROOT_COUNT
 }  // namespace momentscope::glsl::tied3
 namespace momentscope::glsl::tied4 {
+#include "shaders/shared/portable_math.glsl"
 #define ROOT_COUNT 4
 #include "shaders/shared/real_roots.glsl"
 #undef ROOT_COUNT
