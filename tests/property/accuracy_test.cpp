@@ -29,9 +29,15 @@ struct Errors {
     std::vector<float> against_float_moments;
 };
 
-ViewRay ray_of_seed(std::uint32_t seed) {
-    std::mt19937 random(seed);
+using RayMaker = ViewRay (*)(std::mt19937& random);
+
+ViewRay scattered_ray(std::mt19937& random) {
     return random_ray(random);
+}
+
+ViewRay ray_of_seed(RayMaker maker, std::uint32_t seed) {
+    std::mt19937 random(seed);
+    return maker(random);
 }
 
 Real transmittance(const ExactFraction& exact, Real b0, float beta) {
@@ -62,9 +68,9 @@ void add_errors(const Curve& curve, std::size_t at, const ExactFraction& ideal, 
     }
 }
 
-void measure_ray(const Technique& technique, const ParameterValues& values, std::uint32_t seed,
-                 Measurement& result) {
-    const ViewRay ray = ray_of_seed(seed);
+void measure_ray(const Technique& technique, const ParameterValues& values, RayMaker maker,
+                 std::uint32_t seed, Measurement& result) {
+    const ViewRay ray = ray_of_seed(maker, seed);
     const std::vector<float> depths = own_depths(ray);
     const Curve curve = sample_curve(ray, technique, values, depths);
     const auto exact = exact_function(ray, technique, curve.parameters);
@@ -84,7 +90,7 @@ void measure_ray(const Technique& technique, const ParameterValues& values, std:
     }
 }
 
-Measurement measure(const Technique& technique, const ParameterValues& values, int rays) {
+Measurement measure(const Technique& technique, const ParameterValues& values, RayMaker maker, int rays) {
     constexpr std::uint32_t THREADS = 2;
     std::vector<Measurement> parts(THREADS);
     {
@@ -92,7 +98,7 @@ Measurement measure(const Technique& technique, const ParameterValues& values, i
         for (std::uint32_t part = 0; part < THREADS; ++part)
             threads.emplace_back([&, part] {
                 for (auto seed = part; seed < static_cast<std::uint32_t>(rays); seed += THREADS)
-                    measure_ray(technique, values, seed, parts[part]);
+                    measure_ray(technique, values, maker, seed, parts[part]);
             });
     }
     Measurement& all = parts.front();
@@ -135,9 +141,17 @@ Tolerance tolerance_of(const Technique& technique) {
     return AT_TABLE_1;
 }
 
+/// Where surfaces all but tie, rounding of the moments decides: a hundred times as much as elsewhere. About
+/// half as much again as was measured of the technique that fares worst, over 10,000 rays.
+Tolerance tolerance_on_clusters(const Technique& technique) {
+    if (technique.kernel->bits == 16) return {7e-3, 0.11, 1, 1.2e-4};
+    return {2e-3, 5e-2, 0.22, 2e-5};
+}
+
 class Accuracy : public testing::TestWithParam<const Technique*> {
 protected:
-    static void check(const Technique& technique, float beta, const Tolerance& tolerance, Errors& errors) {
+    static void check(const Technique& technique, float beta, RayMaker maker, const Tolerance& tolerance,
+                      Errors& errors) {
         const auto error_of = [](const Sample& sample) { return sample.error; };
         std::ranges::sort(errors.against_exact_moments, {}, error_of);
         const auto quantile = [&](double share) {
@@ -151,7 +165,7 @@ protected:
             "{} beta {}: error of T: mean {:.2e}, 99 % {:.2e}, 99.99 % {:.2e}, worst {:.2e}; from the same "
             "float moments: mean {:.2e}\n  worst ray {}\n",
             technique.id, beta, mean_exact, quantile(0.99), quantile(0.9999), worst.error, mean_float,
-            ray_to_json(ray_of_seed(worst.ray)).dump());
+            ray_to_json(ray_of_seed(maker, worst.ray)).dump());
         EXPECT_LE(mean_exact, tolerance.mean);
         EXPECT_LE(static_cast<double>(quantile(0.99)), tolerance.percentile_99);
         EXPECT_LE(static_cast<double>(quantile(0.9999)), tolerance.percentile_9999);
@@ -160,11 +174,17 @@ protected:
 };
 
 TEST_P(Accuracy, AtOwnDepthsAgainstExactArithmetic) {
-    Measurement measured = measure(*GetParam(), {}, effort(10'000, 1'000'000));
+    Measurement measured = measure(*GetParam(), {}, scattered_ray, effort(10'000, 1'000'000));
     fmt::print("{}: {} rays; without exact result from the float moments: {}; pivots floored: {}\n",
                GetParam()->id, measured.rays, measured.without_exact_result, measured.floored_pivots);
     for (std::size_t k = 0; k < BETAS.size(); ++k)
-        check(*GetParam(), BETAS[k], tolerance_of(*GetParam()), measured.by_beta[k]);
+        check(*GetParam(), BETAS[k], scattered_ray, tolerance_of(*GetParam()), measured.by_beta[k]);
+}
+
+TEST_P(Accuracy, AtOwnDepthsOfClusteredRays) {
+    Measurement measured = measure(*GetParam(), {}, clustered_ray, effort(10'000, 1'000'000));
+    for (std::size_t k = 0; k < BETAS.size(); ++k)
+        check(*GetParam(), BETAS[k], clustered_ray, tolerance_on_clusters(*GetParam()), measured.by_beta[k]);
 }
 
 // With the bias that power moments of the same count have, Chebyshev moments must be as accurate as these.
@@ -175,9 +195,9 @@ TEST_P(ChebyshevAccuracy, IsThatOfPowerMomentsAtTable1sBias) {
     const Technique& power = require_technique(fmt::format("power{}-32", technique.moment_count));
     ParameterValues values;
     values.set(ParameterId::alpha, power.recommended_bias);
-    Measurement measured = measure(technique, values, effort(10'000, 1'000'000));
+    Measurement measured = measure(technique, values, scattered_ray, effort(10'000, 1'000'000));
     for (std::size_t k = 0; k < BETAS.size(); ++k)
-        check(technique, BETAS[k], AT_TABLE_1, measured.by_beta[k]);
+        check(technique, BETAS[k], scattered_ray, AT_TABLE_1, measured.by_beta[k]);
 }
 
 INSTANTIATE_TEST_SUITE_P(Techniques, ChebyshevAccuracy,
