@@ -51,14 +51,14 @@ std::unique_ptr<PictureReader> open(const std::string& path, bool unassociated, 
     if (unassociated) as_stored.attribute("oiio:UnassociatedAlpha", 1);
     // Some decoders take the memory while they open the file.
     OIIO::attribute("limits:imagesize_MB", MOST_MIB);
-    std::unique_ptr<OIIO::ImageInput> input;
     try {
-        input = OIIO::ImageInput::open(path, &as_stored);
-        if (!input) reason = OIIO::geterror();
+        if (auto input = OIIO::ImageInput::open(path, &as_stored))
+            return std::make_unique<OiioReader>(std::move(input));
+        reason = OIIO::geterror();
     } catch (const std::bad_alloc&) {
         OIIO::geterror();
     }
-    return input ? std::make_unique<OiioReader>(std::move(input)) : nullptr;
+    return nullptr;
 }
 
 // In memory, since the library does not tell when a disk is full.

@@ -154,12 +154,15 @@ private:
         const std::size_t open = after_spaces(at + 1);
         const std::size_t close = after_brackets(open);
         const std::size_t word = after_spaces(close);
-        if (!is(word, "continue") || !is(after_spaces(word + 1), ";")) return std::nullopt;
+        const std::size_t end = after_spaces(word + 1);
+        if (!is(word, "continue") || !is(end, ";")) return std::nullopt;
+        if (after_spaces(end + 1) < statement.end) return std::nullopt;  // an else
         return Part{open, close};
     }
 
     // Does a part leave the loop or the turn other than by a statement of its own, or does it change the
-    // variable or declare another one of that name?
+    // variable or declare another one of that name? What this does not see, such as an `out` argument, no
+    // driver compiles with a number in its place, and the loop stays.
     bool leaves(const Part& statement, std::string_view variable) const {
         for (std::size_t at = statement.begin; at < statement.end; ++at)
             if (is(at, "int") && is(after_spaces(at + 1), variable)) return true;
@@ -169,7 +172,9 @@ private:
                 continue;
             }
             if (is(at, "break") || is(at, "continue")) return true;
-            if (is(at, variable) && is(after_spaces(at + 1), "=")) return true;
+            if (!is(at, variable)) continue;
+            for (const char* sign : {"=", "+=", "-=", "*=", "/=", "++", "--"})
+                if (is(after_spaces(at + 1), sign)) return true;
         }
         return false;
     }

@@ -1,5 +1,5 @@
 // loop_writer.hpp -- loops of fixed count written out, for drivers that do not unroll them: llvmpipe keeps
-// arrays that a loop indexes in memory, which makes a fragment 4 to 7 times dearer.
+// arrays that a loop indexes in memory, which makes a fragment 3 to 7 times dearer.
 #pragma once
 #include <string>
 #include <string_view>

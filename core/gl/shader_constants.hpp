@@ -12,6 +12,7 @@
 
 namespace momentscope {
 
+/// What a driver defines by itself (`__VERSION__`, `GL_...`) is not known: shaders do not ask for it.
 class ShaderConstants {
 public:
     /// Takes part in a #define, #undef or branch; other directives say nothing.

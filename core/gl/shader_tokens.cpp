@@ -86,8 +86,8 @@ std::vector<ShaderToken> shader_tokens(std::string_view text) {
             while (end < text.size() && is_word_letter(text[end])) ++end;
         }
         tokens.push_back({kind, text.substr(at, end - at)});
-        line_begins = kind == directive || (kind == space && (text[end - 1] == '\n' || line_begins ||
-                                                              tokens.back().text.find('\n') != text.npos));
+        line_begins = kind == directive ||
+                      (kind == space && (line_begins || tokens.back().text.find('\n') != text.npos));
         at = end;
     }
     return tokens;

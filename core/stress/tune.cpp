@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <span>
 #include <thread>
 
 #include "core/error.hpp"
@@ -15,6 +16,8 @@
 namespace momentscope {
 
 namespace {
+
+constexpr std::size_t RAYS = 32;  // that a thread takes at a time
 
 struct Sums {
     double squares = 0;
@@ -33,11 +36,15 @@ std::vector<double> exact_of_stored(const MomentVector& stored, const Technique&
     return t;
 }
 
-// Errors of one ray at its own depths, and failures if they are to be judged.
-void add_ray(const ViewRay& ray, const Technique& technique, const ResolvedParameters& parameters,
-             bool judged, Sums& sums) {
-    const ReconstructionSettings settings = settings_of(parameters);
-    const MomentVector stored = sum_moments(ray, technique, parameters);
+// The queries of one ray at its own depths; where they begin among those of many.
+struct RayQueries {
+    const ViewRay* ray;
+    std::size_t first, count;
+};
+
+// Errors of one ray, of which `stored` and `fractions` are, and failures if they are to be judged.
+void add_ray(const ViewRay& ray, const MomentVector& stored, std::span<const float> fractions,
+             const Technique& technique, const ResolvedParameters& parameters, bool judged, Sums& sums) {
     const std::vector<float> depths = some_own_depths(ray);
     const std::vector<double> truth = true_absorbance(ray, depths);
     std::vector<double> exact;
@@ -47,16 +54,35 @@ void add_ray(const ViewRay& ray, const Technique& technique, const ResolvedParam
         of_stored = exact_of_stored(stored, technique, parameters, depths);
     }
     for (std::size_t i = 0; i < depths.size(); ++i) {
-        const float fraction = technique.kernel->fraction(stored, settings, depths[i]);
-        const double t = transmittance_of_fraction(fraction, stored.b0);
+        const double t = transmittance_of_fraction(fractions[i], stored.b0);
         const double error = t - std::exp(-truth[i]);
         sums.squares += error * error;
         ++sums.queries;
         if (!judged) continue;
         const double exact_t = std::exp(-exact[i]);
-        sums.failures += judge(fraction, t, exact_t) == Outcome::fine ? 0 : 1;
+        sums.failures += judge(fractions[i], t, exact_t) == Outcome::fine ? 0 : 1;
         sums.inherent += of_stored.empty() || std::abs(of_stored[i] - exact_t) > FAILED_ERROR ? 1 : 0;
     }
+}
+
+// All their queries at once.
+void add_rays(std::span<const ViewRay> rays, const Technique& technique, const ResolvedParameters& parameters,
+              bool judged, Sums& sums) {
+    std::vector<RayQueries> queries;
+    std::vector<MomentVector> stored;
+    std::vector<float> depths;
+    for (const ViewRay& ray : rays) {
+        const std::vector<float> own = some_own_depths(ray);
+        if (own.empty()) continue;
+        queries.push_back({&ray, depths.size(), own.size()});
+        stored.insert(stored.end(), own.size(), sum_moments(ray, technique, parameters));
+        depths.insert(depths.end(), own.begin(), own.end());
+    }
+    std::vector<float> fractions(depths.size());
+    technique.kernel->fractions(stored, settings_of(parameters), depths, fractions);
+    for (const RayQueries& of_ray : queries)
+        add_ray(*of_ray.ray, stored[of_ray.first], std::span(fractions).subspan(of_ray.first, of_ray.count),
+                technique, parameters, judged, sums);
 }
 
 class Search {
@@ -76,8 +102,9 @@ public:
             std::vector<std::jthread> workers;
             for (unsigned k = 0; k < threads; ++k)
                 workers.emplace_back([&, k] {
-                    for (std::size_t i = next++; i < rays_.size() && !stopped(); i = next++)
-                        add_ray(rays_[i], *options_.technique, parameters, judge, parts[k]);
+                    for (std::size_t i = next++; i * RAYS < rays_.size() && !stopped(); i = next++)
+                        add_rays(std::span(rays_).subspan(i * RAYS, std::min(RAYS, rays_.size() - i * RAYS)),
+                                 *options_.technique, parameters, judge, parts[k]);
                 });
         }
         Sums all;

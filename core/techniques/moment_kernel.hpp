@@ -76,6 +76,12 @@ struct MomentKernel {
     /// NaN. 0 for empty moments.
     float (*fraction)(const MomentVector& moments, const ReconstructionSettings& settings, float depth);
 
+    /// The same for many pixels, each at one depth: fractions[i] of moments[i] at depths[i], in the same
+    /// bits. Biases and factors each, and runs as wide as the CPU allows (the textbook goes one by
+    /// one): the way to use a kernel where there are many queries.
+    void (*fractions)(std::span<const MomentVector> moments, const ReconstructionSettings& settings,
+                      std::span<const float> depths, std::span<float> fractions);
+
     ReconstructionSteps (*steps)(const MomentVector& moments, const ReconstructionSettings& settings,
                                  float depth);
 };

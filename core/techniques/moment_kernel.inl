@@ -6,6 +6,7 @@
 #include "core/techniques/quantisation.hpp"
 
 #include <algorithm>
+#include <array>
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(MOMENTSCOPE_SANITIZE) && \
     !defined(MOMENTSCOPE_NO_CLONES)
@@ -62,6 +63,7 @@ g::Basis basis_of(const ReconstructionSettings& settings) {
 }
 
 std::array<float, MAX_BASIS_FLOATS> stored_basis(float parameter) {
+    static_assert(BASIS_FLOATS <= MAX_BASIS_FLOATS);
     std::array<float, MAX_BASIS_FLOATS> result{};
     const g::StoredBasis stored = g::packed_basis(g::make_basis(parameter));
     std::copy_n(stored.x, BASIS_FLOATS, result.begin());
@@ -146,6 +148,46 @@ float fraction(const MomentVector& vector, const ReconstructionSettings& setting
     return g::fraction_in_front(g::reconstruct(factor, basis, depth), settings.overestimation);
 }
 
+constexpr std::size_t BATCH = 64;  // pixels; their moments stay in the nearest cache
+
+/// Number k of pixel i at k BATCH + i: b_0, then the moments.
+using MomentColumns = std::array<float, (MOMENT_FLOATS + 1) * BATCH>;
+
+WIDE_CLONES
+void fractions_wide(const MomentColumns& columns, const float* __restrict depths, std::size_t count,
+                    const g::Basis& basis, float bias, float overestimation, float* __restrict fractions) {
+    for (std::size_t i = 0; i < count; ++i) {
+        g::Moments stored;
+        stored.b0 = columns[i];
+        for (std::size_t k = 0; k < MOMENT_FLOATS; ++k) stored.b[k] = columns[(k + 1) * BATCH + i];
+        const g::Moments moments = g::unpacked_moments(stored);
+        const g::Factor factor = g::factor_moments(g::biased_moments(moments, bias));
+        const float fraction = g::fraction_in_front(g::reconstruct(factor, basis, depths[i]), overestimation);
+        fractions[i] = g::is_empty(moments) ? 0.0f : fraction;
+    }
+}
+
+void fractions(std::span<const MomentVector> vectors, const ReconstructionSettings& settings,
+               std::span<const float> depths, std::span<float> results) {
+    if (settings.solver == Solver::textbook) {
+        for (std::size_t i = 0; i < vectors.size(); ++i)
+            results[i] = fraction(vectors[i], settings, depths[i]);
+        return;
+    }
+    const g::Basis basis = basis_of(settings);
+    MomentColumns columns{};
+    for (std::size_t first = 0; first < vectors.size(); first += BATCH) {
+        const std::size_t count = std::min(BATCH, vectors.size() - first);
+        for (std::size_t i = 0; i < count; ++i) {
+            columns[i] = vectors[first + i].b0;
+            for (std::size_t k = 0; k < MOMENT_FLOATS; ++k)
+                columns[(k + 1) * BATCH + i] = vectors[first + i].b[k];
+        }
+        fractions_wide(columns, &depths[first], count, basis, settings.bias, settings.overestimation,
+                       &results[first]);
+    }
+}
+
 ReconstructionSteps steps(const MomentVector& vector, const ReconstructionSettings& settings, float depth) {
     ReconstructionSteps result;
     if (g::is_empty(to_shared(vector))) return result;
@@ -184,6 +226,7 @@ const MomentKernel& moment_kernel(MomentKernelTag<MomentTechnique::KERNEL_ID>) {
                                             .moments_of = moments_of,
                                             .evaluate = evaluate,
                                             .fraction = fraction,
+                                            .fractions = fractions,
                                             .steps = steps};
     return kernel;
 }

@@ -3,6 +3,7 @@
 Basis frame_basis()
 {
     StoredBasis stored;
+    UNROLL
     for (int i = 0; i < BASIS_FLOATS; ++i) stored.x[i] = frame.basis[i / 4][i % 4];
     return unpacked_basis(stored);
 }

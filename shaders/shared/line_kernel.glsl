@@ -36,8 +36,8 @@ FN Kernel kernel_of_degree(IN(Query) query, IN(Factor) factor, int degree)
     for (int k = 0; k < ROOT_COUNT; ++k)
     {
         if (k >= degree) continue;
-        // From the top: coefficient j of the next one needs j and j - 1 of this one. Products with 0 and 1 are left out, which
-        // no compiler may do.
+        // From the top: coefficient j of the next one needs j and j - 1 of this one. Products with 0 are left out, which no
+        // compiler may do.
         p[k + 1] = 1.0f;
         UNROLL
         for (int j = k; j >= 0; --j)

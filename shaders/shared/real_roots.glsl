@@ -86,7 +86,7 @@ FN RootTriple cubic_roots(float e1, float e2, float e3)
 
 #if ROOT_COUNT == 4
 /// Of a quartic whose roots' squares sum to between 2/3 and 4: the root of greatest magnitude is at least .4, and the
-/// coefficients are at most 4, 6, 4 and 1. These limits hold for all others, whose roots are not real.
+/// coefficients are at most 4, 6, 4 and 1. These limits hold for all others, whose roots are all but 0 or not real.
 const float LEAST_FAR_ROOT = 0.1f;
 const float MOST_SCALED = 16.0f;
 

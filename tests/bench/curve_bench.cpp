@@ -67,6 +67,20 @@ void run(benchmark::State& state, const std::vector<Work>& all) {
     state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * SAMPLES * all.size()));
 }
 
+// As many pixels, each at one depth, with everything that a fragment's second pass does.
+void run_pixels(benchmark::State& state, const Work& work) {
+    const ReconstructionSettings settings = settings_of(work.parameters);
+    const std::vector<float> depths = even_depths(SAMPLES);
+    const std::vector<MomentVector> moments(SAMPLES, work.moments);
+    std::vector<float> fractions(SAMPLES);
+    for (auto _ : state) {
+        work.technique->kernel->fractions(moments, settings, depths, fractions);
+        benchmark::DoNotOptimize(fractions.data());
+        benchmark::ClobberMemory();
+    }
+    state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * SAMPLES));
+}
+
 // One call per depth, with everything that a fragment's second pass does.
 void run_scalar(benchmark::State& state, Work work, bool textbook) {
     work.parameters.textbook = textbook;
@@ -78,7 +92,7 @@ void run_scalar(benchmark::State& state, Work work, bool textbook) {
     state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * SAMPLES));
 }
 
-// Nanoseconds per reconstruction, and how many times slower the textbook is than the vectorised curve.
+// Nanoseconds per reconstruction, and how many times slower the textbook is than what is vectorised.
 class Table : public benchmark::ConsoleReporter {
 public:
     void ReportRuns(const std::vector<Run>& runs) override {
@@ -88,17 +102,23 @@ public:
                 nanoseconds_[run.benchmark_name()] = 1e9 / run.counters.at("items_per_second");
     }
     void Finalize() override {
-        fmt::print("\nns per reconstruction, one core\n{:<11}{:>12}{:>16}{:>18}{:>22}\n", "technique",
-                   "vectorised", "scalar, robust", "scalar, textbook", "textbook/vectorised");
+        fmt::print("\nns per reconstruction, one core\n{:<11}{:>14}{:>14}{:>16}{:>18}{:>20}{:>20}\n",
+                   "technique", "along a curve", "over pixels", "scalar, robust", "scalar, textbook",
+                   "textbook/curve", "textbook/pixels");
         for (const Technique& technique : techniques()) {
             const auto wide = nanoseconds_.find(technique.id);
+            const auto pixels = nanoseconds_.find(fmt::format("{} pixels", technique.id));
             const auto robust = nanoseconds_.find(fmt::format("{} scalar", technique.id));
             const auto textbook = nanoseconds_.find(fmt::format("{} textbook", technique.id));
-            if (wide == nanoseconds_.end() || robust == nanoseconds_.end()) continue;
+            if (wide == nanoseconds_.end() || robust == nanoseconds_.end() || pixels == nanoseconds_.end())
+                continue;
             const bool has = textbook != nanoseconds_.end();
-            fmt::print("{:<11}{:>12.1f}{:>16.1f}{:>18}{:>22}\n", technique.id, wide->second, robust->second,
-                       has ? fmt::format("{:.1f}", textbook->second) : "-",
-                       has ? fmt::format("{:.1f}", textbook->second / wide->second) : "-");
+            const auto times = [&](double time) {
+                return has ? fmt::format("{:.1f}", textbook->second / time) : "-";
+            };
+            fmt::print("{:<11}{:>14.1f}{:>14.1f}{:>16.1f}{:>18}{:>20}{:>20}\n", technique.id, wide->second,
+                       pixels->second, robust->second, has ? fmt::format("{:.1f}", textbook->second) : "-",
+                       times(wide->second), times(pixels->second));
         }
     }
 
@@ -129,6 +149,8 @@ int main(int argc, char** argv) {
             })->Unit(benchmark::kMicrosecond);
     for (const Work& work : all) {
         const std::string id = work.technique->id;
+        benchmark::RegisterBenchmark((id + " pixels").c_str(),
+                                     [work](benchmark::State& state) { run_pixels(state, work); });
         benchmark::RegisterBenchmark((id + " scalar").c_str(),
                                      [work](benchmark::State& state) { run_scalar(state, work, false); });
         if (work.technique->kernel->has_textbook)

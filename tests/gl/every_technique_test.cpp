@@ -2,6 +2,8 @@
 // without an error of GL and without a number that is none.
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "tests/effort.hpp"
 #include "tests/gl/gl_fixture.hpp"
@@ -75,6 +77,8 @@ TEST_P(EveryTechniqueTest, DrawsEveryScene) {
             expect_picture(renderer, view, entry.id);
         }
     }
+    const std::vector<std::string> notes = shared_programs()->take_notes();
+    EXPECT_TRUE(notes.empty()) << notes.front();  // no shader keeps its loops
 }
 
 INSTANTIATE_TEST_SUITE_P(Techniques, EveryTechniqueTest, ::testing::ValuesIn(all_techniques()),

@@ -1,5 +1,8 @@
-// wide_test.cpp -- curves are computed many depths at a time; the bits must be those of one depth alone.
+// wide_test.cpp -- curves are computed many depths at a time, and pixels many at a time; the bits must be
+// those of one alone.
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 #include "tests/property/moment_rows.hpp"
 #include "tests/property/random_rays.hpp"
@@ -19,6 +22,34 @@ TEST_P(Wide, EqualsScalar) {
         for (std::size_t k = 0; k < curve.depth.size(); ++k)
             ASSERT_EQ(curve.reconstructed[k],
                       GetParam()->kernel->steps(curve.moments, settings, curve.depth[k]).absorbance);
+    }
+}
+
+TEST_P(Wide, ManyPixelsEqualOne) {
+    constexpr std::size_t PIXELS = 1003;  // full batches and a rest
+    const MomentKernel& kernel = *GetParam()->kernel;
+    for (const bool textbook : {false, true}) {
+        if (textbook && !kernel.has_textbook) continue;
+        ParameterValues values;
+        values.set(ParameterId::solver, textbook ? 1.0f : 0.0f);
+        const ResolvedParameters parameters = resolve(values, *GetParam());
+        const ReconstructionSettings settings = settings_of(parameters);
+        std::mt19937 random(5);
+        std::vector<MomentVector> moments(PIXELS);  // each seventh stays empty
+        std::vector<float> depths(PIXELS), fractions(PIXELS);
+        for (std::size_t i = 0; i < PIXELS; ++i) {
+            const ViewRay ray = random_ray(random);
+            if (i % 7 != 0) moments[i] = sum_moments(ray, *GetParam(), parameters);
+            depths[i] = ray.fragments.front().depth;
+        }
+        kernel.fractions(moments, settings, depths, fractions);
+        for (std::size_t i = 0; i < PIXELS; ++i) {
+            const float one = kernel.fraction(moments[i], settings, depths[i]);
+            ASSERT_TRUE(fractions[i] == one || (std::isnan(one) && std::isnan(fractions[i])))
+                << i << ": " << fractions[i] << " instead of " << one;
+            ASSERT_TRUE(i % 7 != 0 || fractions[i] == 0.0f) << i;
+        }
+        kernel.fractions({}, settings, {}, {});
     }
 }
 

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <string>
+#include <vector>
 
 #include "core/gl/shader_tokens.hpp"
 
@@ -93,7 +95,9 @@ TEST(LoopWriter, LeavesWhatItCannotWriteOut) {
           "UNROLL for (int i = 0; i < 9; ++i) { if (a) break; b(); }",
           "UNROLL for (int i = 0; i < 9; ++i) { if (a) { continue; } b(); }",
           "UNROLL for (int i = 0; i < 9; ++i) { for (int i = 0; i < 2; ++i) b(i); }",
-          "UNROLL for (int i = 0; i < 9; ++i) { i = 3; }", "UNROLL for (int i = 0; i < 1000; ++i) b(i);",
+          "UNROLL for (int i = 0; i < 9; ++i) { i = 3; }", "UNROLL for (int i = 0; i < 9; ++i) { i += 3; }",
+          "UNROLL for (int i = 0; i < 9; ++i) { if (a[i]) continue; else b(i); c(i); }",
+          "UNROLL for (int i = 0; i < 1000; ++i) b(i);",
           "UNROLL for (float x = 0.0; x < 2.0; x += 1.0) b(x);", "UNROLL while (true) b();"}) {
         const WrittenOut result = with_loops_written_out(loop);
         EXPECT_EQ(packed(result.text), packed(loop));

@@ -213,8 +213,8 @@ TYPED_TEST(RealRoots, AtZeroAreFoundAsNodesAtInfinity) {
 
 TYPED_TEST(RealRoots, AllAtInfinityCountAsZero) {
     constexpr std::size_t N = TestFixture::DEGREE;
-    // A quartic's count as 1e-6 then.
-    for (const double root : solve(Numbers<N>{})) EXPECT_LE(std::abs(root), 1.001e-6);
+    // A quartic's count as a tenth of 2^-20 then.
+    for (const double root : solve(Numbers<N>{})) EXPECT_LE(std::abs(root), 1e-7);
 }
 
 TYPED_TEST(RealRoots, OfASlightlyIndefinitePolynomialAreRealAndNear) {
