@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Files as large as readers allow, and larger: each is read or refused within 10 seconds and 1 GiB. They take 1 GB of disk.
+"""Files as large as readers allow, and larger: each is read or refused within 10 seconds and 1 GiB.
 
 usage: large_files.py FUZZ_READERS"""
 
@@ -47,14 +47,17 @@ def files():
 
 
 def main():
+    faults, count = 0, 0
     with tempfile.TemporaryDirectory() as folder:
-        paths = []
-        for name, text in files():
+        for name, text in files():   # one at a time, since the driver holds all that it is given
             path = pathlib.Path(folder) / name
             path.parent.mkdir(exist_ok=True)
             path.write_text(text)
-            paths.append(path)
-        return subprocess.run([sys.argv[1], "--replay", *paths]).returncode
+            faults += subprocess.run([sys.argv[1], "--replay", path]).returncode != 0
+            count += 1
+            path.unlink()
+    print(f"{count} large files: {faults} faults")
+    return 1 if faults else 0
 
 
 if __name__ == "__main__":
