@@ -258,7 +258,7 @@ void EventPlayer::play(const std::string& text) {
         } catch (const Error& error) {
             std::string why = error.what();
             if (why.ends_with('.')) why.pop_back();
-            throw Error(fmt::format("Line {} of the events, '{:.200}': {}.", number, line, why));
+            throw Error(fmt::format("Line {} of the events, '{:.200}': {:.400}.", number, line, why));
         }
     }
 }
