@@ -11,8 +11,8 @@
 #include "core/error.hpp"
 #include "core/input_file.hpp"
 #include "core/json_text.hpp"
-#include "core/reachable.hpp"
 #include "core/parse_number.hpp"
+#include "core/reachable.hpp"
 #include "ui/session.hpp"
 #include "ui/shortcut.hpp"
 

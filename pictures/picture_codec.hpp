@@ -1,6 +1,6 @@
 // picture_codec.hpp -- what reads and writes picture files, as a module that is loaded when a picture needs
-// it: OpenImageIO brings 260 libraries, which take a fifth of a second of CPU to load, and most commands need no
-// picture.
+// it: OpenImageIO brings 260 libraries, which take a fifth of a second of CPU to load, and most commands need
+// no picture.
 #pragma once
 #include <memory>
 #include <string>

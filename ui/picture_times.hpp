@@ -15,9 +15,10 @@ namespace momentscope::ui {
 struct PictureKind {
     std::string scene;
     const Technique* technique = nullptr;
-    std::vector<std::optional<float>> choices = {};  // of parameters without a continuous range: their programs
-    Stage stage = Stage::nothing;               // from which it is drawn
-    const Technique* reference = nullptr;       // drawn beside it, or null
+    std::vector<std::optional<float>> choices =
+        {};                                // of parameters without a continuous range: their programs
+    Stage stage = Stage::nothing;          // from which it is drawn
+    const Technique* reference = nullptr;  // drawn beside it, or null
     Stage reference_stage = Stage::nothing;
     bool failures = false;  // marked anew
     friend auto operator<=>(const PictureKind&, const PictureKind&) = default;

@@ -96,7 +96,8 @@ bool compiles(const GlShader& shader, const std::string& text) {
     return compiled != 0;
 }
 
-// With its loops written out; with loops, and a note, if that is too large or if the driver does not compile it.
+// With its loops written out; with loops, and a note, if that is too large or if the driver does not compile
+// it.
 GlShader compile(GLenum kind, std::string_view path, const ShaderVariant& variant,
                  std::vector<std::string>& notes) {
     std::vector<std::string> files;

@@ -109,7 +109,8 @@ TEST_F(CommandLineNames, JsonHasTheWholeNameOfAMesh) {
         expect_words_succeed({"needed", "--scene", name, "--size", "16x9", "--format", "json"});
     EXPECT_EQ(json::parse(needed.output).at("scene"), CODES + "\uFFFD.obj");
     expect_plain(needed.output);
-    expect_words_refused({"advise", "--scene", name, "--max-error", "0.5", "-o", "out/x.json"}, "is not UTF-8");
+    expect_words_refused({"advise", "--scene", name, "--max-error", "0.5", "-o", "out/x.json"},
+                         "is not UTF-8");
     write("x.events", "expect /scene none.obj\n");
     expect_words_refused({"--headless", "--size", "640x400", "--scene", name, "--events", "x.events"},
                          "\uFFFD.obj");

@@ -149,8 +149,8 @@ TYPED_TEST_SUITE(RealRoots, Degrees);
 //   one root from 1e4 to 1e6        99 % .85 .93 .74    99.9 % 1.1 1.2 .92    worst 1.4 1.8 2.0
 //   two roots 1e-3 apart            99 % 1.2 2.8 1.8    99.9 % 1.4 4.7 5.6    worst 1.9 7.4 9.7
 //   nodes at distances up to 2      99 % .95 2.2 .77    99.9 % 1.3 3.3 .99    worst 1.8 5.5 5.4
-// So 99 % of roots are nearly as good as their coefficients, and none is far off; those of quartics are polished. A third
-// of the errors must exceed a tenth of the unit, lest it be too large to tell anything.
+// So 99 % of roots are nearly as good as their coefficients, and none is far off; those of quartics are
+// polished. A third of the errors must exceed a tenth of the unit, lest it be too large to tell anything.
 void expect_as_good_as_the_coefficients(const std::vector<double>& errors) {
     EXPECT_LT(quantile(errors, 0.5), 0.5);
     EXPECT_LT(quantile(errors, 0.99), 4.0);
