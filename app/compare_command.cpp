@@ -30,7 +30,8 @@ PixelRegion parse_region(const std::string& text, const Image& image) {
         if (number && *number >= 0 && *number <= MOST) numbers.push_back(*number);
     }
     if (numbers.size() != 4 || split_list({text}).size() != 4)
-        throw Error(fmt::format("'{}' is no region; give x,y,width,height in pixels, as 10,20,64,48.", text));
+        throw Error(
+            fmt::format("'{}' is not a region; give x,y,width,height in pixels, as 10,20,64,48.", text));
     const PixelRegion region = {numbers[0], numbers[1], numbers[2], numbers[3]};
     if (region.width < 1 || region.height < 1 || region.x + region.width > image.width ||
         region.y + region.height > image.height)

@@ -29,7 +29,7 @@ constexpr glm::ivec2 SIZE(480, 270);
 constexpr const char* INTRODUCTION =
     "# The papers' figures, with our scenes\n\n"
     "Written by `momentscope figure all -o docs/figures`. Each figure replays named settings; beside it stands what the "
-    "paper says about its own, and what was measured of ours. Our scenes are no copies of the papers' assets, so it is the "
+    "paper says about its own, and what was measured of ours. Our scenes are not copies of the papers' assets, so it is the "
     "order of techniques that can agree, not their numbers. Errors are root mean squares of linear colour at 480x270 "
     "against `sorted` unless a row says something else; where a row ranks, it agrees if its numbers fall from left to right.\n\n";
 

@@ -87,7 +87,7 @@ void run_needed(const Options& options) {
     const MomentOrders orders = moment_orders(options.basis);
     const ParameterValues values = parse_parameters(options);
     if (!options.format.empty() && options.format != "table" && options.format != "json")
-        throw Error(fmt::format("'{}' is no format; choose table or json.", options.format));
+        throw Error(fmt::format("'{}' is not a format; choose table or json.", options.format));
     const std::filesystem::path path = options.output;
     const std::string kind = path.extension().string();
     if (!path.empty() && kind != ".png" && kind != ".json")

@@ -68,7 +68,7 @@ float parse_scale(const std::string& text) {
     const auto scale = parse_number<float>(text);
     if (!scale || !(*scale >= 0.5f && *scale <= 4))
         throw Error(
-            fmt::format("'{}' is no scale of the window's text; give --ui-scale from 0.5 to 4.", text));
+            fmt::format("'{}' is not a scale of the window's text; give --ui-scale from 0.5 to 4.", text));
     return *scale;
 }
 
@@ -77,8 +77,8 @@ std::vector<float> parse_depths(const std::string& text) {
     for (const std::string_view part : split(text, ',')) {
         const auto depth = parse_number<float>(part);
         if (!depth || !(*depth >= -1 && *depth <= 1))
-            throw Error(
-                fmt::format("The depth '{}' is no number from -1 to 1; give --depths as -0.5,0,0.25.", part));
+            throw Error(fmt::format(
+                "The depth '{}' is not a number from -1 to 1; give --depths as -0.5,0,0.25.", part));
         depths.push_back(*depth);
     }
     return depths;
@@ -118,7 +118,7 @@ ParameterValues parse_parameters(const Options& options, ParameterValues values)
 double parse_rate(const std::string& text) {
     const auto rate = parse_number<double>(text);
     if (!rate || !(*rate >= 0 && *rate <= 1))
-        throw Error(fmt::format("'{}' is no rate; give a number from 0 to 1, such as 0.0001.", text));
+        throw Error(fmt::format("'{}' is not a rate; give a number from 0 to 1, such as 0.0001.", text));
     return *rate;
 }
 

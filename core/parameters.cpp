@@ -54,7 +54,7 @@ const std::array<Parameter, PARAMETER_COUNT> ROWS = {{
      Stage::color,
      "How much of the mass at the query depth counts as in front of it. With power moments 0 gives the "
      "lower bound, where no surface occludes itself but all appear too visible, and 1 the upper bound; with "
-     "trigonometric moments these are no bounds.",
+     "trigonometric moments these are not bounds.",
      "Münstermann et al. 2018, Section 3.2"},
     {ParameterId::theta, "theta", "θ", "wrapping zone angle", "rad", 0.0f, PI, PI / 10.0f, Scale::linear,
      Stage::moments,
@@ -240,7 +240,7 @@ std::optional<float> parse_parameter(const Parameter& row, std::string_view text
     if (choice != row.choices.end()) return static_cast<float>(choice - row.choices.begin());
     const auto value = parse_number<float>(text);
     if (!value)
-        throw Error(fmt::format("'{}' is no value of the {} --{}; give {}.", text, row.name, row.key,
+        throw Error(fmt::format("'{}' is not a value of the {} --{}; give {}.", text, row.name, row.key,
                                 parameter_values_text(row)));
     return *value;
 }

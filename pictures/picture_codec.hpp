@@ -34,7 +34,7 @@ public:
 };
 
 struct PictureCodec {
-    /// Null and the reason when the file begins as no picture. Colours come as the file holds them: not
+    /// Null and the reason when the file does not begin as a picture. Colours come as the file holds them: not
     /// multiplied by alpha if `unassociated`.
     std::unique_ptr<PictureReader> (*open)(const std::string& path, bool unassociated, std::string& reason);
 

@@ -132,8 +132,8 @@ void ScenePanel::draw_go_to(glm::ivec2 size, ExplorerState& state, std::string& 
         glm::all(glm::lessThan(*place, size))) {
         pick(state, fraction_of(*place, size));
     } else {
-        message = fmt::format("'{}' is no pixel of the picture; type two numbers from 0, 0 to {}, {}.", typed,
-                              size.x - 1, size.y - 1);
+        message = fmt::format("'{}' is not a pixel of the picture; type two numbers from 0, 0 to {}, {}.",
+                              typed, size.x - 1, size.y - 1);
     }
 }
 

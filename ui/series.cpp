@@ -15,7 +15,7 @@ constexpr SeriesRow ROWS[] = {
     {Series::bounds, "bounds", "B", "lower, upper bound", "β = 0, β = 1 (no bounds)",
      "The least and the greatest absorbance that any distribution with the biased moments has in front of z (β = 0 "
      "and β = 1).",
-     "The results for β = 0 and β = 1. For trigonometric moments these are no bounds: the truth may lie outside.",
+     "The results for β = 0 and β = 1. For trigonometric moments these are not bounds: the truth may lie outside.",
      &Palette::bounds},
     {Series::sharp, "sharp", "S", "sharp bounds", nullptr,
      "The least and the greatest absorbance that any distribution on the depth range with the exact moments, without "

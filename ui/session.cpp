@@ -233,7 +233,7 @@ Session session_from_json(const std::string& text) {
     JsonReader reader(root, "", session.ignored);
     const json* version = reader.find("momentscope_session");
     if (version == nullptr || !version->is_number_integer())
-        throw Error("This file is no session of Momentscope; choose one that Momentscope saved.");
+        throw Error("This file is not a session of Momentscope; choose one that Momentscope saved.");
     if (version->get<long long>() != SESSION_VERSION)
         throw Error(fmt::format(
             "This session has version {}, but this Momentscope reads version {}; open it with the "

@@ -1,4 +1,4 @@
-// figures.cpp -- the registry of figures. Pictures show our scenes, which are no copies of the papers'
+// figures.cpp -- the registry of figures. Pictures show our scenes, which are not copies of the papers'
 // assets: what can be compared is the order of techniques, not their numbers.
 #include <numbers>
 

@@ -147,7 +147,7 @@ private:
         return statements;
     }
 
-    // Of `if (...) continue;` the condition.
+    // The condition of `if (...) continue;`, or nullopt where a statement is something else.
     std::optional<Part> skips(const Part& statement) const {
         const std::size_t at = after_spaces(statement.begin);
         if (at >= statement.end || !is(at, "if")) return std::nullopt;

@@ -9,7 +9,7 @@ namespace momentscope {
 struct WrittenOut {
     std::string text;
     int loops = 0;  // that were written out, those inside others once for each copy
-    int left = 0;   // loops marked UNROLL that stay: their count is no constant, or they break out
+    int left = 0;   // loops marked UNROLL that stay: their count is not a constant, or they break out
 };
 
 /// The text of a shader (all #includes joined) with every loop that is marked UNROLL as its bodies one after

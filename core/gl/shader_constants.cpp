@@ -112,7 +112,7 @@ std::optional<int> ShaderConstants::value_of(std::span<const ShaderToken> expres
     return Expression(expression, lookup, 0).value();
 }
 
-// Names that are no macros count as 0, and `defined(NAME)` and `defined NAME` are words of their own.
+// Names that are not macros count as 0, and `defined(NAME)` and `defined NAME` are words of their own.
 bool ShaderConstants::condition(std::string_view text) const {
     const std::vector<ShaderToken> words = without_spaces(text);
     std::vector<ShaderToken> known;

@@ -26,7 +26,7 @@ public:
     void set(std::string_view name, int value) { values_[std::string(name)] = value; }
     void forget(std::string_view name) { values_.erase(std::string(name)); }
 
-    /// The value of an expression of whole numbers; nullopt when it is no constant that is known here.
+    /// The value of an expression of whole numbers; nullopt when it depends on what is not known here.
     std::optional<int> value_of(std::span<const ShaderToken> expression) const;
 
 private:

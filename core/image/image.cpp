@@ -123,7 +123,7 @@ void write_image(const Image& image, const std::filesystem::path& path, ToneMap 
 void write_png(const std::vector<unsigned char>& rgba, int width, int height,
                const std::filesystem::path& path) {
     if (path.extension() != ".png")
-        throw Error(fmt::format("'{}' is no kind of picture that can be written; end it in .png or .exr.",
+        throw Error(fmt::format("'{}' is not a kind of picture that can be written; end it in .png or .exr.",
                                 path.string()));
     write_pixels(path, width, height, PictureNumbers::bytes, rgba.data());
 }

@@ -38,7 +38,7 @@ float linear_from_srgb(float srgb);
 
 /// Reads any picture that OpenImageIO knows: whole numbers as sRGB, floats as linear. Colours come as the
 /// file holds them, not multiplied by alpha, which is 1 where the file has none. Throws Error, also for a
-/// picture of more than 67 million pixels or a side of more than 16384, and for what is no ordinary file.
+/// picture of more than 67 million pixels or a side of more than 16384, and for what is not an ordinary file.
 Image read_image(const std::filesystem::path& path);
 
 /// Writes .exr (linear floats) or .png (8-bit sRGB of what the tone map makes of them), to a temporary file

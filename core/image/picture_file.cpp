@@ -24,11 +24,11 @@ PictureFile::PictureFile(std::filesystem::path file, std::string kind, bool unas
     std::error_code code;
     if (!std::filesystem::is_regular_file(path, code))
         throw Error(
-            fmt::format("The {1} '{0}' is no ordinary file; give the path of one.", path.string(), what));
+            fmt::format("The {1} '{0}' is not an ordinary file; give the path of one.", path.string(), what));
     std::string said;
     reader = picture_codec().open(path.string(), unassociated, said);
     if (!reader)
-        throw Error(fmt::format("'{}' is no {} that can be read ({}); give another one.", path.string(), what,
+        throw Error(fmt::format("The {} '{}' cannot be read ({}); give another one.", what, path.string(),
                                 reason_of(said)));
 }
 

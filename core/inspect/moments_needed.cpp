@@ -41,7 +41,7 @@ Needed first_within(const MomentOrders& orders, const ParameterValues& values, c
 MomentOrders moment_orders(std::string_view basis) {
     const char* prefix = basis == "power" ? "power" : basis == "chebyshev" ? "cheb" : nullptr;
     if (prefix == nullptr)
-        throw Error(fmt::format("'{}' is no basis with bounds; choose power or chebyshev.", basis));
+        throw Error(fmt::format("'{}' is not a basis with bounds; choose power or chebyshev.", basis));
     MomentOrders orders{};
     for (std::size_t i = 0; i < orders.size(); ++i)
         orders[i] = &require_technique(fmt::format("{}{}-32", prefix, 4 + 2 * i));

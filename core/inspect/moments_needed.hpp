@@ -16,7 +16,7 @@ namespace momentscope {
 constexpr std::size_t ORDER_COUNT = 3;
 using MomentOrders = std::array<const Technique*, ORDER_COUNT>;
 
-/// basis: power or chebyshev. Throws Error for others: on the circle beta = 0 and beta = 1 are no bounds.
+/// basis: power or chebyshev. Throws Error for others: on the circle beta = 0 and beta = 1 are not bounds.
 MomentOrders moment_orders(std::string_view basis);
 
 /// How far T is uncertain at the fragments' own depths, at most: the difference of its bounds, less what the

@@ -29,7 +29,7 @@ float number(const json& object, const char* key, const std::string& where) {
         throw Error(fmt::format("The view ray's {} needs a number \"{}\".", where, key));
     const auto value = found->get<double>();
     if (!std::isfinite(static_cast<float>(value)))
-        throw Error(fmt::format("The view ray's {} has a \"{}\" that is no finite number.", where, key));
+        throw Error(fmt::format("The view ray's {} has a \"{}\" that is not a finite number.", where, key));
     return static_cast<float>(value);
 }
 

@@ -143,7 +143,7 @@ void ObjReader::read_vertex() {
         const std::string_view word = words_[static_cast<std::size_t>(axis) + 1];
         const std::optional<double> value = number_in(word);
         if (!value)
-            refuse("has " + quoted(word) + ", which is no finite decimal number; write one such as 1.5.");
+            refuse("has " + quoted(word) + ", which is not a finite decimal number; write one such as 1.5.");
         position[axis] = *value;
     }
     vertices_.push_back(position);

@@ -21,6 +21,8 @@ constexpr int MOST_SHARDS = 10'000;
 constexpr std::uintmax_t MOST_BYTES = std::uintmax_t{64} << 20;
 constexpr std::size_t MOST_ROWS = 100'000;
 constexpr std::size_t MOST_SETTINGS = 1000;
+// The longest is a command with all its words, some thousand letters.
+constexpr std::size_t MOST_SETTING_BYTES = std::size_t{4} << 20;
 constexpr std::size_t SHORT_VALUE = 60;  // letters that a sentence bears
 
 // A value takes one line, even when it names a file whose name has several.
@@ -89,8 +91,8 @@ Shard parse_shard(std::string_view text) {
     const auto count =
         slash == std::string_view::npos ? std::nullopt : parse_number<int>(text.substr(slash + 1));
     if (!index || !count || *count < 1 || *count > MOST_SHARDS || *index < 1 || *index > *count)
-        throw Error(
-            fmt::format("'{}' is no shard; give its number and how many there are, as --shard 2/4.", text));
+        throw Error(fmt::format(
+            "'{}' is not a shard; give its number and how many there are, as --shard 2/4.", text));
     return {*index, *count};
 }
 
@@ -137,10 +139,12 @@ RunTable read_run_table(const std::filesystem::path& path) {
             table.columns = line;
         else
             table.rows.push_back(line);
-        if (table.rows.size() > MOST_ROWS || table.settings.size() > MOST_SETTINGS)
+        if (table.rows.size() > MOST_ROWS || table.settings.size() > MOST_SETTINGS ||
+            (!has_columns && line.size() > MOST_SETTING_BYTES))
             throw Error(fmt::format(
-                "'{}' has more than {} rows or {} settings; give a CSV file that chart or stress wrote.",
-                path.string(), MOST_ROWS, MOST_SETTINGS));
+                "'{}' has more than {} rows or {} settings, or a setting of more than {} MiB; give a CSV file that chart "
+                "or stress wrote.",
+                path.string(), MOST_ROWS, MOST_SETTINGS, MOST_SETTING_BYTES >> 20));
     }
     for (const char* name :
          {run_setting::COMMAND, run_setting::SCHEMA, run_setting::ROWS, run_setting::SHARD})

@@ -44,7 +44,7 @@ struct RunTable {
 
 std::string run_table_text(const RunTable& table);
 
-/// Throws Error when the file cannot be read, is no such table or is larger than any run.
+/// Throws Error when the file cannot be read, is not such a table or is larger than any run.
 RunTable read_run_table(const std::filesystem::path& path);
 
 /// Settings that every run has; the rest is the command's.

@@ -61,7 +61,7 @@ FN RootTriple cubic_roots(float e1, float e2, float e3)
 {
     DepressedCubic cubic = depressed_cubic(e1, e2, e3);
     // First the one that is farthest from the others, at least 1.7 scales away, with a Newton step in t to the last digits. A
-    // step that is no small part of the scale is noise, as where all three coincide.
+    // step that is not small beside the scale is noise, as where all three coincide.
     PRECISE float offset = cubic.scale * cubic.y;
     PRECISE float lone = cubic.upwards ? cubic.shift + offset : cubic.shift - offset;
     PRECISE float slope = (3.0f * lone + 2.0f * e1) * lone + e2;
@@ -85,8 +85,8 @@ FN RootTriple cubic_roots(float e1, float e2, float e3)
 #endif
 
 #if ROOT_COUNT == 4
-/// Of a quartic whose roots' squares sum to between 2/3 and 4: the root of greatest magnitude is at least .4, and the
-/// coefficients are at most 4, 6, 4 and 1. These limits hold for all others, whose roots are all but 0 or not real.
+/// If the squares of a quartic's roots sum to between 2/3 and 4, its root of greatest magnitude is at least .4, and its
+/// coefficients are at most 4, 6, 4 and 1. These limits keep all other quartics finite, whose roots are all but 0 or not real.
 const float LEAST_FAR_ROOT = 0.1f;
 const float MOST_SCALED = 16.0f;
 

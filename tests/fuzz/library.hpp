@@ -1,4 +1,4 @@
-// library.hpp -- is it Assimp that runs? What goes wrong in there is no fault of ours; the product reads
+// library.hpp -- is it Assimp that runs? What goes wrong in there is not our fault; the product reads
 // meshes in a process of its own, because it does.
 #pragma once
 #include <atomic>
@@ -17,7 +17,7 @@ constexpr int LIBRARY_SECONDS = 2;  // lest broken files take all the time
 constexpr int MOST_SECONDS = 10;    // for our own code
 
 /// SIGPROF ends the process when it has run for so many seconds from now on. Those of the processor, so that
-/// whatever else the machine does is no fault.
+/// whatever else the machine does does not count.
 void limit_time(int seconds);
 
 /// The most memory that the process had so far, in KiB.

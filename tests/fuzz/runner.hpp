@@ -24,7 +24,7 @@ struct Fault {
 struct Summary {
     std::uint64_t inputs = 0;
     std::uint64_t faults = 0;
-    std::uint64_t stopped_in_library = 0;  // which is no fault
+    std::uint64_t stopped_in_library = 0;  // which does not count as a fault
     long most_memory = 0;                  // KiB
 };
 

@@ -44,7 +44,7 @@ TEST_F(EscapeTest, AListThatIsClosedStaysUsable) {
 // What was refused must not stand before what is typed next.
 TEST_F(EscapeTest, GoToStartsAfreshAfterARefusal) {
     open();
-    play("key Ctrl+G\ntype 99999, 3\nkey Enter\nexpect-message is no pixel of the picture");
+    play("key Ctrl+G\ntype 99999, 3\nkey Enter\nexpect-message is not a pixel of the picture");
     play("key Ctrl+G\ntype 100, 90\nkey Enter");
     EXPECT_EQ(explorer().measurement().pixel, glm::ivec2(100, 90));
     EXPECT_TRUE(explorer().message().empty()) << explorer().message();

@@ -71,7 +71,7 @@ TEST_F(ExplorerTest, TheGoToBoxPicksAndExplainsNonsense) {
     EXPECT_EQ(measurement().pixel, glm::ivec2(120, 77));
     for (const char* nonsense : {"abc", "12", "1 2 3", "-1, 5", "99999, 3", "1e99, 4"}) {
         play(
-            fmt::format("key Ctrl+G\ntype {}\nkey Enter\nexpect-message is no pixel of the picture\nkey "
+            fmt::format("key Ctrl+G\ntype {}\nkey Enter\nexpect-message is not a pixel of the picture\nkey "
                         "Escape\nclick @scene.goto\n"
                         "key Ctrl+A\nkey Delete\nkey Escape",
                         nonsense));

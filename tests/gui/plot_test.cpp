@@ -113,7 +113,7 @@ TEST_F(PlotTest, ARayWithoutWarpHasNoViewDepth) {
 }
 
 // The truth leaves what bounds the *biased* moments, and the note says why; for trigonometric moments it says
-// that these are no bounds at all.
+// that these are not bounds at all.
 TEST_F(PlotTest, TheNoteTellsWhyTheTruthLeavesTheBand) {
     ui::ExplorerState biased;
     biased.ray = ViewRay{.fragments = {{-0.9f, -0.9f, 0.3f}, {-0.85f, -0.85f, 0.3f}, {-0.8f, -0.8f, 0.3f}},

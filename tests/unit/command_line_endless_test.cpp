@@ -15,8 +15,8 @@ TEST_F(EndlessFiles, OfPicturesAreRefused) {
     write("area.pgm", "P5 16384 16384 255\n");
     write_picture(Image(2, 2), "a.png");
     for (const char* file : {"/dev/zero", "fifo.png"}) {
-        expect_refused(fmt::format("compare {} a.png", file), "is no ordinary file");
-        expect_refused(fmt::format("compare a.png {}", file), "is no ordinary file");
+        expect_refused(fmt::format("compare {} a.png", file), "is not an ordinary file");
+        expect_refused(fmt::format("compare a.png {}", file), "is not an ordinary file");
     }
     expect_refused("compare area.pgm a.png", "has 16384x16384 pixels");
 }

@@ -148,11 +148,11 @@ TEST_F(CommandLine, RefusesWrongChartsAndShards) {
     expect_refused(chart + "--scene planes --technique ''", "has no value");
     expect_refused(chart + "--scene planes --technique at:layers=2", "no parameter 'layers'");
     expect_refused(chart + "--repeat 0", "number of rounds");
-    expect_refused(chart + "--shard 5/4", "'5/4' is no shard");
+    expect_refused(chart + "--shard 5/4", "'5/4' is not a shard");
     expect_refused("chart --size 16x9 -o out/x.md --metric psnr", "no metric 'psnr'");
     expect_refused("chart --scene planes -o out/x.jpg", "none of .csv");
     expect_refused("chart --scene planes --shard 1/2 -o out/x.html", "ends in .csv");
-    expect_refused("stress --shard 0/2 -o out/x.csv", "is no shard");
+    expect_refused("stress --shard 0/2 -o out/x.csv", "is not a shard");
     expect_refused("stress --shard 1/2 -o out/x.html", "ends in .csv");
     expect_refused("merge none.csv -o out/all.csv", "no CSV file");
     expect_refused("merge ray.json -o out/all.csv", "of which run");
@@ -206,11 +206,11 @@ TEST_F(CommandLine, AnUnfinishedChartOfOtherSettingsIsKept) {
 
 TEST_F(CommandLine, RefusesPicturesThatAreNone) {
     expect_refused("compare none.png none.png", "no picture 'none.png'");
-    expect_refused("compare ray.json ray.json", "no picture that can be read");
+    expect_refused("compare ray.json ray.json", "cannot be read (");
     write_picture(Image(4, 3), "a.exr");
     for (const char* region :
          {"1,2,3", "1,2,3,4,5", "1,2,3,x", "-1,0,2,2", "0,0,100000,1", "0,0,1.5,1", ",,,"})
-        expect_refused(std::string("compare a.exr a.exr --region=") + region, "is no region");
+        expect_refused(std::string("compare a.exr a.exr --region=") + region, "is not a region");
     expect_refused("compare a.exr a.exr --region 0,0,5,3", "does not lie within");
     expect_success("compare a.exr a.exr --region 1,0,3,3");
 }

@@ -109,9 +109,10 @@ TEST(PictureFiles, OnlyOrdinaryFilesOfBearableSizeAreRead) {
     fs::create_directories(folder);
     ASSERT_EQ(::mkfifo((folder / "fifo.png").c_str(), 0600), 0);
     for (const fs::path& path : {fs::path("/dev/zero"), folder / "fifo.png", folder}) {
-        expect_error([&] { read_image(path); }, "The picture '" + path.string() + "' is no ordinary file");
+        expect_error([&] { read_image(path); },
+                     "The picture '" + path.string() + "' is not an ordinary file");
         expect_error([&] { read_alpha_map(path); },
-                     "The opacity texture '" + path.string() + "' is no ordinary file");
+                     "The opacity texture '" + path.string() + "' is not an ordinary file");
     }
     std::ofstream(folder / "area.pgm", std::ios::binary) << "P5 16384 16384 255\n";
     expect_error([&] { read_image(folder / "area.pgm"); }, "has 16384x16384 pixels");

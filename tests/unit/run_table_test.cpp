@@ -67,7 +67,7 @@ TEST_F(RunTables, OtherRunsAreRefusedWithTheDifference) {
     expect_unmergeable(changed("version", "0.0.1"), "version is 0.0.1");
     expect_unmergeable(changed("momentscope", "stress"), "momentscope is stress");
     expect_unmergeable(changed("shard", "2/3"), "one of 3 shards instead of 2");
-    expect_unmergeable(changed("shard", "5/4"), "no shard");
+    expect_unmergeable(changed("shard", "5/4"), "is not a shard");
     expect_unmergeable(
         changed("configurations",
                 "unsorted wboit power4-32 power6-32 power8-32 trig2-32 trig3-32 trig4-32 sorted at:nodes=8"),
@@ -111,6 +111,8 @@ TEST_F(RunTables, FilesLargerThanAnyRunAreRefused) {
     many.settings.resize(1001, {"x", "y"});
     expect_error([&] { read_run_table(write("settings.csv", many)); },
                  "more than 100000 rows or 1000 settings");
+    many.settings = {{"x", std::string((4 << 20) + 1, 'y')}};
+    expect_error([&] { read_run_table(write("setting.csv", many)); }, "a setting of more than 4 MiB");
 }
 
 TEST_F(RunTables, ShardsLargerThanAnyRunTogetherAreRefused) {
@@ -138,7 +140,7 @@ TEST(Shards, AreParsed) {
     EXPECT_EQ(parse_shard("2/4").index, 2);
     EXPECT_EQ(parse_shard("2/4").count, 4);
     for (const char* wrong : {"5/4", "0/4", "1", "/", "1/", "a/b", "-1/4", "1/0", "1/4/2", "1/99999"})
-        expect_error([&] { parse_shard(wrong); }, "is no shard");
+        expect_error([&] { parse_shard(wrong); }, "is not a shard");
 }
 
 }  // namespace
