@@ -80,10 +80,10 @@ TEST_F(SessionTest, BrokenSessionsAreExplainedAndChangeNothing) {
     const std::pair<std::string, const char*> broken[] = {
         {"", "not valid JSON"},
         {"[]", "must be an object"},
-        {"{}", "no session of Momentscope"},
+        {"{}", "not a session of Momentscope"},
         {good.dump().substr(0, 200), "not valid JSON"},
         {with("/momentscope_session", 2), "has version 2"},
-        {with("/momentscope_session", "1"), "no session"},
+        {with("/momentscope_session", "1"), "not a session"},
         {with("/technique", "power5"), "no technique 'power5'"},
         {with("/technique", 7), "id of a technique"},
         {with("/parameters/beta", 2), "beta"},
