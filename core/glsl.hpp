@@ -58,6 +58,9 @@ inline float clamp(float x, float low, float high) {
 inline float atan(float y, float x) {
     return std::atan2(y, x);
 }
+[[gnu::always_inline]] inline float fma(float a, float b, float c) {
+    return __builtin_fmaf(a, b, c);
+}
 inline int floatBitsToInt(float x) {
     return std::bit_cast<int>(x);
 }

@@ -1,5 +1,8 @@
 // moment_kernel.inl -- the body of a MomentKernel. A file generated from moment_kernel.cpp.in defines
 // KERNEL_ID, MOMENT_COUNT, MOMENT_BITS and MOMENT_BASIS (a file of shaders/shared) and includes this.
+//
+// The functions are compiled for each instruction set that makes them faster, and the best one that the CPU
+// has is taken: their results are the same in every bit.
 #include "core/glsl.hpp"
 #include "core/techniques/moment_kernel.hpp"
 #include "core/techniques/moment_techniques.hpp"
@@ -9,225 +12,49 @@
 #include <array>
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(MOMENTSCOPE_SANITIZE) && \
-    !defined(MOMENTSCOPE_NO_CLONES)
-#define WIDE_CLONES [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
-#else
-#define WIDE_CLONES
+    !defined(MOMENTSCOPE_ONE_INSTRUCTION_SET)
+#define INSTRUCTION_SETS
 #endif
 
 namespace momentscope {
 namespace glsl::KERNEL_ID {
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-parameter"  // the shape is the same for every basis
-#pragma GCC diagnostic ignored "-Wunused-function"
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"  // g++ 12 cannot follow the triangular loops
-#include "shaders/shared/portable_math.glsl"
-#include MOMENT_BASIS
-#ifdef THETA_TRANSFORM
-constexpr auto THETA_ODD = flat_floats(quantisation_transform<MOMENT_COUNT>().odd);
-constexpr auto THETA_EVEN = flat_floats(quantisation_transform<MOMENT_COUNT>().even);
-constexpr auto THETA_ODD_INVERSE = flat_floats(inverse(quantisation_transform<MOMENT_COUNT>().odd));
-constexpr auto THETA_EVEN_INVERSE = flat_floats(inverse(quantisation_transform<MOMENT_COUNT>().even));
-constexpr auto THETA_EVEN_OFFSET = floats(quantisation_transform<MOMENT_COUNT>().even_offset);
-#endif
-#include "shaders/shared/reconstruction.glsl"
-#include "shaders/shared/storage.glsl"
-#include "shaders/shared/textbook.glsl"
-#pragma GCC diagnostic pop
-}  // namespace glsl::KERNEL_ID
-
 namespace {
 
-namespace g = glsl::KERNEL_ID;
-
-g::Moments to_shared(const MomentVector& vector) {
-    g::Moments moments;
-    moments.b0 = vector.b0;
-    std::copy_n(vector.b.begin(), MOMENT_FLOATS, moments.b);
-    return moments;
+namespace any_cpu {
+#include "core/techniques/moment_kernel_functions.inl"
 }
 
-MomentVector from_shared(const g::Moments& moments) {
-    MomentVector vector;
-    vector.b0 = moments.b0;
-    std::copy_n(moments.b, MOMENT_FLOATS, vector.b.begin());
-    return vector;
+#ifdef INSTRUCTION_SETS
+#define FUSED_MULTIPLY_ADD  // float_pair.glsl
+#pragma GCC push_options
+#pragma GCC target("arch=x86-64-v3")
+namespace avx2 {
+#include "core/techniques/moment_kernel_functions.inl"
 }
+#pragma GCC pop_options
 
-g::Basis basis_of(const ReconstructionSettings& settings) {
-#ifdef NESTED_ORDERS
-    return g::make_basis(settings.tolerance);
-#else
-    return g::make_basis(settings.wrapping_zone_angle);
-#endif
+#pragma GCC push_options
+#pragma GCC target("arch=x86-64-v4")
+namespace avx512 {
+#include "core/techniques/moment_kernel_functions.inl"
 }
-
-std::array<float, MAX_BASIS_FLOATS> stored_basis(float parameter) {
-    static_assert(BASIS_FLOATS <= MAX_BASIS_FLOATS);
-    std::array<float, MAX_BASIS_FLOATS> result{};
-    const g::StoredBasis stored = g::packed_basis(g::make_basis(parameter));
-    std::copy_n(stored.x, BASIS_FLOATS, result.begin());
-    return result;
-}
-
-g::Moments unpacked(const MomentVector& stored) {
-    return g::unpacked_moments(to_shared(stored));
-}
-
-void add_fragment(MomentVector& stored, float depth, float absorbance, float wrapping_zone_angle) {
-    stored = from_shared(g::with_fragment(
-        to_shared(stored), g::fragment_moments(depth, absorbance, g::make_basis(wrapping_zone_angle))));
-}
-
-MomentVector moments_of(const MomentVector& stored) {
-    return from_shared(unpacked(stored));
-}
-
-WIDE_CLONES
-void evaluate_wide(const g::Factor& factor, const g::Basis& basis, float b0, float overestimation,
-                   const float* __restrict depths, std::size_t count, float* __restrict reconstructed,
-                   float* __restrict beta0, float* __restrict beta1) {
-    for (std::size_t i = 0; i < count; ++i) {
-        const g::Reconstruction at_depth = g::reconstruct(factor, basis, depths[i]);
-        reconstructed[i] = g::absorbance_in_front(at_depth, b0, overestimation);
-        beta0[i] = g::absorbance_in_front(at_depth, b0, 0.0f);
-        beta1[i] = g::absorbance_in_front(at_depth, b0, 1.0f);
-    }
-}
-
-#if defined(ALGORITHM_1) || defined(ALGORITHM_2)
-constexpr bool HAS_TEXTBOOK = true;
-
-float textbook(const g::Moments& moments, const ReconstructionSettings& settings, float overestimation,
-               float depth) {
-    return g::textbook_fraction(moments, depth, settings.bias, overestimation, basis_of(settings));
-}
-#else
-constexpr bool HAS_TEXTBOOK = false;
-
-float textbook(const g::Moments&, const ReconstructionSettings&, float, float) {
-    return 0;
-}
+#pragma GCC pop_options
 #endif
 
-// The published code knows one depth at a time, and so it is called.
-void evaluate_textbook(const g::Moments& moments, const ReconstructionSettings& settings,
-                       std::span<const float> depths, const AbsorbanceCurves& curves) {
-    for (std::size_t i = 0; i < depths.size(); ++i) {
-        const auto absorbance = [&](float beta) {
-            return moments.b0 * g::number_in_unit_range(textbook(moments, settings, beta, depths[i]));
-        };
-        curves.reconstructed[i] = absorbance(settings.overestimation);
-        curves.beta0[i] = absorbance(0.0f);
-        curves.beta1[i] = absorbance(1.0f);
-    }
-}
-
-void evaluate(const MomentVector& vector, const ReconstructionSettings& settings,
-              std::span<const float> depths, const AbsorbanceCurves& curves) {
-    const g::Moments moments = unpacked(vector);
-    if (g::is_empty(moments)) {
-        for (const auto& curve : {curves.reconstructed, curves.beta0, curves.beta1})
-            std::ranges::fill(curve, 0.0f);
-        return;
-    }
-    if (settings.solver == Solver::textbook) return evaluate_textbook(moments, settings, depths, curves);
-    const g::Basis basis = basis_of(settings);
-    const g::Factor factor = g::factor_moments(g::biased_moments(moments, settings.bias));
-    evaluate_wide(factor, basis, vector.b0, settings.overestimation, depths.data(), depths.size(),
-                  curves.reconstructed.data(), curves.beta0.data(), curves.beta1.data());
-}
-
-float fraction(const MomentVector& vector, const ReconstructionSettings& settings, float depth) {
-    const g::Moments moments = unpacked(vector);
-    if (g::is_empty(moments)) return 0;
-    if (settings.solver == Solver::textbook)
-        return textbook(moments, settings, settings.overestimation, depth);
-    const g::Basis basis = basis_of(settings);
-    const g::Factor factor = g::factor_moments(g::biased_moments(moments, settings.bias));
-    return g::fraction_in_front(g::reconstruct(factor, basis, depth), settings.overestimation);
-}
-
-constexpr std::size_t BATCH = 64;  // pixels; their moments stay in the nearest cache
-
-/// Number k of pixel i at k BATCH + i: b_0, then the moments.
-using MomentColumns = std::array<float, (MOMENT_FLOATS + 1) * BATCH>;
-
-WIDE_CLONES
-void fractions_wide(const MomentColumns& columns, const float* __restrict depths, std::size_t count,
-                    const g::Basis& basis, float bias, float overestimation, float* __restrict fractions) {
-    for (std::size_t i = 0; i < count; ++i) {
-        g::Moments stored;
-        stored.b0 = columns[i];
-        for (std::size_t k = 0; k < MOMENT_FLOATS; ++k) stored.b[k] = columns[(k + 1) * BATCH + i];
-        const g::Moments moments = g::unpacked_moments(stored);
-        const g::Factor factor = g::factor_moments(g::biased_moments(moments, bias));
-        const float fraction = g::fraction_in_front(g::reconstruct(factor, basis, depths[i]), overestimation);
-        fractions[i] = g::is_empty(moments) ? 0.0f : fraction;
-    }
-}
-
-void fractions(std::span<const MomentVector> vectors, const ReconstructionSettings& settings,
-               std::span<const float> depths, std::span<float> results) {
-    if (settings.solver == Solver::textbook) {
-        for (std::size_t i = 0; i < vectors.size(); ++i)
-            results[i] = fraction(vectors[i], settings, depths[i]);
-        return;
-    }
-    const g::Basis basis = basis_of(settings);
-    MomentColumns columns{};
-    for (std::size_t first = 0; first < vectors.size(); first += BATCH) {
-        const std::size_t count = std::min(BATCH, vectors.size() - first);
-        for (std::size_t i = 0; i < count; ++i) {
-            columns[i] = vectors[first + i].b0;
-            for (std::size_t k = 0; k < MOMENT_FLOATS; ++k)
-                columns[(k + 1) * BATCH + i] = vectors[first + i].b[k];
-        }
-        fractions_wide(columns, &depths[first], count, basis, settings.bias, settings.overestimation,
-                       &results[first]);
-    }
-}
-
-ReconstructionSteps steps(const MomentVector& vector, const ReconstructionSettings& settings, float depth) {
-    ReconstructionSteps result;
-    if (g::is_empty(to_shared(vector))) return result;
-    const g::Basis basis = basis_of(settings);
-    const g::BiasedMoments biased = g::biased_moments(unpacked(vector), settings.bias);
-    const g::Factor factor = g::factor_moments(biased);
-    const g::Kernel kernel = g::kernel_polynomial(g::query_at(depth, factor, basis), factor);
-    const g::Reconstruction at_depth = g::reconstruct(factor, basis, depth);
-    result.biased.b0 = 1;
-    for (std::size_t i = 0; i < MOMENT_FLOATS; ++i)
-        result.biased.b[i] = (biased.b[i] + biased.pull[i]) / biased.b0;
-    for (std::size_t k = 0; k < ORDER; ++k) result.pivots[k] = 1.0f / factor.inverse_h[k];
-    result.floored_pivots = factor.floored;
-    result.query_weight = at_depth.query_weight;
-    result.in_front = at_depth.in_front;
-    result.kernel[0] = kernel.at_query;
-    std::copy_n(kernel.in_t.e, ROOT_COUNT, result.kernel.begin() + 1);
-    std::copy_n(at_depth.t, ROOT_COUNT, result.t.begin());
-    std::copy_n(at_depth.weight, ROOT_COUNT, result.weight.begin());
-    std::copy_n(at_depth.value, ROOT_COUNT, result.value.begin());
-    result.fraction = g::fraction_in_front(at_depth, settings.overestimation);
-    result.absorbance = g::absorbance_in_front(at_depth, vector.b0, settings.overestimation);
-    return result;
+const MomentKernel& fastest() {
+#ifdef INSTRUCTION_SETS
+    __builtin_cpu_init();
+    if (__builtin_cpu_supports("x86-64-v4")) return avx512::KERNEL;
+    if (__builtin_cpu_supports("x86-64-v3")) return avx2::KERNEL;
+#endif
+    return any_cpu::KERNEL;
 }
 
 }  // namespace
+}  // namespace glsl::KERNEL_ID
 
 const MomentKernel& moment_kernel(MomentKernelTag<MomentTechnique::KERNEL_ID>) {
-    static constexpr MomentKernel kernel = {.moment_floats = MOMENT_FLOATS,
-                                            .node_count = ROOT_COUNT,
-                                            .factor_floats = FACTOR_FLOATS,
-                                            .bits = MOMENT_BITS,
-                                            .has_textbook = HAS_TEXTBOOK,
-                                            .basis = stored_basis,
-                                            .add_fragment = add_fragment,
-                                            .moments_of = moments_of,
-                                            .evaluate = evaluate,
-                                            .fraction = fraction,
-                                            .fractions = fractions,
-                                            .steps = steps};
+    static const MomentKernel& kernel = glsl::KERNEL_ID::fastest();
     return kernel;
 }
 

@@ -15,23 +15,24 @@ FN FloatPair biased_moment(IN(BiasedMoments) biased, int i, float power_of_two)
 
 struct Pivot
 {
-    FloatPair value;       // as it stands in the matrix, that is times the scale, raised to the floor
-    float h;               // normalised: what LDL^T would have
-    float inverse_h;
-    float power_of_two;    // what the step multiplies the rest by, beside the pivot
-    int floored;           // 1 if it was raised
+    FloatPair value;         // as it stands in the matrix, that is times the scale, raised to the floor
+    float inverse;           // of it
+    float inverse_h;         // of the pivot normalised: what LDL^T would have
+    float power_of_two;      // what the step multiplies the rest by, beside the pivot
+    int floored;             // 1 if it was raised
 };
 
 /// The pivot of one step. scale: what the matrix has been multiplied by so far, in [1, 2^ORDER).
 FN Pivot make_pivot(IN(FloatPair) diagonal, float scale)
 {
-    PRECISE float h = diagonal.high / scale;
+    PRECISE float floor_value = PIVOT_FLOOR * scale;
+    bool low = diagonal.high < floor_value;
     Pivot pivot;
-    pivot.floored = h < PIVOT_FLOOR ? 1 : 0;
-    pivot.value.high = h < PIVOT_FLOOR ? PIVOT_FLOOR * scale : diagonal.high;
-    pivot.value.low = h < PIVOT_FLOOR ? 0.0f : diagonal.low;
-    pivot.h = max(h, PIVOT_FLOOR);
-    pivot.inverse_h = 1.0f / pivot.h;
+    pivot.floored = low ? 1 : 0;
+    pivot.value.high = low ? floor_value : diagonal.high;
+    pivot.value.low = low ? 0.0f : diagonal.low;
+    pivot.inverse = 1.0f / pivot.value.high;
+    pivot.inverse_h = scale / pivot.value.high;
     pivot.power_of_two = inverse_power_of_two(pivot.value.high);
     return pivot;
 }

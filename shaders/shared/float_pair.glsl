@@ -19,6 +19,14 @@ FN FloatPair exact_sum(float a, float b)
     return make_pair(high, low);
 }
 
+/// The same where |a| >= |b| or a = 0 (Dekker's fast two-sum); else its low part is rounded.
+FN FloatPair ordered_sum(float a, float b)
+{
+    PRECISE float high = a + b;
+    PRECISE float low = b - (high - a);
+    return make_pair(high, low);
+}
+
 /// x as the sum of two floats of 12 bits, whose products are exact.
 FN FloatPair halves_of(float x)
 {
@@ -28,13 +36,17 @@ FN FloatPair halves_of(float x)
     return make_pair(high, low);
 }
 
-/// a b exactly, unless it over- or underflows.
+/// a b exactly, unless it over- or underflows. FUSED_MULTIPLY_ADD is defined where fma rounds once.
 FN FloatPair exact_product(float a, float b)
 {
+    PRECISE float high = a * b;
+#ifdef FUSED_MULTIPLY_ADD
+    PRECISE float low = fma(a, b, -high);
+#else
     FloatPair x = halves_of(a);
     FloatPair y = halves_of(b);
-    PRECISE float high = a * b;
     PRECISE float low = ((x.high * y.high - high) + x.high * y.low + x.low * y.high) + x.low * y.low;
+#endif
     return make_pair(high, low);
 }
 
@@ -51,7 +63,7 @@ FN FloatPair pair_difference(IN(FloatPair) a, IN(FloatPair) b)
 {
     FloatPair high = exact_sum(a.high, -b.high);
     PRECISE float low = high.low + (a.low - b.low);
-    return exact_sum(high.high, low);
+    return ordered_sum(high.high, low);
 }
 
 FN FloatPair negative_pair(IN(FloatPair) pair)

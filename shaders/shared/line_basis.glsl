@@ -1,6 +1,7 @@
 // line_basis.glsl -- what power and Chebyshev moments are made of: as many floats as moments, half as many roots, and at
 // most one parameter.
 
+#define LINE_BASIS
 #define ROOT_COUNT (MOMENT_COUNT / 2)
 #define MOMENT_FLOATS MOMENT_COUNT
 #define ORDER (ROOT_COUNT + 1)   // of the matrix of moments

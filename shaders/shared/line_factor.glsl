@@ -80,11 +80,10 @@ FN Factor factor_moments(IN(BiasedMoments) biased)
         // The pivot is the norm of the k-th orthogonal polynomial with the basis's leading coefficient, a power of two.
         float leading = leading_coefficient(k);
         factor.inverse_h[k] = pivot.inverse_h * (leading * leading);
-        PRECISE float inverse_pivot = pivot.inverse_h / scale;
         UNROLL
         for (int i = k + 1; i < ORDER; ++i)
         {
-            lower[i * ORDER + k] = entry[i * ORDER + k].high * inverse_pivot;
+            lower[i * ORDER + k] = entry[i * ORDER + k].high * pivot.inverse;
             UNROLL
             for (int j = k + 1; j <= i; ++j)
                 entry[i * ORDER + j] =

@@ -98,8 +98,26 @@ FN float node_weight(float t, IN(Query) query, IN(Factor) factor)
     return node_weight_of_degree(t, query, factor, ROOT_COUNT);
 }
 
+/// How many masses tell the sum of those in front (mass_in_front.glsl).
+#define KNOWN_NODES (ROOT_COUNT / 2)
+
+FN float node_in_front(float t, IN(Query) query)
+{
+    return t < 0.0f ? 1.0f : 0.0f;
+}
+
 /// v_l of Algorithm 1: 1 for a node in front of the query depth, 0 behind.
 FN float node_value(float t, IN(Query) query, IN(Basis) basis)
 {
-    return t < 0.0f ? 1.0f : 0.0f;
+    return node_in_front(t, query);
+}
+
+/// Of two nodes on the line: the three masses have the sum 1 and the mean a_0. rest: what the query leaves.
+FN float mass_in_front_of_two(float t1, float t2, float rest, IN(Query) query)
+{
+    float front = min(t1, t2);
+    float behind = max(t1, t2);
+    PRECISE float lone = front * (query.offset[0] * behind + rest) / (front - behind);
+    float mixed = clamp(lone, 0.0f, rest);   // where one is in front and one behind
+    return front < 0.0f ? (behind < 0.0f ? rest : mixed) : 0.0f;
 }

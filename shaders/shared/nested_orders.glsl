@@ -52,7 +52,8 @@ FN Reconstruction reconstruct_with_4(IN(Query) query, IN(Factor) factor, IN(Basi
         roots.t[l] = l == 0 ? pair.first : (l == 1 ? pair.second : 0.0f);
         masses.weight[l] = l < 2 ? node_weight_of_degree(roots.t[l], query, factor, 2) : 0.0f;
     }
-    return representation(kernel.at_query, roots, masses, query, basis);
+    float in_front = mass_in_front_of_two(pair.first, pair.second, mass_beside_query(kernel.at_query), query);
+    return representation(kernel.at_query, roots, masses, in_front, query, basis);
 }
 
 /// depth in [-1, 1]. Between the orders, nodes are those of eight moments, scaled to what the mixed mass at the query

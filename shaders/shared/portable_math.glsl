@@ -29,6 +29,12 @@ FN float inverse_power_of_two(float x)
     return intBitsToFloat((254 - (floatBitsToInt(x) >> 23)) << 23);
 }
 
+/// The same for sqrt(x), from half the exponent.
+FN float inverse_power_of_root(float x)
+{
+    return intBitsToFloat((254 - ((floatBitsToInt(x) >> 23) + 127) / 2) << 23);
+}
+
 /// Natural logarithm. x > 0 and normal; within 2 ulp, or 1e-7 where the result is near 0.
 FN float portable_log(float x)
 {

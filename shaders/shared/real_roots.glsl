@@ -33,7 +33,8 @@ struct DepressedCubic
 {
     float shift;
     float scale;
-    float y;          // the greatest root, in [sqrt 3, 2]; the others are below -y / 2 by half_gap and above
+    float r;
+    float y;          // the greatest root, in [sqrt 3, 2], within 8e-6
     bool upwards;     // t = shift + scale y?
 };
 
@@ -45,12 +46,11 @@ FN DepressedCubic depressed_cubic(float e1, float e2, float e3)
     PRECISE float constant = e3 + shift * (e2 - 2.0f * shift * shift);   // p(shift)
     PRECISE float cube = scale2 * scale;
     float r = cube > 0.0f ? min(abs(constant) / cube, 2.0f) : 0.0f;
-    // A polynomial that is 8e-5 off at most; one Newton step squares that.
-    PRECISE float y = 1.7321326f + r * (0.16533034f + r * (-0.020345598f + r * 0.0023299308f));
-    y = (2.0f * y * y * y + r) / (3.0f * y * y - 3.0f);
+    PRECISE float y = 1.73205868f + r * (0.166445376f + r * (-0.0230434543f + r * (0.00444321459f - r * 0.000520575373f)));
     DepressedCubic cubic;
     cubic.shift = shift;
     cubic.scale = scale;
+    cubic.r = r;
     cubic.y = y;
     cubic.upwards = !(constant > 0.0f);
     return cubic;
@@ -60,8 +60,8 @@ FN DepressedCubic depressed_cubic(float e1, float e2, float e3)
 FN RootTriple cubic_roots(float e1, float e2, float e3)
 {
     DepressedCubic cubic = depressed_cubic(e1, e2, e3);
-    // First the one that is farthest from the others, at least 1.7 scales away, with a Newton step in t to the last digits. A
-    // step that is not small beside the scale is noise, as where all three coincide.
+    // First the one that is farthest from the others, at least 1.7 scales away. A Newton step in t squares the error of 8e-6
+    // scales. A step that is not small beside the scale is noise, as where all three coincide.
     PRECISE float offset = cubic.scale * cubic.y;
     PRECISE float lone = cubic.upwards ? cubic.shift + offset : cubic.shift - offset;
     PRECISE float slope = (3.0f * lone + 2.0f * e1) * lone + e2;
@@ -94,8 +94,9 @@ const float MOST_SCALED = 16.0f;
 FN float greatest_root(float e1, float e2, float e3)
 {
     DepressedCubic cubic = depressed_cubic(e1, e2, e3);
-    PRECISE float half_gap = 0.5f * sqrt(max(12.0f - 3.0f * cubic.y * cubic.y, 0.0f));
-    PRECISE float root = cubic.shift + cubic.scale * (cubic.upwards ? cubic.y : 0.5f * cubic.y + half_gap);
+    PRECISE float y = (2.0f * cubic.y * cubic.y * cubic.y + cubic.r) / (3.0f * cubic.y * cubic.y - 3.0f);   // Newton
+    PRECISE float half_gap = 0.5f * sqrt(max(12.0f - 3.0f * y * y, 0.0f));
+    PRECISE float root = cubic.shift + cubic.scale * (cubic.upwards ? y : 0.5f * y + half_gap);
     return root;
 }
 
@@ -202,7 +203,7 @@ FN Roots real_roots(IN(MonicPolynomial) p)
     // Scaled by a power of two, which is exact, so that no power over- or underflows. Coefficients beyond the limit belong to
     // roots that are not real, whose squares may even sum to less than 0.
     PRECISE float squares = p.e[0] * p.e[0] - 2.0f * p.e[1];
-    float unit = inverse_power_of_two(sqrt(clamp(max(squares, abs(p.e[1])), 1.0e-12f, 1.0e30f)));
+    float unit = inverse_power_of_root(clamp(max(squares, abs(p.e[1])), 1.0e-12f, 1.0e30f));
     MonicPolynomial scaled;
     PRECISE float power = unit;
     UNROLL

@@ -36,6 +36,8 @@ struct Reconstruction
     float in_front;              // sum of weight * value: the fraction of b0 in front, for beta = 0
 };
 
+#include "mass_in_front.glsl"
+
 struct Masses { float weight[ROOT_COUNT]; };
 
 #if ROOT_COUNT >= 3
@@ -84,19 +86,25 @@ FN Masses with_certain_sum(IN(Masses) masses, IN(Roots) roots, float sum)
 }
 #endif
 
-/// What the roots of a kernel polynomial and their masses make of a query.
-FN Reconstruction representation(float at_query, IN(Roots) roots, IN(Masses) node_masses, IN(Query) query,
+/// What the nodes share: all masses sum to 1.
+FN float mass_beside_query(float at_query)
+{
+    PRECISE float query_weight = 1.0f / at_query;
+    return max(1.0f - query_weight, 0.0f);
+}
+
+/// What the roots of a kernel polynomial and their masses make of a query. in_front: the sum of mass * value, which needs not
+/// all of the masses (mass_in_front.glsl).
+FN Reconstruction representation(float at_query, IN(Roots) roots, IN(Masses) node_masses, float in_front, IN(Query) query,
                                  IN(Basis) basis)
 {
     Reconstruction result;
-    PRECISE float query_weight = 1.0f / at_query;
-    PRECISE float rest = max(1.0f - query_weight, 0.0f);
+    float rest = mass_beside_query(at_query);
     Masses masses = node_masses;
 #if ROOT_COUNT >= 3
     masses = with_certain_sum(masses, roots, rest);
 #endif
     PRECISE float weight_sum = 0.0f;
-    PRECISE float value_sum = 0.0f;
     UNROLL
     for (int l = 0; l < ROOT_COUNT; ++l)
     {
@@ -104,14 +112,13 @@ FN Reconstruction representation(float at_query, IN(Roots) roots, IN(Masses) nod
         result.weight[l] = masses.weight[l];
         result.value[l] = node_value(roots.t[l], query, basis);
         weight_sum = weight_sum + result.weight[l];
-        value_sum = value_sum + result.weight[l] * result.value[l];
     }
-    // All masses sum to 1: what the query does not hold, the nodes share. This absorbs the roots' rounding.
+    // This absorbs the roots' rounding.
     PRECISE float scale = weight_sum > 0.0f ? rest / weight_sum : 0.0f;
     UNROLL
     for (int l = 0; l < ROOT_COUNT; ++l) result.weight[l] = result.weight[l] * scale;
-    result.query_weight = query_weight;
-    result.in_front = value_sum * scale;
+    result.query_weight = 1.0f / at_query;
+    result.in_front = in_front;
     return result;
 }
 
@@ -122,7 +129,8 @@ FN Reconstruction reconstruct_with_all(IN(Query) query, IN(Factor) factor, IN(Ba
     Masses masses;
     UNROLL
     for (int l = 0; l < ROOT_COUNT; ++l) masses.weight[l] = node_weight(roots.t[l], query, factor);
-    return representation(kernel.at_query, roots, masses, query, basis);
+    float in_front = mass_in_front(roots, mass_beside_query(kernel.at_query), query, factor, basis);
+    return representation(kernel.at_query, roots, masses, in_front, query, basis);
 }
 
 #ifdef NESTED_ORDERS

@@ -119,13 +119,12 @@ FN Factor factor_moments(IN(BiasedMoments) biased)
         Pivot pivot = make_pivot(rest.re[k * ORDER + k], scale);
         factor.floored += pivot.floored;
         factor.inverse_h[k] = pivot.inverse_h;
-        float inverse_pivot = pivot.inverse_h / scale;
         UNROLL
         for (int i = k + 1; i < ORDER; ++i)
         {
             FloatPair i_re = rest.re[i * ORDER + k];
             FloatPair i_im = rest.im[i * ORDER + k];
-            lower.entry[i * ORDER + k] = make_complex(i_re.high * inverse_pivot, i_im.high * inverse_pivot);
+            lower.entry[i * ORDER + k] = make_complex(i_re.high * pivot.inverse, i_im.high * pivot.inverse);
             UNROLL
             for (int j = k + 1; j <= i; ++j)
             {

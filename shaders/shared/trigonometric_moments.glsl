@@ -150,23 +150,39 @@ FN float node_weight(float t, IN(Query) query, IN(Factor) factor)
     return power / kernel;
 }
 
-/// v of Eq. 6: 1 for a node in front of the query depth, 0 behind, and a ramp in the wrapping zone. Two thresholds of
-/// t tell which: t < -cot(phi_f / 2) in front, t > -cot((phi_f + theta) / 2) behind.
-FN float node_value(float t, IN(Query) query, IN(Basis) basis)
+/// How many masses tell the sum of those in front (mass_in_front.glsl). The wrapping zone holds no depths, and so at most one
+/// node of more than the mass that bias puts there.
+#define KNOWN_NODES (ROOT_COUNT - 1)
+
+/// Two thresholds of t tell where a node is: t < -cot(phi_f / 2) in front of the query depth, 1 or 0,
+FN float node_in_front(float t, IN(Query) query)
 {
-    PRECISE float front_gap = t * query.half_phase.im + query.half_phase.re;
+    PRECISE float gap = t * query.half_phase.im + query.half_phase.re;
+    return gap < 0.0f ? 1.0f : 0.0f;
+}
+
+/// t > -cot((phi_f + theta) / 2) behind it, and between them in the wrapping zone.
+FN float node_behind(float t, IN(Query) query, IN(Basis) basis)
+{
     PRECISE float end_sine = query.half_phase.im * basis.quarter_cosine + query.half_phase.re * basis.quarter_sine;
     PRECISE float end_cosine = query.half_phase.re * basis.quarter_cosine - query.half_phase.im * basis.quarter_sine;
-    PRECISE float zone_gap = t * end_sine + end_cosine;
+    PRECISE float gap = t * end_sine + end_cosine;
+    return gap > 0.0f ? 1.0f - node_in_front(t, query) : 0.0f;
+}
+
+/// v of Eq. 6: 1 for a node in front of the query depth, 0 behind, and a ramp in the wrapping zone.
+FN float node_value(float t, IN(Query) query, IN(Basis) basis)
+{
     PRECISE float s = 1.0f / max(abs(t), 1.0f);
     Complex half_turn = make_complex(t * s, s);       // exp(i (phi - phi_f)/2), scaled
     Complex half_x = product(query.half_phase, half_turn);
-    PRECISE float length2 = half_turn.re * half_turn.re + half_turn.im * half_turn.im;
+    PRECISE float inverse_length2 = 1.0f / (half_turn.re * half_turn.re + half_turn.im * half_turn.im);
     Complex x = product(half_x, half_x);
-    PRECISE float order = phase_order(make_complex(x.re / length2, x.im / length2));
+    PRECISE float order = phase_order(make_complex(x.re * inverse_length2, x.im * inverse_length2));
     float ramp = clamp(order * basis.ramp_scale + basis.ramp_offset, 0.0f, 1.0f);
     // The zone ends at depth -1, where the phase is 2 pi. Rounding takes a node there a hair further, and phase_order, at
     // least 3 within the zone, begins again at -1.
     ramp = order < 1.0f ? 1.0f : ramp;
-    return front_gap < 0.0f ? 1.0f : (zone_gap > 0.0f ? 0.0f : ramp);
+    float in_zone = (1.0f - node_in_front(t, query)) * (1.0f - node_behind(t, query, basis));
+    return node_in_front(t, query) + in_zone * ramp;
 }

@@ -1,0 +1,86 @@
+// mass_in_front.glsl -- the share of b_0 that nodes of the canonical representation hold in front of the query depth, from as
+// few of their masses as tell it.
+//
+// In ascending order of t, nodes in front of the query come first, then those in the wrapping zone, then those behind. The
+// masses of all sum to what the query leaves. So it is enough to know those that are in front, or those that are not: a basis
+// says how many, KNOWN_NODES. Of two nodes on the line none need be known.
+
+#if defined(LINE_BASIS) && ROOT_COUNT == 2
+FN float mass_in_front(IN(Roots) roots, float rest, IN(Query) query, IN(Factor) factor, IN(Basis) basis)
+{
+    return mass_in_front_of_two(roots.t[0], roots.t[1], rest, query);
+}
+#else
+/// Ascending. The network of 2, 3 or 4 numbers.
+FN Roots sorted_roots(IN(Roots) roots)
+{
+    Roots sorted = roots;
+    UNROLL
+    for (int last = ROOT_COUNT - 1; last > 0; --last)
+    {
+        UNROLL
+        for (int l = 0; l < last; ++l)
+        {
+            float first = min(sorted.t[l], sorted.t[l + 1]);
+            float second = max(sorted.t[l], sorted.t[l + 1]);
+            sorted.t[l] = first;
+            sorted.t[l + 1] = second;
+        }
+    }
+    return sorted;
+}
+
+/// Which masses to add up, 1 for the first nodes and 0 for the last: those left out must all be behind, or all in front. If
+/// either is possible, rounding decides. Where two nodes all but coincide, it spoils their common mass, which had better be what
+/// is left. And an error of what is in front matters less in T the smaller that is.
+FN float adds_from_front(IN(Roots) nodes, IN(Query) query, IN(Basis) basis)
+{
+#if defined(LINE_BASIS) && ROOT_COUNT == 3
+    return 1.0f - node_in_front(nodes.t[1], query);
+#elif ROOT_COUNT == 2
+    return node_behind(nodes.t[1], query, basis);
+#elif defined(LINE_BASIS)
+    // The gap of the first two relative to their size, and that of the last two, compared as fractions.
+    PRECISE float front = 2.0f * (nodes.t[1] - nodes.t[0]) * (1.0f + max(abs(nodes.t[2]), abs(nodes.t[3])));
+    PRECISE float behind = (nodes.t[3] - nodes.t[2]) * (1.0f + max(abs(nodes.t[0]), abs(nodes.t[1])));
+    float either = front > behind ? 1.0f : 0.0f;
+    return (1.0f - node_in_front(nodes.t[2], query)) * max(1.0f - node_in_front(nodes.t[1], query), either);
+#else
+    // The least gaps, relative to size, between neighbours that are both in front, or both behind, or one of them in the zone. Sums and products
+    // of 0 and 1, because compilers make no vectors of nested conditions.
+    float front = 1.2f;    // of a side that has fewer than two
+    float behind = 1.2f;
+    UNROLL
+    for (int l = 1; l < ROOT_COUNT; ++l)
+    {
+        float size = 1.0f + max(abs(nodes.t[l - 1]), abs(nodes.t[l]));
+        PRECISE float gap = (nodes.t[l] - nodes.t[l - 1]) / size;
+        float first_in_front = node_in_front(nodes.t[l - 1], query);
+        float second_behind = node_behind(nodes.t[l], query, basis);
+        front = min(front, gap + 2.0f * (1.0f - first_in_front * (1.0f - second_behind)));
+        behind = min(behind, gap + 2.0f * (1.0f - second_behind * (1.0f - first_in_front)));
+    }
+    float either = 2.0f * front > behind ? 1.0f : 0.0f;
+    float first_in_front = node_in_front(nodes.t[0], query);
+    return node_behind(nodes.t[ROOT_COUNT - 1], query, basis) * max(1.0f - first_in_front, either);
+#endif
+}
+
+/// The sum of mass * value over the nodes, in [0, rest]. rest: what the query leaves.
+FN float mass_in_front(IN(Roots) roots, float rest, IN(Query) query, IN(Factor) factor, IN(Basis) basis)
+{
+    Roots nodes = sorted_roots(roots);
+    float from_front = adds_from_front(nodes, query, basis);
+    PRECISE float sum = 0.0f;
+    UNROLL
+    for (int l = 0; l < KNOWN_NODES; ++l)
+    {
+        float t = from_front > 0.0f ? nodes.t[l] : nodes.t[ROOT_COUNT - 1 - l];
+        float value = node_value(t, query, basis);
+        float share = from_front > 0.0f ? value : 1.0f - value;
+        sum = sum + node_weight(t, query, factor) * share;
+    }
+    sum = min(sum, rest);
+    return from_front > 0.0f ? sum : rest - sum;
+}
+#endif
