@@ -1,0 +1,120 @@
+// first_pass_bench.cpp -- milliseconds of the first pass beside plain additive blending of the same bytes, in
+// interleaved rounds of one run, on teapots and ship.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <string_view>
+#include <vector>
+
+#include "app/gl_context.hpp"
+#include "core/error.hpp"
+#include "core/gl/texture.hpp"
+#include "core/render/geometry_pass.hpp"
+#include "core/render/renderer.hpp"
+#include "core/scene/scenes.hpp"
+
+namespace momentscope {
+namespace {
+
+constexpr glm::ivec2 SIZE(1280, 720);
+constexpr float OPACITY = 0.4f;  // of mesh files; built-in scenes do not ask
+
+double median(std::vector<double> values) {
+    std::ranges::sort(values);
+    return values[values.size() / 2];
+}
+
+/// The pass without its mathematics. The Frame block is what the renderer bound last.
+class BlendOnly {
+public:
+    BlendOnly(const Scene& scene, int floats) : scene_(scene), count_(floats > 4 ? 3 : 2) {
+        textures_.push_back(make_texture(GL_R32F, SIZE));
+        textures_.push_back(make_texture(GL_RGBA32F, SIZE));
+        if (floats > 4) textures_.push_back(make_texture(floats > 6 ? GL_RGBA32F : GL_RG32F, SIZE));
+        std::vector<GLuint> colors;
+        for (const GlTexture& texture : textures_) colors.push_back(texture);
+        depth_ = make_texture(GL_DEPTH_COMPONENT32F, SIZE);
+        target_ = make_framebuffer(colors.data(), count_, depth_);
+        opaque_color_ = make_texture(GL_RGBA16F, SIZE);
+        opaque_target_ = make_framebuffer({opaque_color_}, depth_);
+    }
+
+    void draw_opaque() {
+        const float far = 1;
+        glClearNamedFramebufferfv(opaque_target_, GL_DEPTH, 0, &far);
+        glBindFramebuffer(GL_FRAMEBUFFER, opaque_target_);
+        glViewport(0, 0, SIZE.x, SIZE.y);
+        glEnable(GL_DEPTH_TEST);
+        glUseProgram(programs_.get("passes/scene.vert", "passes/opaque.frag"));
+        scene_.draw(Surfaces::opaque);
+        glDisable(GL_DEPTH_TEST);
+    }
+
+    double milliseconds() {
+        glViewport(0, 0, SIZE.x, SIZE.y);
+        glFinish();
+        const auto begin = std::chrono::steady_clock::now();
+        clear_colors(target_, count_);
+        glUseProgram(programs_.get("passes/scene.vert", "tests/blend_only.frag"));
+        draw_transparent(scene_, target_, Blending::add);
+        glFinish();
+        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    }
+
+private:
+    SceneBuffers scene_;
+    int count_;
+    ProgramCache programs_;
+    std::vector<GlTexture> textures_;
+    GlTexture depth_, opaque_color_;
+    GlFramebuffer target_, opaque_target_;
+};
+
+void compare(const Scene& scene, const char* id, const Technique& technique, int rounds) {
+    Renderer renderer;
+    renderer.set_scene(scene);
+    renderer.render({scene.camera, SIZE, &technique, {}});
+    BlendOnly plain(scene, technique.kernel->moment_floats);
+    plain.draw_opaque();
+    std::vector<double> moments, blending;
+    for (int round = 0; round <= rounds; ++round) {
+        renderer.redraw();
+        const double blended = plain.milliseconds();
+        if (round == 0) continue;  // links programs
+        moments.push_back(renderer.pass_times().moments);
+        blending.push_back(blended);
+    }
+    fmt::print("{:<10}{:<12}{:>12.1f}{:>12.1f}{:>8.2f}\n", id, technique.id, median(blending),
+               median(moments), median(moments) / median(blending));
+}
+
+void run(int rounds, std::string_view only) {
+    const auto context = make_gl_context("osmesa", {16, 16});
+    fmt::print("{}\nms at {}x{}\n{:<10}{:<12}{:>12}{:>12}{:>8}\n",
+               reinterpret_cast<const char*>(glGetString(GL_RENDERER)), SIZE.x, SIZE.y, "scene", "technique",
+               "blending", "first pass", "ratio");
+    for (const char* id : {"teapots", "ship"}) {
+        const Scene scene = load_scene(id, OPACITY);
+        for (const Technique* technique : moment_based_techniques())
+            if (technique->kernel->bits == 32 && (only.empty() || only.find(technique->id) != only.npos))
+                compare(scene, id, *technique, rounds);
+    }
+}
+
+}  // namespace
+}  // namespace momentscope
+
+int main(int argc, char** argv) {
+    int rounds = 9;  // the first argument; the second lists techniques
+    if (argc > 1) std::from_chars(argv[1], argv[1] + std::strlen(argv[1]), rounds);
+    try {
+        momentscope::run(std::max(rounds, 1), argc > 2 ? argv[2] : "");
+    } catch (const momentscope::Error& error) {
+        std::fputs(fmt::format("first_pass_bench: {}\n", error.what()).c_str(), stderr);
+        return 1;
+    }
+}
