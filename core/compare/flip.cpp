@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <numbers>
 
 #include "core/compare/color_spaces.hpp"
@@ -28,9 +29,23 @@ struct Plane {
 /// Thrown through everything when the result is not wanted any more.
 struct Stopped {};
 
-// Sums go along whole rows, weight by weight, so that the compiler makes vectors of them.
-void add_row(double* sums, const double* row, double weight, int width) {
-    for (int x = 0; x < width; ++x) sums[x] += weight * row[x];
+// Sums of so many neighbours at once, which the compiler keeps in registers.
+constexpr int BLOCK = 16;
+
+// sums[x] = sum of kernel[k] * source(k)[x].
+template <typename Source>
+void weighted_rows(double* sums, int width, const Kernel& kernel, const Source& source) {
+    int x = 0;
+    for (; x + BLOCK <= width; x += BLOCK) {
+        double block[BLOCK] = {};
+        for (std::size_t k = 0; k < kernel.size(); ++k) {
+            const double* row = source(k) + x;
+            for (int i = 0; i < BLOCK; ++i) block[i] += kernel[k] * row[i];
+        }
+        std::copy_n(block, BLOCK, sums + x);
+    }
+    for (; x < width; ++x)
+        for (std::size_t k = 0; k < kernel.size(); ++k) sums[x] += kernel[k] * source(k)[x];
 }
 
 // Beyond the edge lies what is at the edge.
@@ -42,8 +57,7 @@ Plane convolved_along_x(const Plane& from, const Kernel& kernel, const std::stop
         if (stop.stop_requested()) throw Stopped();
         for (int x = -radius; x < from.width + radius; ++x)
             padded[static_cast<std::size_t>(x + radius)] = from.at(std::clamp(x, 0, from.width - 1), y);
-        for (std::size_t k = 0; k < kernel.size(); ++k)
-            add_row(&to.at(0, y), &padded[k], kernel[k], from.width);
+        weighted_rows(&to.at(0, y), from.width, kernel, [&](std::size_t k) { return &padded[k]; });
     }
     return to;
 }
@@ -53,9 +67,9 @@ Plane convolved_along_y(const Plane& from, const Kernel& kernel, const std::stop
     Plane to(from.width, from.height);
     for (int y = 0; y < from.height; ++y) {
         if (stop.stop_requested()) throw Stopped();
-        for (int k = -radius; k <= radius; ++k)
-            add_row(&to.at(0, y), &from.at(0, std::clamp(y + k, 0, from.height - 1)),
-                    kernel[static_cast<std::size_t>(k + radius)], from.width);
+        weighted_rows(&to.at(0, y), from.width, kernel, [&](std::size_t k) {
+            return &from.at(0, std::clamp(y + static_cast<int>(k) - radius, 0, from.height - 1));
+        });
     }
     return to;
 }
@@ -182,21 +196,31 @@ Features features_of(const Plane& y, const std::stop_token& stop) {
     return {lengths(first), lengths(second)};
 }
 
+struct Seen {
+    std::vector<glm::dvec3> colors;
+    Features features;
+};
+
+Seen seen(const Image& image, const std::stop_token& stop) {
+    const Opponent planes = opponent_planes(image);
+    return {seen_colors(planes, stop), features_of(planes.y, stop)};
+}
+
 std::vector<float> flip_differences(const Image& reference, const Image& test, const std::stop_token& stop) {
-    const Opponent a = opponent_planes(reference), b = opponent_planes(test);
-    const std::vector<glm::dvec3> color_a = seen_colors(a, stop), color_b = seen_colors(b, stop);
-    const Features feature_a = features_of(a.y, stop), feature_b = features_of(b.y, stop);
+    auto other = std::async(std::launch::async, [&] { return seen(test, stop); });
+    const Seen a = seen(reference, stop);
+    const Seen b = other.get();
     const double most = color_distance(hunt_lab({0, 1, 0}), hunt_lab({0, 0, 1}));
     constexpr double KNEE = 0.4, AT_KNEE = 0.95;
     std::vector<float> map;
-    map.reserve(color_a.size());
-    for (std::size_t i = 0; i < color_a.size(); ++i) {
-        const double c = color_distance(color_a[i], color_b[i]);
+    map.reserve(a.colors.size());
+    for (std::size_t i = 0; i < a.colors.size(); ++i) {
+        const double c = color_distance(a.colors[i], b.colors[i]);
         const double knee = KNEE * most;
         const double color =
             c < knee ? AT_KNEE * c / knee : AT_KNEE + (1 - AT_KNEE) * (c - knee) / (most - knee);
-        const double feature = std::sqrt(std::max(std::abs(feature_a.edge[i] - feature_b.edge[i]),
-                                                  std::abs(feature_a.point[i] - feature_b.point[i])) /
+        const double feature = std::sqrt(std::max(std::abs(a.features.edge[i] - b.features.edge[i]),
+                                                  std::abs(a.features.point[i] - b.features.point[i])) /
                                          std::numbers::sqrt2);
         map.push_back(static_cast<float>(std::pow(color, 1 - feature)));
     }

@@ -25,6 +25,19 @@ ViewRay shuffled(const ViewRay& ray, RandomNumbers& random) {
     return result;
 }
 
+// Of one pixel at many depths.
+std::vector<float> fractions_at(std::span<const float> depths, const MomentVector& stored,
+                                const MomentKernel& kernel, const ReconstructionSettings& settings) {
+    std::vector<float> fractions(depths.size());
+    kernel.fractions(std::vector<MomentVector>(depths.size(), stored), settings, depths, fractions);
+    return fractions;
+}
+
+ReconstructionSettings with_overestimation(ReconstructionSettings settings, float beta) {
+    settings.overestimation = beta;
+    return settings;
+}
+
 class CellRun {
 public:
     CellRun(const Technique& technique, const Condition& condition) {
@@ -46,16 +59,19 @@ public:
         for (int i = 0; i < RANDOM_DEPTHS; ++i) depths.push_back(random.uniform(-1, 1));
         const std::vector<double> truth = true_absorbance(tried.ray, depths);
         const std::vector<double> exactly = exact_absorbance(exact, tried.ray, parameters.beta, depths);
+        const std::vector<float> fractions = fractions_at(depths, stored, kernel, settings);
+        const std::vector<float> of_reordered = fractions_at(depths, reordered, kernel, settings);
+        const std::vector<float> lower =
+            fractions_at(depths, stored, kernel, with_overestimation(settings, 0));
+        const std::vector<float> upper =
+            fractions_at(depths, stored, kernel, with_overestimation(settings, 1));
         bool depends = false;
         for (std::size_t i = 0; i < depths.size(); ++i) {
-            const float fraction = kernel.fraction(stored, settings, depths[i]);
-            const double t = transmittance_of_fraction(fraction, stored.b0);
-            count_outcome(fraction, t, std::exp(-exactly[i]), tried);
-            count_bounds(kernel, stored, settings, depths[i], truth[i] / b0);
+            const double t = transmittance_of_fraction(fractions[i], stored.b0);
+            count_outcome(fractions[i], t, std::exp(-exactly[i]), tried);
+            count_bounds(lower[i], upper[i], truth[i] / b0);
             if (i < own_count) from_truth_.push_back(std::abs(t - std::exp(-truth[i])));
-            const double t_reordered =
-                transmittance_of_fraction(kernel.fraction(reordered, settings, depths[i]), reordered.b0);
-            depends |= std::abs(t - t_reordered) > VISIBLE;
+            depends |= std::abs(t - transmittance_of_fraction(of_reordered[i], reordered.b0)) > VISIBLE;
         }
         cell_.order_dependent += depends ? 1 : 0;
         cell_.non_monotone += falls(tried, technique) ? 1 : 0;
@@ -96,14 +112,10 @@ private:
         cell_.worst_case = tried;
     }
 
-    void count_bounds(const MomentKernel& kernel, const MomentVector& stored, ReconstructionSettings settings,
-                      float depth, double true_fraction) {
+    void count_bounds(float lower, float upper, double true_fraction) {
         constexpr double TOLERANCE = 1e-3;
-        settings.overestimation = 0;
-        const auto lower = static_cast<double>(kernel.fraction(stored, settings, depth));
-        settings.overestimation = 1;
-        const auto upper = static_cast<double>(kernel.fraction(stored, settings, depth));
-        const bool inside = true_fraction >= lower - TOLERANCE && true_fraction <= upper + TOLERANCE;
+        const bool inside = true_fraction >= static_cast<double>(lower) - TOLERANCE &&
+                            true_fraction <= static_cast<double>(upper) + TOLERANCE;
         cell_.truth_outside += inside ? 0 : 1;
     }
 
