@@ -67,9 +67,8 @@ void add_inspect(CLI::App& app, Options& options) {
     inspect->add_option("--depths", options.depths, "depths instead of --samples, as -0.5,0,0.25");
     inspect->add_flag("--steps", options.steps,
                       "print the steps of the reconstruction at --depths [0] instead of curves");
-    inspect->add_flag(
-        "--sharp-bounds", options.sharp_bounds,
-        "add the least and greatest absorbance that the moments leave possible (a linear program)");
+    inspect->add_flag("--sharp-bounds", options.sharp_bounds,
+                      "add the least and greatest absorbance that the moments leave possible");
     inspect->add_flag("--light", options.light,
                       "the function that the light's map has of what the pixel shows, instead of the eye's");
     inspect->add_option(

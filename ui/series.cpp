@@ -19,8 +19,7 @@ constexpr SeriesRow ROWS[] = {
      &Palette::bounds},
     {Series::sharp, "sharp", "S", "sharp bounds", nullptr,
      "The least and the greatest absorbance that any distribution on the depth range with the exact moments, without "
-     "bias, has in front of z, from a linear program per depth. The truth is never outside; how far they are apart is "
-     "what the moments do not say.",
+     "bias, has in front of z. The truth is never outside; how far they are apart is what the moments do not say.",
      nullptr, &Palette::sharp},
     {Series::ghost, "ghost", "X", "exact, no bias", nullptr,
      "The reconstruction in exact arithmetic without moment bias, in long double. What lies between it and the orange "

@@ -1,5 +1,4 @@
-// sharp_bounds.hpp -- the least and the greatest absorbance that moments alone leave possible, by linear
-// programming: bounds for any basis, and the only sharp ones for trigonometric moments.
+// sharp_bounds.hpp -- the least and the greatest absorbance that moments alone leave possible.
 #pragma once
 #include <optional>
 #include <span>
@@ -19,14 +18,12 @@ struct SharpBounds {
 };
 
 /// The infimum and the supremum of A(z) over all distributions of absorbance on the depth range that have
-/// the exact moments of the ray: without bias, without rounding (Algorithm 1 of Peters and Klein 2015, as a
-/// linear program per depth and bound). So the truth always lies between them. `depths` in [-1, 1].
-/// Masses may lie at 2049 even depths, at the fragments (of more than 500: at the even depths beside them)
-/// and at the query depth; what masses between them would add is missing. Moments hold to 1e-9, which widens
-/// the bounds where moments almost determine the truth. Power and Chebyshev moments have the same bounds.
-/// Where so few surfaces lie on the ray that moments determine them (Section 4.1), they are the bounds.
-/// Empty vectors where there is nothing to bound: no fragments, or a technique without moments.
-/// nullopt when stopped, or where the solver finds no solution.
+/// the exact moments of the ray: without bias, without rounding. So the truth always lies between them.
+/// `depths` in [-1, 1]. Power and Chebyshev moments have the same bounds, which canonical_masses.hpp knows in
+/// microseconds and up to rounding; those of trigonometric moments take a linear program for each depth
+/// (circle_bounds.hpp). Where so few surfaces lie on the ray that moments determine them (Section 4.1), they
+/// are the bounds. Empty vectors where there is nothing to bound: no fragments, or a technique without
+/// moments. nullopt when stopped, or where the linear program finds no solution.
 std::optional<SharpBounds> sharp_bounds(const ViewRay& ray, const Technique& technique,
                                         const ResolvedParameters& parameters, std::span<const float> depths,
                                         std::stop_token stop = {});

@@ -1,0 +1,208 @@
+#include "core/inspect/circle_bounds.hpp"
+
+#include <ClpSimplex.hpp>
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+namespace momentscope {
+
+namespace {
+
+constexpr int GRID = 2049;          // depths at which masses may lie, beside those of the fragments
+constexpr int FIRST_STEP = 32;      // every so many of them are there from the beginning
+constexpr std::size_t MANY = 500;   // more fragments are moved to the nearest point of the grid
+constexpr double TOLERANCE = 1e-9;  // of moments in [-1, 1]; CLP's own 1e-7 would act like a bias
+constexpr double PRICE = 1e-7;      // by how much a mass at another depth must improve the bound to be tried
+constexpr int MOST_ROUNDS = 20;
+constexpr int MOST_PIVOTS = 500;     // tens are usual; CLP may cycle where moments leave almost no freedom
+constexpr double APART = 1e-5;       // masses that are closer are one: their columns would be the same
+constexpr std::size_t QUERIES = 16;  // of one program, which grows with each of them
+
+double grid_depth(int k) {
+    return -1 + 2.0 * k / (GRID - 1);
+}
+
+// The moment-generating function at a depth.
+Eigen::VectorXd moments_at(double depth, int count, double theta) {
+    Eigen::VectorXd moments(2 * count + 1);
+    const double angle = (std::numbers::pi - 0.5 * theta) * (depth + 1);
+    moments[0] = 1;
+    for (int j = 1; j <= count; ++j) {
+        moments[2 * j - 1] = std::cos(j * angle);
+        moments[2 * j] = std::sin(j * angle);
+    }
+    return moments;
+}
+
+void add_column(ClpSimplex& solver, const Eigen::VectorXd& column, double cost) {
+    std::vector<int> rows(static_cast<std::size_t>(column.size()));
+    std::iota(rows.begin(), rows.end(), 0);
+    solver.addColumn(static_cast<int>(rows.size()), rows.data(), column.data(), 0,
+                     std::numeric_limits<double>::max(), cost);
+}
+
+/// Constraints without a column yet: the moments of all masses are those.
+void demand(ClpSimplex& solver, const Eigen::VectorXd& moments) {
+    solver.setLogLevel(0);
+    solver.scaling(0);  // it magnifies the tolerance of small masses until truths are infeasible
+    solver.resize(static_cast<int>(moments.size()), 0);
+    for (int i = 0; i < static_cast<int>(moments.size()); ++i) solver.setRowBounds(i, moments[i], moments[i]);
+    solver.setPrimalTolerance(TOLERANCE);
+    solver.setDualTolerance(TOLERANCE);
+    solver.setMaximumIterations(MOST_PIVOTS);
+}
+
+/// What all programs of a ray share.
+struct Candidates {
+    int count;
+    double theta;
+    std::vector<double> depths;   // at which masses may lie, ascending: the grid and the fragments
+    Eigen::MatrixXd moments;      // a row for each of them
+    std::vector<double> support;  // some of them that have the ray's moments
+    Eigen::VectorXd of_ray;       // moments, those of a mass of 1
+    double total = 0;             // b0
+};
+
+// A few of the fragments' depths have the moments of all (Carathéodory). All, if CLP finds none.
+std::vector<double> support_of(const std::vector<double>& own, const Candidates& candidates) {
+    ClpSimplex solver;
+    demand(solver, candidates.of_ray);
+    for (const double depth : own)
+        add_column(solver, moments_at(depth, candidates.count, candidates.theta), 0);
+    solver.primal();
+    if (!solver.isProvenOptimal()) return own;
+    std::vector<double> support;
+    for (std::size_t k = 0; k < own.size(); ++k)
+        if (solver.primalColumnSolution()[k] > 0) support.push_back(own[k]);
+    return support;
+}
+
+Candidates candidates_of(const ViewRay& ray, int count, double theta) {
+    Candidates result{count, theta, {}, {}, {}, Eigen::VectorXd::Zero(2 * count + 1)};
+    std::vector<double> own;
+    const bool many = ray.fragments.size() > MANY;
+    for (const Fragment& fragment : ray.fragments) {
+        const double exactly = fragment.depth;
+        const double depth =
+            many ? grid_depth(static_cast<int>(std::lround(0.5 * (exactly + 1) * (GRID - 1)))) : exactly;
+        const double absorbance = fragment_absorbance(fragment.opacity);
+        result.of_ray += absorbance * moments_at(depth, count, theta);
+        result.total += absorbance;
+        own.push_back(depth);
+    }
+    if (result.total > 0) result.of_ray /= result.total;
+    std::ranges::sort(own);
+    own.erase(std::unique(own.begin(), own.end()), own.end());
+    for (int k = 0; k < GRID; ++k) result.depths.push_back(grid_depth(k));
+    result.depths.insert(result.depths.end(), own.begin(), own.end());
+    std::ranges::sort(result.depths);
+    result.depths.erase(std::unique(result.depths.begin(), result.depths.end()), result.depths.end());
+    result.moments.resize(static_cast<Eigen::Index>(result.depths.size()), 2 * count + 1);
+    for (std::size_t k = 0; k < result.depths.size(); ++k)
+        result.moments.row(static_cast<Eigen::Index>(k)) = moments_at(result.depths[k], count, theta);
+    result.support = support_of(own, result);
+    return result;
+}
+
+/// The least mass at some depths, all masses together having the ray's moments. Masses are tried where the
+/// dual solution says that they would help, which finds the best of all candidates without a variable for
+/// each of them.
+class MassProgram {
+public:
+    explicit MassProgram(const Candidates& candidates) : candidates_(candidates) {
+        demand(solver_, candidates.of_ray);
+        for (int k = 0; k < GRID; k += FIRST_STEP) add(grid_depth(k));
+        for (const double depth : candidates.support)  // each, or moments would have no solution
+            if (std::ranges::find(depths_, depth) == depths_.end()) add(depth);
+    }
+
+    /// min of the sum of cost(depth) * mass, the masses summing to 1. Starts where the last query ended:
+    /// neighbouring ones differ in few pivots. `at` is a depth where cost jumps. nullopt if CLP fails.
+    template <typename Cost>
+    std::optional<double> least(double at, const Cost& cost) {
+        if (is_new(at)) add(at);
+        for (std::size_t k = 0; k < depths_.size(); ++k)
+            solver_.setObjectiveCoefficient(static_cast<int>(k), cost(depths_[k]));
+        for (int round = 0; round < MOST_ROUNDS; ++round) {
+            if (!solve()) return std::nullopt;
+            if (!add_what_helps(cost)) break;
+        }
+        return solver_.objectiveValue();
+    }
+
+private:
+    // Where moments leave almost no freedom, the last basis may lead nowhere; no basis at all may then do.
+    bool solve() {
+        solver_.primal();
+        if (solver_.isProvenOptimal()) return true;
+        solver_.allSlackBasis(true);
+        solver_.primal();
+        if (solver_.isProvenOptimal()) return true;
+        solver_.allSlackBasis(true);
+        solver_.dual();
+        return solver_.isProvenOptimal();
+    }
+
+    bool is_new(double depth) const {
+        return std::ranges::none_of(depths_, [&](double other) { return std::abs(other - depth) < APART; });
+    }
+
+    void add(double depth, double cost = 0) {
+        add_column(solver_, moments_at(depth, candidates_.count, candidates_.theta), cost);
+        depths_.push_back(depth);
+    }
+
+    // Adds the candidates whose reduced cost is negative and least among their neighbours.
+    template <typename Cost>
+    bool add_what_helps(const Cost& cost) {
+        const Eigen::Map<const Eigen::VectorXd> dual(solver_.dualRowSolution(), candidates_.moments.cols());
+        const std::vector<double>& depths = candidates_.depths;
+        const Eigen::VectorXd value = candidates_.moments * dual;
+        const auto reduced = [&](std::size_t k) {
+            return cost(depths[k]) - value[static_cast<Eigen::Index>(k)];
+        };
+        bool added = false;
+        for (std::size_t k = 0; k < depths.size(); ++k) {
+            const double here = reduced(k);
+            if (here > -PRICE) continue;
+            const bool least =
+                (k == 0 || here <= reduced(k - 1)) && (k + 1 == depths.size() || here < reduced(k + 1));
+            if (!least) continue;
+            add(depths[k], cost(depths[k]));
+            added = true;
+        }
+        return added;
+    }
+
+    const Candidates& candidates_;
+    std::vector<double> depths_;  // of the masses tried so far; a column of the program each
+    ClpSimplex solver_;
+};
+
+}  // namespace
+
+std::optional<std::vector<float>> circle_bounds(Bound bound, const ViewRay& ray, int count, double theta,
+                                                std::span<const float> depths, const std::stop_token& stop) {
+    const Candidates candidates = candidates_of(ray, count, theta);
+    const double sign = bound == Bound::lower ? 1 : -1;
+    std::vector<float> bounds;
+    std::optional<MassProgram> program;
+    for (const float depth : depths) {
+        if (stop.stop_requested()) return std::nullopt;
+        if (bounds.size() % QUERIES == 0) program.emplace(candidates);
+        const double at = depth;
+        const auto share = program->least(at, [&](double x) {
+            const bool counts = bound == Bound::lower ? x < at : x <= at;
+            return counts ? sign : 0.0;
+        });
+        if (!share) return std::nullopt;
+        bounds.push_back(static_cast<float>(candidates.total * std::clamp(sign * *share, 0.0, 1.0)));
+    }
+    return bounds;
+}
+
+}  // namespace momentscope
