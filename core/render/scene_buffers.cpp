@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/gl/texture.hpp"
+#include "core/ray/view_ray.hpp"
 #include "core/render/scene_size.hpp"
 
 namespace momentscope {
@@ -54,7 +55,7 @@ std::vector<ObjectBlock> SceneBuffers::object_blocks() const {
     for (std::uint32_t draw = 0; draw < sequence_.size(); ++draw) {
         const std::uint32_t i = sequence_[draw];
         blocks[i] = {objects_[i].model, glm::vec4(objects_[i].color, objects_[i].opacity),
-                     glm::uvec4(draw, i, 0, 0)};
+                     glm::uvec4(draw, i, 0, 0), glm::vec4(fragment_absorbance(objects_[i].opacity))};
     }
     return blocks;
 }

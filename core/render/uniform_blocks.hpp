@@ -32,6 +32,7 @@ struct alignas(256)
     glm::mat4 model;
     glm::vec4 color_opacity;
     glm::uvec4 draw;
+    glm::vec4 absorbance;
 };
 
 struct Vertex {

@@ -15,4 +15,5 @@ layout(std140, binding = 1) uniform Object
     mat4 model;
     vec4 color_opacity;
     uvec4 draw;           // index of the draw call in the order of submission, index of the object
+    vec4 absorbance;      // of the opacity in x, for scenes without alpha maps
 } object;

@@ -17,7 +17,7 @@ layout(early_fragment_tests) in;
 void main()
 {
     Basis basis = frame_basis();
-    Moments moments = fragment_moments(fragment_depth(), absorbance_of_opacity(fragment_opacity()), basis);
+    Moments moments = fragment_moments(fragment_depth(), fragment_absorbance(), basis);
 #ifdef INTERLOCK
     beginInvocationInterlockARB();
 #endif

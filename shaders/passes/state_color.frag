@@ -18,6 +18,6 @@ void main()
     float weight = fragment_opacity() * fragment_transmittance();
     weighted_color = vec4(shaded(object.color_opacity.rgb) * weight, weight);
 #ifdef OWN_ABSORBANCE
-    own_absorbance = vec4(absorbance_of_opacity(fragment_opacity()), 0.0, 0.0, 0.0);
+    own_absorbance = vec4(fragment_absorbance(), 0.0, 0.0, 0.0);
 #endif
 }

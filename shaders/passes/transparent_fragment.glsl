@@ -24,6 +24,15 @@ float fragment_opacity()
 #endif
 }
 
+float fragment_absorbance()
+{
+#ifdef NO_ALPHA_MAPS   // then it is the object's, and a logarithm is not free
+    return object.absorbance.x;
+#else
+    return absorbance_of_opacity(fragment_opacity());
+#endif
+}
+
 float fragment_view_depth()
 {
     return -eye_position.z;

@@ -1,5 +1,8 @@
-// blend_only.frag -- for first_pass_bench: blends as many numbers as the first pass of a technique, and computes none of them.
+// blend_only.frag -- for first_pass_bench: blends opacities into as many numbers as the first pass of a technique, and computes
+// nothing of them. Where the scene has alpha maps, both must read them.
 #include "passes/blocks.glsl"
+#include "passes/shading.glsl"
+#include "passes/transparent_fragment.glsl"
 
 layout(early_fragment_tests) in;
 
@@ -9,8 +12,8 @@ layout(location = 2) out vec4 moments_5_to_8;
 
 void main()
 {
-    vec4 anything = vec4(object.color_opacity.a);
-    total_absorbance = anything;
-    moments_1_to_4 = anything;
-    moments_5_to_8 = anything;
+    vec4 opacity = vec4(fragment_opacity());
+    total_absorbance = opacity;
+    moments_1_to_4 = opacity;
+    moments_5_to_8 = opacity;
 }
