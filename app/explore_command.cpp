@@ -18,8 +18,6 @@ namespace momentscope {
 
 namespace {
 
-constexpr double DRAG_MILLISECONDS = 50;  // 20 pictures a second
-
 // What else was typed goes over it.
 ui::ExplorerState state_of_session(const Options& options) {
     ui::Session session = ui::read_session_file(options.session);
@@ -90,7 +88,7 @@ public:
           gui_(context_->window(), scale),
           explorer_(renderer_, initial_state(options),
                     {.scale = scale,
-                     .most_milliseconds = DRAG_MILLISECONDS,
+                     .most_milliseconds = ui::DRAG_MILLISECONDS,
                      .before_long_picture = [this] { say_drawing(); }}),
           log_(options.log),
           lost_display_([this] { return last_words(explorer_.state()); }) {

@@ -29,6 +29,10 @@
 
 namespace momentscope::ui {
 
+/// For a picture while something is dragged: 20 updates a second, the plot and the rest of the window
+/// included.
+constexpr double DRAG_MILLISECONDS = 40;
+
 struct ExplorerOptions {
     float scale = 1;         // of fonts and spacing
     bool show_times = true;  // milliseconds in the status line; off where pictures must repeat bit by bit

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <future>
 #include <numbers>
+#include <utility>
 
 #include "core/compare/color_spaces.hpp"
 
@@ -48,36 +49,50 @@ void weighted_rows(double* sums, int width, const Kernel& kernel, const Source& 
         for (std::size_t k = 0; k < kernel.size(); ++k) sums[x] += kernel[k] * source(k)[x];
 }
 
-// Beyond the edge lies what is at the edge.
-Plane convolved_along_x(const Plane& from, const Kernel& kernel, const std::stop_token& stop) {
-    const int radius = static_cast<int>(kernel.size()) / 2;
-    Plane to(from.width, from.height);
-    std::vector<double> padded(static_cast<std::size_t>(from.width + 2 * radius));
-    for (int y = 0; y < from.height; ++y) {
-        if (stop.stop_requested()) throw Stopped();
-        for (int x = -radius; x < from.width + radius; ++x)
-            padded[static_cast<std::size_t>(x + radius)] = from.at(std::clamp(x, 0, from.width - 1), y);
-        weighted_rows(&to.at(0, y), from.width, kernel, [&](std::size_t k) { return &padded[k]; });
-    }
-    return to;
-}
+/// A plane convolved along both axes, row by row from the first on; the rows in between stay in the cache.
+/// Beyond the edge lies what is at the edge.
+class Convolution {
+public:
+    Convolution(const Plane& plane, Kernel along_x, Kernel along_y)
+        : plane_(plane),
+          along_x_(std::move(along_x)),
+          along_y_(std::move(along_y)),
+          padded_(static_cast<std::size_t>(plane.width) + along_x_.size() - 1),
+          rows_(along_y_.size(), std::vector<double>(static_cast<std::size_t>(plane.width))),
+          sums_(static_cast<std::size_t>(plane.width)) {}
 
-Plane convolved_along_y(const Plane& from, const Kernel& kernel, const std::stop_token& stop) {
-    const int radius = static_cast<int>(kernel.size()) / 2;
-    Plane to(from.width, from.height);
-    for (int y = 0; y < from.height; ++y) {
-        if (stop.stop_requested()) throw Stopped();
-        weighted_rows(&to.at(0, y), from.width, kernel, [&](std::size_t k) {
-            return &from.at(0, std::clamp(y + static_cast<int>(k) - radius, 0, from.height - 1));
+    /// The next row; valid until the next call.
+    const std::vector<double>& next() {
+        const int radius = static_cast<int>(along_y_.size()) / 2;
+        const int last = plane_.height - 1;
+        for (; known_ <= std::min(row_ + radius, last); ++known_) convolve_along_x(known_);
+        std::ranges::fill(sums_, 0.0);
+        weighted_rows(sums_.data(), plane_.width, along_y_, [&](std::size_t k) {
+            return row_of(std::clamp(row_ + static_cast<int>(k) - radius, 0, last)).data();
         });
+        ++row_;
+        return sums_;
     }
-    return to;
-}
 
-Plane convolved(const Plane& plane, const Kernel& along_x, const Kernel& along_y,
-                const std::stop_token& stop) {
-    return convolved_along_y(convolved_along_x(plane, along_x, stop), along_y, stop);
-}
+private:
+    std::vector<double>& row_of(int y) { return rows_[static_cast<std::size_t>(y) % rows_.size()]; }
+
+    void convolve_along_x(int y) {
+        const int radius = static_cast<int>(along_x_.size()) / 2;
+        for (int x = -radius; x < plane_.width + radius; ++x)
+            padded_[static_cast<std::size_t>(x + radius)] = plane_.at(std::clamp(x, 0, plane_.width - 1), y);
+        std::vector<double>& row = row_of(y);
+        std::ranges::fill(row, 0.0);
+        weighted_rows(row.data(), plane_.width, along_x_, [&](std::size_t k) { return &padded_[k]; });
+    }
+
+    const Plane& plane_;
+    Kernel along_x_, along_y_;
+    std::vector<double> padded_;
+    std::vector<std::vector<double>> rows_;  // convolved along x, as many as along_y_ needs, in turn
+    std::vector<double> sums_;
+    int known_ = 0, row_ = 0;
+};
 
 template <typename Function>
 Kernel sampled(int radius, const Function& function) {
@@ -97,26 +112,44 @@ struct Sensitivity {
     double a, b;
 };
 
-Plane filtered(const Plane& plane, std::initializer_list<Sensitivity> gaussians,
-               const std::stop_token& stop) {
-    constexpr double PI = std::numbers::pi;
-    // Three standard deviations of the widest of all channels.
-    const int radius = static_cast<int>(std::ceil(3 * std::sqrt(0.04 / (2 * PI * PI)) * PIXELS_PER_DEGREE));
-    Plane sum(plane.width, plane.height);
-    double weight = 0;
-    for (const Sensitivity& one : gaussians) {
-        const Kernel kernel = sampled(radius, [&](double k) {
-            const double degrees = k / PIXELS_PER_DEGREE;
-            return std::exp(-PI * PI * degrees * degrees / one.b);
-        });
-        const double factor = one.a * std::sqrt(PI / one.b);
-        const Plane part = convolved(plane, kernel, kernel, stop);
-        for (std::size_t i = 0; i < sum.values.size(); ++i) sum.values[i] += factor * part.values[i];
-        weight += factor * sum_of(kernel) * sum_of(kernel);
+/// What the eye leaves of a channel: a sum of Gaussians, row by row.
+class Filter {
+public:
+    Filter(const Plane& plane, std::initializer_list<Sensitivity> gaussians) {
+        constexpr double PI = std::numbers::pi;
+        // Three standard deviations of the widest of all channels.
+        const int radius =
+            static_cast<int>(std::ceil(3 * std::sqrt(0.04 / (2 * PI * PI)) * PIXELS_PER_DEGREE));
+        for (const Sensitivity& one : gaussians) {
+            const Kernel kernel = sampled(radius, [&](double k) {
+                const double degrees = k / PIXELS_PER_DEGREE;
+                return std::exp(-PI * PI * degrees * degrees / one.b);
+            });
+            parts_.push_back({Convolution(plane, kernel, kernel), one.a * std::sqrt(PI / one.b)});
+            weight_ += parts_.back().factor * sum_of(kernel) * sum_of(kernel);
+        }
+        row_.resize(static_cast<std::size_t>(plane.width));
     }
-    for (double& value : sum.values) value /= weight;
-    return sum;
-}
+
+    const std::vector<double>& next() {
+        std::ranges::fill(row_, 0.0);
+        for (Part& part : parts_) {
+            const std::vector<double>& row = part.convolution.next();
+            for (std::size_t x = 0; x < row_.size(); ++x) row_[x] += part.factor * row[x];
+        }
+        for (double& value : row_) value /= weight_;
+        return row_;
+    }
+
+private:
+    struct Part {
+        Convolution convolution;
+        double factor;
+    };
+    std::vector<Part> parts_;
+    double weight_ = 0;
+    std::vector<double> row_;
+};
 
 struct Opponent {
     Plane y, cx, cz;
@@ -147,14 +180,17 @@ double color_distance(const glm::dvec3& a, const glm::dvec3& b) {
 
 // Blurred as by the eye at that distance.
 std::vector<glm::dvec3> seen_colors(const Opponent& planes, const std::stop_token& stop) {
-    const Plane y = filtered(planes.y, {{1, 0.0047}}, stop);
-    const Plane cx = filtered(planes.cx, {{1, 0.0053}}, stop);
-    const Plane cz = filtered(planes.cz, {{34.1, 0.04}, {13.5, 0.025}}, stop);
+    Filter y(planes.y, {{1, 0.0047}}), cx(planes.cx, {{1, 0.0053}}),
+        cz(planes.cz, {{34.1, 0.04}, {13.5, 0.025}});
     std::vector<glm::dvec3> colors;
-    colors.reserve(y.values.size());
-    for (std::size_t i = 0; i < y.values.size(); ++i) {
-        const glm::dvec3 linear = linear_of_opponent({y.values[i], cx.values[i], cz.values[i]});
-        colors.push_back(hunt_lab(glm::clamp(linear, 0.0, 1.0)));
+    colors.reserve(planes.y.values.size());
+    for (int row = 0; row < planes.y.height; ++row) {
+        if (stop.stop_requested()) throw Stopped();
+        const std::vector<double>&y_row = y.next(), &cx_row = cx.next(), &cz_row = cz.next();
+        for (std::size_t x = 0; x < y_row.size(); ++x) {
+            const glm::dvec3 linear = linear_of_opponent({y_row[x], cx_row[x], cz_row[x]});
+            colors.push_back(hunt_lab(glm::clamp(linear, 0.0, 1.0)));
+        }
     }
     return colors;
 }
@@ -185,12 +221,14 @@ Features features_of(const Plane& y, const std::stop_token& stop) {
     Plane brightness = y;
     for (double& value : brightness.values) value = (value + 16) / 116;
     const auto lengths = [&](const Kernel& derivative) {
-        const Plane along_x = convolved(brightness, derivative, across, stop);
-        const Plane along_y = convolved(brightness, across, derivative, stop);
+        Convolution along_x(brightness, derivative, across), along_y(brightness, across, derivative);
         std::vector<double> result;
-        result.reserve(along_x.values.size());
-        for (std::size_t i = 0; i < along_x.values.size(); ++i)
-            result.push_back(std::hypot(along_x.values[i], along_y.values[i]));
+        result.reserve(brightness.values.size());
+        for (int row = 0; row < brightness.height; ++row) {
+            if (stop.stop_requested()) throw Stopped();
+            const std::vector<double>&x_row = along_x.next(), &y_row = along_y.next();
+            for (std::size_t x = 0; x < x_row.size(); ++x) result.push_back(std::hypot(x_row[x], y_row[x]));
+        }
         return result;
     };
     return {lengths(first), lengths(second)};
@@ -212,18 +250,23 @@ std::vector<float> flip_differences(const Image& reference, const Image& test, c
     const Seen b = other.get();
     const double most = color_distance(hunt_lab({0, 1, 0}), hunt_lab({0, 0, 1}));
     constexpr double KNEE = 0.4, AT_KNEE = 0.95;
-    std::vector<float> map;
-    map.reserve(a.colors.size());
-    for (std::size_t i = 0; i < a.colors.size(); ++i) {
-        const double c = color_distance(a.colors[i], b.colors[i]);
-        const double knee = KNEE * most;
-        const double color =
-            c < knee ? AT_KNEE * c / knee : AT_KNEE + (1 - AT_KNEE) * (c - knee) / (most - knee);
-        const double feature = std::sqrt(std::max(std::abs(a.features.edge[i] - b.features.edge[i]),
-                                                  std::abs(a.features.point[i] - b.features.point[i])) /
-                                         std::numbers::sqrt2);
-        map.push_back(static_cast<float>(std::pow(color, 1 - feature)));
-    }
+    std::vector<float> map(a.colors.size());
+    const auto compare = [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const double c = color_distance(a.colors[i], b.colors[i]);
+            const double knee = KNEE * most;
+            const double color =
+                c < knee ? AT_KNEE * c / knee : AT_KNEE + (1 - AT_KNEE) * (c - knee) / (most - knee);
+            const double feature = std::sqrt(std::max(std::abs(a.features.edge[i] - b.features.edge[i]),
+                                                      std::abs(a.features.point[i] - b.features.point[i])) /
+                                             std::numbers::sqrt2);
+            map[i] = static_cast<float>(std::pow(color, 1 - feature));
+        }
+    };
+    const std::size_t half = map.size() / 2;
+    auto upper = std::async(std::launch::async, compare, 0, half);
+    compare(half, map.size());
+    upper.get();
     return map;
 }
 

@@ -47,10 +47,13 @@ Real place_of_offset(const Real& offset) {
 }
 
 /// K(x) = v(x0)^H G^-1 v(x) = sum conj(q_j) x^j at x = x0 exp(i o), times exp(-i degree o / 2). That is a
-/// real function of o, because G is Toeplitz, and it is 1 / w0 > 0 at o = 0.
+/// real function of o, because G is Toeplitz, and it is 1 / w0 > 0 at o = 0. So terms j and degree - j are
+/// conjugate, and half of them are enough: `middle` and the real part of the sum of pair[i] exp(i o /
+/// 2)^(degree - 2 i).
 template <std::size_t M, class Real>
 struct CircleKernel {
-    std::array<Complex<Real>, M + 1> coefficient{};  // conj(q_j) x0^j
+    std::array<Complex<Real>, M / 2 + 1> pair{};
+    Real middle{};  // of an even degree
     std::size_t degree = M;
     Real noise{};
     Real inverse_weight{};
@@ -59,13 +62,13 @@ struct CircleKernel {
         Real scale;
         const Complex<Real> half = half_of_place(place, scale);
         const Complex<Real> whole = half * half;
-        Complex<Real> power{Real(1), Real(0)};  // half^(2 j - degree)
-        for (std::size_t j = 0; j < degree; ++j) power = power * conjugate(half);
-        Sample<Real> at{Real(0), Real(0), noise};
-        for (std::size_t j = 0; j <= degree; ++j) {
-            const Complex<Real> term = coefficient[j] * power;
+        const bool even = degree % 2 == 0;
+        Complex<Real> power = even ? whole : half;
+        Sample<Real> at{middle, Real(0), noise};
+        for (std::size_t exponent = even ? 2 : 1; exponent <= degree; exponent += 2) {
+            const Complex<Real> term = pair[(degree - exponent) / 2] * power;
             at.value += term.re;
-            at.slope -= term.im * (static_cast<Real>(2 * j) - static_cast<Real>(degree));
+            at.slope -= term.im * static_cast<Real>(exponent);
             power = power * whole;
         }
         at.slope *= scale;
@@ -86,10 +89,14 @@ CircleKernel<M, Real> circle_kernel(const TriangularFactor<Real, Complex<Real>, 
     CircleKernel<M, Real> kernel;
     kernel.degree = degree;
     kernel.inverse_weight = solution.inverse_weight;
+    std::array<Complex<Real>, M + 1> coefficient{};  // conj(q_j) x0^j
     for (std::size_t j = 0; j <= degree; ++j) {
-        kernel.coefficient[j] = conjugate(solution.q[j]) * v[j];
-        kernel.noise += abs(kernel.coefficient[j].re) + abs(kernel.coefficient[j].im);
+        coefficient[j] = conjugate(solution.q[j]) * v[j];
+        kernel.noise += abs(coefficient[j].re) + abs(coefficient[j].im);
     }
+    for (std::size_t i = 0; 2 * i < degree; ++i)
+        kernel.pair[i] = coefficient[degree - i] + conjugate(coefficient[i]);
+    if (degree % 2 == 0) kernel.middle = coefficient[degree / 2].re;
     kernel.noise *= std::numeric_limits<Real>::epsilon();
     return kernel;
 }

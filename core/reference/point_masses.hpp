@@ -65,9 +65,12 @@ TrigonometricMoments<M, Real> trigonometric_moments(std::span<const PointMass<Re
                                                     const Real& theta) {
     TrigonometricMoments<M, Real> moments{};
     for (const PointMass<Real>& mass : masses) {
-        const Real phase = phase_of_depth(mass.depth, theta);
-        for (std::size_t j = 0; j <= M; ++j)
-            moments[j] = moments[j] + unit<Real>(static_cast<Real>(j) * phase) * mass.absorbance;
+        const Complex<Real> point = unit<Real>(phase_of_depth(mass.depth, theta));
+        Complex<Real> power{Real(1), Real(0)};
+        for (std::size_t j = 0; j <= M; ++j) {
+            moments[j] = moments[j] + power * mass.absorbance;
+            power = power * point;
+        }
     }
     return moments;
 }

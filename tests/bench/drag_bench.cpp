@@ -55,25 +55,25 @@ double updates_per_second(HeadlessWindow& window, const Drag& drag, int moves) {
 
 void run(int moves, std::string_view only) {
     fmt::print("{:<12}{:<12}{:>16}{:>16}\n", "technique", "drag", "full picture", "draft");
-    for (const std::string_view technique : {"power4-32", "power8-32", "trig3-32"}) {
-        if (!only.empty() && only != technique) continue;
+    for (const Technique* technique : moment_based_techniques()) {
+        if (technique->kernel->bits != 32 || (!only.empty() && only != technique->id)) continue;
         for (const Drag& drag : {Drag{"beta", "parameter.beta", 0}, Drag{"camera", "scene", 1}}) {
             double rates[2];
             for (const bool draft : {false, true}) {
                 FrameLog log("");
                 ui::ExplorerState state;
                 state.scene = "teapots";
-                state.technique = &require_technique(technique);
-                HeadlessWindow window(
-                    {1280, 720}, state,
-                    {.scale = 1,
-                     .show_times = false,
-                     .most_milliseconds = draft ? 50 : std::numeric_limits<double>::infinity()},
-                    log);
+                state.technique = technique;
+                HeadlessWindow window({1280, 720}, state,
+                                      {.scale = 1,
+                                       .show_times = false,
+                                       .most_milliseconds = draft ? ui::DRAG_MILLISECONDS
+                                                                  : std::numeric_limits<double>::infinity()},
+                                      log);
                 window.settle();
                 rates[draft] = updates_per_second(window, drag, moves);
             }
-            fmt::print("{:<12}{:<12}{:>14.1f}/s{:>14.1f}/s\n", technique, drag.name, rates[0], rates[1]);
+            fmt::print("{:<12}{:<12}{:>14.1f}/s{:>14.1f}/s\n", technique->id, drag.name, rates[0], rates[1]);
             std::fflush(stdout);
         }
     }
