@@ -34,8 +34,8 @@ public:
 };
 
 struct PictureCodec {
-    /// Null and the reason when the file does not begin as a picture. Colours come as the file holds them: not
-    /// multiplied by alpha if `unassociated`.
+    /// Null and the reason when the file does not begin as a picture. Colours come as the file holds them:
+    /// not multiplied by alpha if `unassociated`.
     std::unique_ptr<PictureReader> (*open)(const std::string& path, bool unassociated, std::string& reason);
 
     /// Four channels as the bytes of a file; `kind` is ".png" or ".exr". Empty, and the reason, on failure.
