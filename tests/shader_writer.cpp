@@ -59,14 +59,14 @@ void write_technique(const std::filesystem::path& folder, const Technique& techn
         write(folder, id, "passes/moments.frag", accumulation_variant(technique, false, access));
 }
 
-void write_method(const std::filesystem::path& folder, const Technique& technique) {
-    const MethodSettings settings = technique.method_settings(ParameterValues());
+void write_pixel_state(const std::filesystem::path& folder, const Technique& technique) {
+    const PixelStateSettings settings = technique.pixel_state_settings(ParameterValues());
     const OrderedAccess access = needs_order(technique) ? OrderedAccess::interlock : OrderedAccess::none;
     write(folder, technique.id, "passes/state.frag", state_building_variant(technique, settings, access));
     ShaderVariant variant = state_variant(technique, settings);
     write(folder, technique.id, "passes/state_composite.frag", variant);
-    if (!technique.method->holds_colors) write(folder, technique.id, "passes/state_color.frag", variant);
-    if (technique.method->with_fragment_again != nullptr) {
+    if (!technique.pixel_state->holds_colors) write(folder, technique.id, "passes/state_color.frag", variant);
+    if (technique.pixel_state->with_fragment_again != nullptr) {
         write(folder, technique.id, "passes/state_convert.frag", variant);
         ShaderVariant second = state_building_variant(technique, settings, access);
         second.defines.insert({{"SECOND_PASS", "1"}, {"FIRST_TEXEL", "2"}, {"WRITTEN_TEXELS", "2"}});
@@ -75,7 +75,7 @@ void write_method(const std::filesystem::path& folder, const Technique& techniqu
         write(folder, std::string(technique.id) + ".low", "passes/state_color.frag", variant);
     }
     variant.defines["WITH_TRANSMITTANCE"] = "1";
-    if (technique.method->has_depths()) write(folder, technique.id, "passes/capture.frag", variant);
+    if (technique.pixel_state->has_depths()) write(folder, technique.id, "passes/capture.frag", variant);
 }
 
 // Passes that are lit by any light, and those that draw its maps.
@@ -107,7 +107,7 @@ int main(int argc, char** argv) {
         for (const char* path : PLAIN) write(argv[1], "plain", path, {});
         for (const Technique& technique : techniques()) {
             if (technique.kernel != nullptr) write_technique(argv[1], technique);
-            if (technique.method != nullptr) write_method(argv[1], technique);
+            if (technique.pixel_state != nullptr) write_pixel_state(argv[1], technique);
         }
         for (const ParameterId id : {ParameterId::shadow_technique, ParameterId::opaque_shadow})
             write_shadows(argv[1], id);

@@ -23,12 +23,14 @@ const Family ROWS[] = {
     {"Chebyshev moments", rgb(0x009E73), MarkShape::diamond,
      [](const Technique& t) { return t.on_chebyshev(); }},
     {"Moment Transparency", rgb(0xA84C80), MarkShape::triangle_up,
-     [](const Technique& t) { return t.method != nullptr && t.method->with_fragment_again != nullptr; }},
+     [](const Technique& t) {
+         return t.pixel_state != nullptr && t.pixel_state->with_fragment_again != nullptr;
+     }},
     {"ground truth", rgb(0x16181C), MarkShape::cross, [](const Technique& t) { return t.is_truth(); }},
     {"in order, bounded memory", rgb(0x8A6D00), MarkShape::triangle_down,
      [](const Technique& t) { return needs_order(t); }},
     {"other functions of depth", rgb(0x2E8FC9), MarkShape::bar,
-     [](const Technique& t) { return t.method != nullptr && !t.method->holds_colors; }},
+     [](const Technique& t) { return t.pixel_state != nullptr && !t.pixel_state->holds_colors; }},
     {"one pass", rgb(0x6B7280), MarkShape::pillar, [](const Technique&) { return true; }},
 };
 

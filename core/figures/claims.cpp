@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "core/inspect/curve.hpp"
-#include "core/inspect/method_pixel.hpp"
+#include "core/inspect/pixel_state_curve.hpp"
 #include "core/ray/random_ray.hpp"
 
 namespace momentscope {
@@ -238,7 +238,7 @@ namespace {
 // Mean error of T at the fragments' own depths over random rays of n fragments.
 double mean_error(int fragments, const ParameterSettings& settings) {
     const Technique& technique = require_technique("mt");
-    const MethodSettings method = technique.method_settings(values_with(settings));
+    const PixelStateSettings pixel_state = technique.pixel_state_settings(values_with(settings));
     RandomNumbers random(3);
     double sum = 0;
     int count = 0;
@@ -247,7 +247,7 @@ double mean_error(int fragments, const ParameterSettings& settings) {
         std::vector<float> depths;
         for (const Fragment& f : ray.fragments) depths.push_back(f.depth);
         const std::vector<double> truth = true_absorbance(ray, depths);
-        const std::vector<float> t = method_transmittance(ray, technique, method, depths);
+        const std::vector<float> t = pixel_state_transmittance(ray, technique, pixel_state, depths);
         for (std::size_t i = 0; i < t.size(); ++i, ++count)
             sum += std::abs(static_cast<double>(t[i]) - std::exp(-truth[i]));
     }

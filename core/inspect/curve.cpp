@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/inspect/drawn_fragments.hpp"
-#include "core/inspect/method_pixel.hpp"
+#include "core/inspect/pixel_state_curve.hpp"
 
 namespace momentscope {
 
@@ -38,12 +38,12 @@ Curve sample_curve(const ViewRay& ray, const Technique& technique, const Paramet
     curve.total_absorbance = total_absorbance(ray);
     curve.depth.assign(depths.begin(), depths.end());
     curve.truth = true_absorbance(ray, depths);
-    if (technique.method != nullptr) {
-        if (!technique.method->has_depths() || why_refused(technique, values) != nullptr) return curve;
+    if (technique.pixel_state != nullptr) {
+        if (!technique.pixel_state->has_depths() || why_refused(technique, values) != nullptr) return curve;
         // A pixel of a scene without its neighbours' fragments: captured for a technique without low
         // resolution.
-        if (curve.parameters.method.divisor > 1 && ray.shares.empty() && ray.far_plane > 0) return curve;
-        for (const float t : method_transmittance(ray, technique, curve.parameters.method, depths))
+        if (curve.parameters.pixel_state.divisor > 1 && ray.shares.empty() && ray.far_plane > 0) return curve;
+        for (const float t : pixel_state_transmittance(ray, technique, curve.parameters.pixel_state, depths))
             curve.reconstructed.push_back(
                 static_cast<float>(shown_absorbance(static_cast<double>(t), curve.total_absorbance)));
         return curve;

@@ -30,7 +30,7 @@ ordered_json moments_json(const Curve& curve) {
 ordered_json parameters_json(const Curve& curve) {
     ordered_json values = ordered_json::object();
     for (const Parameter& row : parameters())
-        if (curve.technique->method != nullptr && curve.technique->uses(row.id))
+        if (curve.technique->pixel_state != nullptr && curve.technique->uses(row.id))
             values[row.key] = parameter_text(row, curve.values[row.id]);
     if (curve.technique->uses(ParameterId::beta)) values["beta"] = curve.parameters.beta;
     if (curve.technique->uses(ParameterId::theta)) values["theta"] = curve.parameters.theta;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "core/inspect/method_pixel.hpp"
+#include "core/inspect/pixel_state_curve.hpp"
 
 namespace momentscope {
 
@@ -14,7 +14,8 @@ std::vector<bool> drawn_flags(const ViewRay& ray, const Technique& technique) {
     std::set<float> taken;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         const Fragment& fragment = ray.fragments[i];
-        drawn[i] = taken.insert(known ? method_fragment(ray, fragment).window_depth : fragment.depth).second;
+        drawn[i] =
+            taken.insert(known ? pixel_state_fragment(ray, fragment).window_depth : fragment.depth).second;
     }
     return drawn;
 }

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/inspect/drawn_fragments.hpp"
-#include "core/inspect/method_pixel.hpp"
+#include "core/inspect/pixel_state_curve.hpp"
 
 namespace momentscope {
 
@@ -38,8 +38,8 @@ PixelColors pixel_colors(const ViewRay& ray, const std::vector<PixelHistoryRow>&
         absorbance += row.absorbance;
         weighted += row.source;
     }
-    if (technique.method != nullptr) {
-        colors.technique = method_color(ray, technique, parameters, background);
+    if (technique.pixel_state != nullptr) {
+        colors.technique = pixel_state_color(ray, technique, parameters, background);
         return colors;
     }
     const float behind = std::exp(-absorbance);

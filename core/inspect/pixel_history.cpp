@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "core/inspect/drawn_fragments.hpp"
-#include "core/inspect/method_pixel.hpp"
+#include "core/inspect/pixel_state_curve.hpp"
 
 namespace momentscope {
 
@@ -15,8 +15,8 @@ std::vector<PixelHistoryRow> pixel_history(const ViewRay& ray, std::span<const f
     std::vector<float> depths;
     for (const Fragment& fragment : ray.fragments) depths.push_back(fragment.depth);
     const Curve curve = sample_curve(ray, technique, values, depths);
-    const std::vector<float> own = technique.method != nullptr
-                                       ? own_transmittance(ray, technique, curve.parameters.method)
+    const std::vector<float> own = technique.pixel_state != nullptr
+                                       ? own_transmittance(ray, technique, curve.parameters.pixel_state)
                                        : std::vector<float>();
     const std::vector<bool> drawn = drawn_flags(ray, technique);
     std::vector<PixelHistoryRow> in_submission_order;

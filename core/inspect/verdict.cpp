@@ -8,8 +8,8 @@
 
 #include "core/inspect/drawn_fragments.hpp"
 #include "core/inspect/exact.hpp"
-#include "core/inspect/method_pixel.hpp"
 #include "core/inspect/pixel_color.hpp"
+#include "core/inspect/pixel_state_curve.hpp"
 
 namespace momentscope {
 
@@ -105,17 +105,17 @@ ViewRay best_ordered(const ViewRay& ray, Accumulation accumulation) {
     return sorted;
 }
 
-std::vector<Step> method_steps(const ViewRay& ray, const Technique& technique, const ParameterValues& values,
-                               const glm::vec3& behind) {
+std::vector<Step> pixel_state_steps(const ViewRay& ray, const Technique& technique,
+                                    const ParameterValues& values, const glm::vec3& behind) {
     const ViewRay sorted =
-        technique.order_dependent ? best_ordered(ray, technique.method->accumulation) : ray;
+        technique.order_dependent ? best_ordered(ray, technique.pixel_state->accumulation) : ray;
     ParameterValues ideal = values;
     std::vector<Step> steps;
-    if (!technique.method->holds_colors && technique.method->has_depths())
+    if (!technique.pixel_state->holds_colors && technique.pixel_state->has_depths())
         add_step_of_ties(steps, ray, resolve(values, technique).renormalize, behind);
     const auto add = [&](const char* cause, const ViewRay& of) {
         const ResolvedParameters parameters = resolve(ideal, technique);
-        steps.push_back({cause, glm::dvec3(method_color(of, technique, parameters, behind))});
+        steps.push_back({cause, glm::dvec3(pixel_state_color(of, technique, parameters, behind))});
     };
     constexpr float FLOATS = 2;  // of ParameterId::layer_bits
     if (technique.uses(ParameterId::layer_bits)) ideal.set(ParameterId::layer_bits, FLOATS);
@@ -212,8 +212,9 @@ Verdict pixel_verdict(const ViewRay& ray, const Technique& technique, const Para
     ParameterValues chained = values;
     if (harmful_renormalization(ray, technique, values, behind, verdict.error))
         chained.set(ParameterId::renormalize, 0.0f);  // and it is the last step
-    std::vector<Step> steps = technique.method != nullptr ? method_steps(ray, technique, chained, behind)
-                                                          : moment_steps(ray, technique, chained, behind);
+    std::vector<Step> steps = technique.pixel_state != nullptr
+                                  ? pixel_state_steps(ray, technique, chained, behind)
+                                  : moment_steps(ray, technique, chained, behind);
     if (chained != values) steps.push_back({"renormalisation", shown});
     const glm::dvec3 direction = verdict.error > 0 ? (shown - truth) / verdict.error : glm::dvec3(0);
     glm::dvec3 before = truth;

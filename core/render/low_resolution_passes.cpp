@@ -75,7 +75,7 @@ void LowResolutionPasses::convert(const PassInput& input) {
 }
 
 void LowResolutionPasses::draw_moments(const PassInput& input) {
-    settings_ = input.parameters.method;
+    settings_ = input.parameters.pixel_state;
     make_targets(settings_.divisor);
     glViewport(0, 0, low_size_.x, low_size_.y);
     if (low_depth_ != 0) draw_low_depth(input);

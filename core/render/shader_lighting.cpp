@@ -19,9 +19,10 @@ ShaderNamespace opaque_namespace(const OpaqueShadow& row) {
 
 ShaderNamespace transparent_namespace(const Configuration& transparent) {
     const Technique& technique = *transparent.technique;
-    ShaderVariant variant = technique.kernel != nullptr
-                                ? moment_variant(technique)
-                                : state_variant(technique, technique.method_settings(transparent.values));
+    ShaderVariant variant =
+        technique.kernel != nullptr
+            ? moment_variant(technique)
+            : state_variant(technique, technique.pixel_state_settings(transparent.values));
     return {std::move(variant.defines), std::move(variant.technique), std::move(variant.constants)};
 }
 

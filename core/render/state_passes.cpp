@@ -26,14 +26,14 @@ Blending blending_of(Accumulation accumulation) {
 
 }  // namespace
 
-int texel_count(const Technique& technique, const MethodSettings& settings) {
+int texel_count(const Technique& technique, const PixelStateSettings& settings) {
     return (technique.state_floats(settings) + 3) / 4;
 }
 
-ShaderVariant state_variant(const Technique& technique, const MethodSettings& settings) {
+ShaderVariant state_variant(const Technique& technique, const PixelStateSettings& settings) {
     ShaderVariant variant = {.defines = {{"PIXEL_STATE", "1"},
-                                         {"METHOD_SIZE", std::to_string(settings.size)},
-                                         {"METHOD_OPTION", std::to_string(settings.option)},
+                                         {"PIXEL_STATE_SIZE", std::to_string(settings.size)},
+                                         {"PIXEL_STATE_OPTION", std::to_string(settings.option)},
                                          {"STATE_TEXELS", std::to_string(texel_count(technique, settings))}},
                              .technique = fmt::format("shared/{}.glsl", technique.math_file)};
     if (settings.divisor > 1) variant.defines["LOW_RESOLUTION"] = "1";
@@ -41,7 +41,7 @@ ShaderVariant state_variant(const Technique& technique, const MethodSettings& se
     return variant;
 }
 
-ShaderVariant state_building_variant(const Technique& technique, const MethodSettings& settings,
+ShaderVariant state_building_variant(const Technique& technique, const PixelStateSettings& settings,
                                      OrderedAccess access) {
     ShaderVariant variant = state_variant(technique, settings);
     define_access(variant, access);
@@ -56,9 +56,9 @@ StatePasses::StatePasses(const Technique& technique, glm::ivec2 size, GLuint dep
     if (const std::string why = why_unavailable(technique, access); !why.empty())
         throw Error(fmt::format("{} cannot be drawn here. {}", technique.name, why));
     depth_target_ = make_framebuffer({}, depth);
-    if (technique.method->holds_colors) return;
+    if (technique.pixel_state->holds_colors) return;
     weighted_color_ = make_texture(GL_RGBA32F, size);
-    if (technique.method->own_absorbance < 0) {
+    if (technique.pixel_state->own_absorbance < 0) {
         color_target_ = make_framebuffer({weighted_color_}, depth);
     } else {
         own_absorbance_ = make_texture(GL_RGBA32F, size);
@@ -67,10 +67,10 @@ StatePasses::StatePasses(const Technique& technique, glm::ivec2 size, GLuint dep
 }
 
 // How many numbers a pixel stores depends on parameters.
-void StatePasses::make_states(const MethodSettings& settings) {
+void StatePasses::make_states(const PixelStateSettings& settings) {
     const auto count = static_cast<std::size_t>(texel_count(technique_, settings));
     settings_ = settings;
-    if (technique_.method->accumulation == Accumulation::samples) make_samples(settings.size);
+    if (technique_.pixel_state->accumulation == Accumulation::samples) make_samples(settings.size);
     if (states_.size() == count) return;
     states_.clear();
     std::vector<GLuint> names;
@@ -79,7 +79,7 @@ void StatePasses::make_states(const MethodSettings& settings) {
         names.push_back(states_.back());
     }
     GLuint depth = depth_;
-    if (technique_.method->accumulation == Accumulation::nearest)
+    if (technique_.pixel_state->accumulation == Accumulation::nearest)
         depth = nearest_depth_ = make_texture(GL_DEPTH_COMPONENT32F, size_);
     state_target_ = make_framebuffer(names.data(), static_cast<int>(count), depth);
 }
@@ -95,7 +95,7 @@ void StatePasses::make_samples(int count) {
 }
 
 void StatePasses::clear_states() const {
-    const PixelState empty = technique_.method->empty_state(settings_);
+    const PixelState empty = technique_.pixel_state->empty_state(settings_);
     for (std::size_t i = 0; i < states_.size(); ++i)
         glClearNamedFramebufferfv(state_target_, GL_COLOR, static_cast<GLint>(i), &empty.f[4 * i]);
     const GLuint nothing = std::bit_cast<GLuint>(empty.f[1]);
@@ -105,7 +105,7 @@ void StatePasses::clear_states() const {
 }
 
 void StatePasses::draw_moments(const PassInput& input) {
-    make_states(input.parameters.method);
+    make_states(input.parameters.pixel_state);
     clear_states();
     glUseProgram(
         input.programs.get("passes/scene.vert", "passes/state.frag",
@@ -114,7 +114,7 @@ void StatePasses::draw_moments(const PassInput& input) {
 }
 
 void StatePasses::draw_states(const PassInput& input) const {
-    if (technique_.method->accumulation == Accumulation::nearest) {
+    if (technique_.pixel_state->accumulation == Accumulation::nearest) {
         glBindTextureUnit(OPAQUE_DEPTH_UNIT, depth_);
         draw_nearest(input.scene, state_target_);
         return;
@@ -124,15 +124,15 @@ void StatePasses::draw_states(const PassInput& input) const {
     for (std::size_t i = 0; by_images && i < states_.size(); ++i)
         glBindImageTexture(static_cast<GLuint>(i), states_[i], 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
     draw_transparent(input.scene, by_images ? depth_target_ : state_target_,
-                     blending_of(technique_.method->accumulation));
+                     blending_of(technique_.pixel_state->accumulation));
     if (by_images || samples_ != 0)
         glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
                         GL_TEXTURE_UPDATE_BARRIER_BIT);
 }
 
 void StatePasses::draw_color(const PassInput& input) {
-    settings_ = input.parameters.method;  // an option may have changed that stores nothing
-    if (technique_.method->holds_colors) return;
+    settings_ = input.parameters.pixel_state;  // an option may have changed that stores nothing
+    if (technique_.pixel_state->holds_colors) return;
     clear_colors(color_target_, own_absorbance_ != 0 ? 2 : 1);
     glUseProgram(input.programs.get("passes/scene.vert", "passes/state_color.frag",
                                     input.lean(input.lit(state_variant(technique_, settings_)))));
@@ -141,7 +141,7 @@ void StatePasses::draw_color(const PassInput& input) {
 }
 
 void StatePasses::draw_composite(const PassInput& input) {
-    settings_ = input.parameters.method;  // or one that weighs nothing
+    settings_ = input.parameters.pixel_state;  // or one that weighs nothing
     glUseProgram(input.programs.get("passes/fullscreen.vert", "passes/state_composite.frag",
                                     state_variant(technique_, settings_)));
     glBindTextureUnit(0, input.opaque_color);
@@ -152,9 +152,9 @@ void StatePasses::draw_composite(const PassInput& input) {
 }
 
 std::optional<ShaderVariant> StatePasses::bind_for_capture(const ResolvedParameters& parameters) const {
-    if (!technique_.method->has_depths()) return std::nullopt;
+    if (!technique_.pixel_state->has_depths()) return std::nullopt;
     bind_states();
-    return state_variant(technique_, parameters.method);
+    return state_variant(technique_, parameters.pixel_state);
 }
 
 void StatePasses::bind_states() const {

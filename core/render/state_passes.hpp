@@ -7,14 +7,14 @@
 namespace momentscope {
 
 /// The shader variant that knows a technique with these settings, and reads what it stores.
-ShaderVariant state_variant(const Technique& technique, const MethodSettings& settings);
+ShaderVariant state_variant(const Technique& technique, const PixelStateSettings& settings);
 
 /// The one that builds it. access: none for what blending can do.
-ShaderVariant state_building_variant(const Technique& technique, const MethodSettings& settings,
+ShaderVariant state_building_variant(const Technique& technique, const PixelStateSettings& settings,
                                      OrderedAccess access);
 
 /// Groups of four numbers that a pixel stores.
-int texel_count(const Technique& technique, const MethodSettings& settings);
+int texel_count(const Technique& technique, const PixelStateSettings& settings);
 
 class StatePasses : public Transparency {
 public:
@@ -32,10 +32,10 @@ protected:
 
     const Technique& technique_;
     glm::ivec2 size_;
-    MethodSettings settings_;
+    PixelStateSettings settings_;
 
 private:
-    void make_states(const MethodSettings& settings);
+    void make_states(const PixelStateSettings& settings);
     void make_samples(int count);
     void clear_states() const;
     void draw_states(const PassInput& input) const;

@@ -40,7 +40,8 @@ Stage first_stale_stage(const View& before, const View& after) {
         return Stage::opaque;
     const Stage first = first_stale_of_technique(before, after);
     if (!light_changed(before, after)) return first;
-    const bool colors_first = after.technique->method != nullptr && after.technique->method->holds_colors;
+    const bool colors_first =
+        after.technique->pixel_state != nullptr && after.technique->pixel_state->holds_colors;
     return first <= Stage::moments || colors_first ? Stage::opaque : Stage::shading;
 }
 

@@ -21,8 +21,8 @@ double absorbance_in_front(const LightTexel& texel, float depth) {
     return sum;
 }
 
-MethodFragment receiver_fragment(float depth) {
-    MethodFragment fragment;
+PixelStateFragment receiver_fragment(float depth) {
+    PixelStateFragment fragment;
     fragment.depth = 0.5f * (depth + 1.0f);
     fragment.view_depth = 1;
     fragment.window_depth = fragment.plane_depth = fragment.depth;
@@ -77,10 +77,11 @@ float light_transmittance(const LightBundle& bundle, const Configuration& transp
     if (technique.is_truth()) return static_cast<float>(deep_transmittance(bundle, depth));
     assert(!bundle.sums.empty() && "the map of the bundle is of another technique");
     const ResolvedParameters parameters = resolve(transparent.values, technique);
-    if (technique.method != nullptr) {
+    if (technique.pixel_state != nullptr) {
         PixelState state;
         std::ranges::copy(bundle.sums, state.f.begin());
-        return technique.method->transmittance_at(state, receiver_fragment(depth), parameters.method);
+        return technique.pixel_state->transmittance_at(state, receiver_fragment(depth),
+                                                       parameters.pixel_state);
     }
     MomentVector moments;
     moments.b0 = bundle.sums.front();

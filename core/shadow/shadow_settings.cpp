@@ -73,14 +73,15 @@ bool same_lookup(const ShadowSettings& a, const ShadowSettings& b) {
     return same(ParameterId::beta, &ResolvedParameters::beta) &&
            same(ParameterId::alpha, &ResolvedParameters::alpha) &&
            same(ParameterId::theta, &ResolvedParameters::theta) &&
-           same(ParameterId::tolerance, &ResolvedParameters::tolerance) && before.method == after.method;
+           same(ParameterId::tolerance, &ResolvedParameters::tolerance) &&
+           before.pixel_state == after.pixel_state;
 }
 
 int texel_numbers(const Configuration& configuration) {
     const Technique& technique = *configuration.technique;
     if (technique.kernel != nullptr) return 1 + technique.kernel->moment_floats;
-    if (technique.method != nullptr)
-        return technique.state_floats(technique.method_settings(configuration.values));
+    if (technique.pixel_state != nullptr)
+        return technique.state_floats(technique.pixel_state_settings(configuration.values));
     return 0;
 }
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "core/techniques/method_techniques.hpp"
 #include "core/techniques/moment_kernel.hpp"
 #include "core/techniques/moment_techniques.hpp"
+#include "core/techniques/pixel_state_techniques.hpp"
 
 namespace momentscope {
 
@@ -49,26 +49,27 @@ Technique moment_technique(const MomentKernel& kernel, const char* basis, int mo
 }
 
 /// Sets of five numbers: what is added up in floats, and what is read where it is converted.
-int moment_transparency_bits(const MethodSettings& settings) {
+int moment_transparency_bits(const PixelStateSettings& settings) {
     constexpr int READ_BITS[] = {0, 80, 96, 64};  // with b_0, a half float or a float
     const int sets = settings.size / 8;
     const int pixels = settings.divisor * settings.divisor;  // that share one
     return (sets * (160 + READ_BITS[settings.option % 4]) + pixels - 1) / pixels;
 }
 
-Technique method_technique(const MethodKernel& kernel, const char* file, const char* id, const char* name,
-                           std::vector<ParameterId> parameters,
-                           MethodSettings (*settings)(const ParameterValues&),
-                           int (*state_floats)(const MethodSettings&), int (*bits)(const MethodSettings&),
-                           const char* description, const char* source) {
+Technique pixel_state_technique(const PixelStateKernel& kernel, const char* file, const char* id,
+                                const char* name, std::vector<ParameterId> parameters,
+                                PixelStateSettings (*settings)(const ParameterValues&),
+                                int (*state_floats)(const PixelStateSettings&),
+                                int (*bits)(const PixelStateSettings&), const char* description,
+                                const char* source) {
     return {.id = id,
             .name = name,
             .description = description,
             .source = source,
             .path = RenderPath::states,
             .math_file = file,
-            .method = &kernel,
-            .method_settings = settings,
+            .pixel_state = &kernel,
+            .pixel_state_settings = settings,
             .state_floats = state_floats,
             .state_bits = bits,
             .parameters = std::move(parameters),
@@ -85,14 +86,14 @@ std::vector<Technique> make_rows() {
 #undef MOMENT_TECHNIQUE
     };
 #define PARAMETERS(...) {__VA_ARGS__}
-#define METHOD_TECHNIQUE(id, file, key, name, parameters, settings, floats, bits, description, source) \
-    rows.push_back(method_technique(                                                                   \
-        method_kernel(MethodKernelTag<MethodTechnique::id>()), #file, key, name, parameters,           \
-        []([[maybe_unused]] const ParameterValues& values) { return MethodSettings(settings); },       \
-        []([[maybe_unused]] const MethodSettings& s) { return floats; },                               \
-        []([[maybe_unused]] const MethodSettings& s) { return bits; }, description, source));
-#include "core/techniques/method_techniques.def"
-#undef METHOD_TECHNIQUE
+#define PIXEL_STATE_TECHNIQUE(id, file, key, name, parameters, settings, floats, bits, description, source) \
+    rows.push_back(pixel_state_technique(                                                                   \
+        pixel_state_kernel(PixelStateKernelTag<PixelStateTechnique::id>()), #file, key, name, parameters,   \
+        []([[maybe_unused]] const ParameterValues& values) { return PixelStateSettings(settings); },        \
+        []([[maybe_unused]] const PixelStateSettings& s) { return floats; },                                \
+        []([[maybe_unused]] const PixelStateSettings& s) { return bits; }, description, source));
+#include "core/techniques/pixel_state_techniques.def"
+#undef PIXEL_STATE_TECHNIQUE
 #undef PARAMETERS
     rows.push_back(
         {.id = "sorted",
@@ -148,10 +149,10 @@ const Technique& require_technique(std::string_view id) {
 }
 
 float automatic_bias(const ParameterValues& values, const Technique& technique) {
-    if (technique.method != nullptr) {
+    if (technique.pixel_state != nullptr) {
         ParameterValues automatic = values;
         automatic.set(ParameterId::alpha, std::nullopt);
-        return technique.method_settings(automatic).bias;
+        return technique.pixel_state_settings(automatic).bias;
     }
     return values[ParameterId::preset].value_or(0.0f) >= 0.5f ? technique.robust_bias
                                                               : technique.recommended_bias;
@@ -168,11 +169,12 @@ ResolvedParameters resolve(const ParameterValues& values, const Technique& techn
             .tolerance = technique.uses(ParameterId::tolerance) ? *values[ParameterId::tolerance] : 0.0f,
             .ordered = on(ParameterId::accumulation) || needs_order(technique),
             .renormalize = values[ParameterId::renormalize].value_or(1.0f) >= 0.5f,
-            .method = technique.method != nullptr ? technique.method_settings(values) : MethodSettings()};
+            .pixel_state = technique.pixel_state != nullptr ? technique.pixel_state_settings(values)
+                                                            : PixelStateSettings()};
 }
 
 int stored_bits(const Technique& technique, const ParameterValues& values) {
-    if (technique.method != nullptr) return technique.state_bits(technique.method_settings(values));
+    if (technique.pixel_state != nullptr) return technique.state_bits(technique.pixel_state_settings(values));
     if (technique.kernel != nullptr) return technique.kernel->bits * (1 + technique.kernel->moment_floats);
     return technique.truth_bits;
 }
@@ -199,11 +201,12 @@ const char* why_refused(const Technique& technique, const ParameterValues& value
 
 bool needs_order(const Technique& technique) {
     return (technique.kernel != nullptr && technique.kernel->bits == 16) ||
-           (technique.method != nullptr && technique.method->accumulation == Accumulation::ordered);
+           (technique.pixel_state != nullptr && technique.pixel_state->accumulation == Accumulation::ordered);
 }
 
 bool has_function(const Technique& technique) {
-    return technique.kernel != nullptr || (technique.method != nullptr && technique.method->has_depths());
+    return technique.kernel != nullptr ||
+           (technique.pixel_state != nullptr && technique.pixel_state->has_depths());
 }
 
 float basis_parameter(const ResolvedParameters& parameters, const Technique& technique) {

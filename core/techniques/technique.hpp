@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/parameters.hpp"
-#include "core/techniques/method_kernel.hpp"
+#include "core/techniques/pixel_state_kernel.hpp"
 
 namespace momentscope {
 
@@ -27,11 +27,12 @@ struct Technique {
     const char* basis = nullptr;           // shaders/shared/<basis>_moments.glsl, or null
     int moment_count = 0;                  // m
     const char* math_file = nullptr;       // shaders/shared/<math_file>.glsl of techniques without moments
-    const MethodKernel* method = nullptr;  // of techniques that store something else than moments
-    MethodSettings (*method_settings)(const ParameterValues&) = nullptr;  // what parameters choose of it
-    int (*state_floats)(const MethodSettings&) = nullptr;                 // numbers that a pixel stores then
-    int (*state_bits)(const MethodSettings&) = nullptr;                   // bits that they need as published
-    std::vector<ParameterId> parameters = {};                             // those that it reads
+    const PixelStateKernel* pixel_state = nullptr;  // of techniques that store something else than moments
+    PixelStateSettings (*pixel_state_settings)(const ParameterValues&) =
+        nullptr;                                               // what parameters choose of it
+    int (*state_floats)(const PixelStateSettings&) = nullptr;  // numbers that a pixel stores then
+    int (*state_bits)(const PixelStateSettings&) = nullptr;    // bits that they need as published
+    std::vector<ParameterId> parameters = {};                  // those that it reads
     float recommended_bias = 0;    // what alpha = auto means with the preset table1
     float robust_bias = 0;         // and with the preset robust (docs/bias.md)
     bool has_bounds = false;       // beta = 0 and beta = 1 bound the truth (of the biased moments)
@@ -45,7 +46,7 @@ struct Technique {
         return basis != nullptr &&
                (std::string_view(basis) == "chebyshev" || std::string_view(basis) == "nested");
     }
-    bool is_truth() const { return kernel == nullptr && method == nullptr; }
+    bool is_truth() const { return kernel == nullptr && pixel_state == nullptr; }
 };
 
 /// All techniques, in the order in which they are listed; ids are unique.
@@ -69,7 +70,7 @@ struct ResolvedParameters {
     float tolerance = 0;         // epsilon of orders that are chosen per fragment
     bool ordered = false;        // moments are summed in order, not by blending
     bool renormalize = true;
-    MethodSettings method = {};
+    PixelStateSettings pixel_state = {};
 };
 ResolvedParameters resolve(const ParameterValues& values, const Technique& technique);
 

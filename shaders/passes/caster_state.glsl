@@ -2,20 +2,20 @@
 
 struct CasterSums { float f[16]; };
 
-FN MethodSettings caster_settings()
+FN PixelStateSettings caster_settings()
 {
-    MethodSettings settings;
-    settings.size = METHOD_SIZE;
-    settings.option = METHOD_OPTION;
+    PixelStateSettings settings;
+    settings.size = PIXEL_STATE_SIZE;
+    settings.option = PIXEL_STATE_OPTION;
     settings.overestimation = 0.0;
     settings.bias = 0.0;
     return settings;
 }
 
 /// What it knows of a caster or a receiver is its depth, in [-1, 1].
-FN MethodFragment caster_fragment(float depth, float opacity)
+FN PixelStateFragment caster_fragment(float depth, float opacity)
 {
-    MethodFragment fragment;
+    PixelStateFragment fragment;
     fragment.depth = 0.5 * (depth + 1.0);
     fragment.view_depth = 1.0;
     fragment.window_depth = fragment.depth;

@@ -13,7 +13,7 @@
 #ifdef SECOND_PASS
 #include "passes/stored_state.glsl"
 #else
-#include "passes/method_fragment.glsl"
+#include "passes/pixel_state_fragment.glsl"
 #endif
 #include "passes/state_targets.glsl"
 
@@ -25,19 +25,19 @@ layout(early_fragment_tests) in;
 
 void main()
 {
-    MethodFragment fragment = method_fragment(shaded(object.color_opacity.rgb));
+    PixelStateFragment fragment = pixel_state_fragment(shaded(object.color_opacity.rgb));
 #ifdef STATE_ORDERED
 #ifdef INTERLOCK
     beginInvocationInterlockARB();
 #endif
-    write_state(with_fragment(read_state(), fragment, method_settings()));
+    write_state(with_fragment(read_state(), fragment, pixel_state_settings()));
 #ifdef INTERLOCK
     endInvocationInterlockARB();
 #endif
 #elif defined(SECOND_PASS)
-    write_state(second_fragment_state(stored_state(ivec2(gl_FragCoord.xy)), fragment, method_settings()));
+    write_state(second_fragment_state(stored_state(ivec2(gl_FragCoord.xy)), fragment, pixel_state_settings()));
 #else
-    PixelState state = fragment_state(fragment, method_settings());
+    PixelState state = fragment_state(fragment, pixel_state_settings());
 #ifdef STATE_NEAREST
     if (state.f[3] == NO_DEPTH) discard;
     if (gl_FragCoord.z >= texelFetch(opaque_depth_texture, ivec2(gl_FragCoord.xy), 0).x) discard;

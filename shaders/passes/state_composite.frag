@@ -22,7 +22,7 @@ void main()
 #ifdef OWN_ABSORBANCE
     state.f[OWN_ABSORBANCE] = texelFetch(own_absorbance_texture, pixel, 0).x;
 #endif
-    Composited all = composited(state, method_settings());
+    Composited all = composited(state, pixel_state_settings());
 #ifdef HOLDS_COLORS
     vec3 transparent_color = vec3(all.red, all.green, all.blue);
 #else

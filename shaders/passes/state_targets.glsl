@@ -20,7 +20,7 @@ layout(binding = 0, r32ui) uniform coherent uimage2DArray sample_images;
 #if defined(INTERLOCK) || defined(FRAMEBUFFER_FETCH)
 PixelState read_state()
 {
-    PixelState state = empty_state(method_settings());
+    PixelState state = empty_state(pixel_state_settings());
     for (int i = 0; i < STATE_TEXELS; ++i)
     {
 #ifdef INTERLOCK
@@ -48,7 +48,7 @@ void write_state(PixelState state)
     }
 #ifdef STATE_SAMPLES
     // Depths are not negative, so that their bits have their order.
-    for (int s = 0; s < METHOD_SIZE; ++s)
+    for (int s = 0; s < PIXEL_STATE_SIZE; ++s)
         imageAtomicMin(sample_images, ivec3(ivec2(gl_FragCoord.xy), s), floatBitsToUint(state.f[1 + s]));
 #endif
 }

@@ -1,6 +1,6 @@
 // stored_state.glsl -- what a pixel stores under a technique without moments: how passes read it and ask it. STATE_TEXELS
 // textures of four floats.
-#include "passes/method_fragment.glsl"
+#include "passes/pixel_state_fragment.glsl"
 
 layout(binding = 2) uniform sampler2D state_textures[STATE_TEXELS];
 #ifdef STATE_SAMPLES
@@ -9,10 +9,10 @@ layout(binding = 3) uniform usampler2DArray sample_depths;
 
 PixelState state_at(ivec2 texel)
 {
-    PixelState state = empty_state(method_settings());
+    PixelState state = empty_state(pixel_state_settings());
     for (int i = 0; i < STATE_TEXELS; ++i) state = with_texel(state, i, texelFetch(state_textures[i], texel, 0));
 #ifdef STATE_SAMPLES
-    for (int s = 0; s < METHOD_SIZE; ++s) state.f[1 + s] = uintBitsToFloat(texelFetch(sample_depths, ivec3(texel, s), 0).x);
+    for (int s = 0; s < PIXEL_STATE_SIZE; ++s) state.f[1 + s] = uintBitsToFloat(texelFetch(sample_depths, ivec3(texel, s), 0).x);
 #endif
     return state;
 }
@@ -22,7 +22,7 @@ PixelState state_at(ivec2 texel)
 
 PixelState with_share(PixelState sum, float share, ivec2 texel)
 {
-    PixelState part = filterable(state_at(texel), method_settings());
+    PixelState part = filterable(state_at(texel), pixel_state_settings());
     PixelState result = sum;
     for (int i = 0; i < MAX_STATE_FLOATS; ++i) result.f[i] = sum.f[i] + share * part.f[i];
     return result;
@@ -42,7 +42,7 @@ PixelState stored_state(ivec2 pixel)
 #elif defined(SECOND_STATE)
 PixelState stored_state(ivec2 pixel)
 {
-    return filterable(state_at(pixel), method_settings());
+    return filterable(state_at(pixel), pixel_state_settings());
 }
 #else
 PixelState stored_state(ivec2 pixel)
@@ -58,7 +58,7 @@ float fragment_transmittance()
 #ifdef WITHOUT_DEPTHS
     return 1.0;
 #else
-    return transmittance_at(stored_state(ivec2(gl_FragCoord.xy)), method_fragment(vec3(0.0)), method_settings());
+    return transmittance_at(stored_state(ivec2(gl_FragCoord.xy)), pixel_state_fragment(vec3(0.0)), pixel_state_settings());
 #endif
 }
 #endif

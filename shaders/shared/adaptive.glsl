@@ -10,7 +10,7 @@ const float NO_DEPTH = 2.0f;   // of a node that holds nothing yet: behind every
 struct NodeList { float depth[9]; float t[9]; };
 
 /// Depth and transmittance behind it in turn, ascending in depth. Empty nodes have the transmittance of all.
-FN PixelState empty_state(IN(MethodSettings) settings)
+FN PixelState empty_state(IN(PixelStateSettings) settings)
 {
     PixelState state;
     UNROLL
@@ -23,7 +23,7 @@ FN PixelState empty_state(IN(MethodSettings) settings)
 }
 
 /// The nodes with one more: it occludes itself and all behind.
-FN NodeList with_node(IN(PixelState) stored, IN(MethodFragment) fragment, int size)
+FN NodeList with_node(IN(PixelState) stored, IN(PixelStateFragment) fragment, int size)
 {
     NodeList list;
     float through = transmittance_of_opacity(fragment.opacity);
@@ -62,7 +62,7 @@ FN int least_node(IN(NodeList) list, int size)
     return least;
 }
 
-FN PixelState with_fragment(IN(PixelState) stored, IN(MethodFragment) fragment, IN(MethodSettings) settings)
+FN PixelState with_fragment(IN(PixelState) stored, IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     NodeList list = with_node(stored, fragment, settings.size);
     int removed = least_node(list, settings.size);
@@ -78,7 +78,7 @@ FN PixelState with_fragment(IN(PixelState) stored, IN(MethodFragment) fragment, 
 }
 
 /// T of the last node strictly in front.
-FN float transmittance_at(IN(PixelState) state, IN(MethodFragment) fragment, IN(MethodSettings) settings)
+FN float transmittance_at(IN(PixelState) state, IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     float t = 1.0f;
     UNROLL
@@ -86,7 +86,7 @@ FN float transmittance_at(IN(PixelState) state, IN(MethodFragment) fragment, IN(
     return t;
 }
 
-FN Composited composited(IN(PixelState) state, IN(MethodSettings) settings)
+FN Composited composited(IN(PixelState) state, IN(PixelStateSettings) settings)
 {
     return transparent(state.f[2 * settings.size - 1]);
 }

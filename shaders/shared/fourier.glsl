@@ -7,7 +7,7 @@
 const int MAX_FREQUENCY = 7;
 
 /// a_0, then a_k and b_k in turn.
-FN PixelState empty_state(IN(MethodSettings) settings)
+FN PixelState empty_state(IN(PixelStateSettings) settings)
 {
     return zero_state();
 }
@@ -45,7 +45,7 @@ FN Waves depth_waves(float depth)
 }
 
 /// 2 A_l cos(2 pi k d_l) and 2 A_l sin(2 pi k d_l).
-FN PixelState fragment_state(IN(MethodFragment) fragment, IN(MethodSettings) settings)
+FN PixelState fragment_state(IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     PixelState state = zero_state();
     float absorbance = absorbance_of_opacity(fragment.opacity);
@@ -62,7 +62,7 @@ FN PixelState fragment_state(IN(MethodFragment) fragment, IN(MethodSettings) set
 }
 
 /// A(d) = a_0 d / 2 + sum of (a_k sin(2 pi k d) + b_k (1 - cos(2 pi k d))) / (2 pi k). It rings: neither monotone nor positive.
-FN float absorbance_at(IN(PixelState) state, float depth, IN(MethodSettings) settings)
+FN float absorbance_at(IN(PixelState) state, float depth, IN(PixelStateSettings) settings)
 {
     Waves waves = depth_waves(depth);
     float lanczos_angle = PI / (float(settings.size) + 1.0f);
@@ -79,13 +79,13 @@ FN float absorbance_at(IN(PixelState) state, float depth, IN(MethodSettings) set
     return absorbance;
 }
 
-FN float transmittance_at(IN(PixelState) state, IN(MethodFragment) fragment, IN(MethodSettings) settings)
+FN float transmittance_at(IN(PixelState) state, IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     return transmittance_of(max(absorbance_at(state, fragment.depth, settings), 0.0f));
 }
 
 /// A(1) = a_0 / 2 is exact.
-FN Composited composited(IN(PixelState) state, IN(MethodSettings) settings)
+FN Composited composited(IN(PixelState) state, IN(PixelStateSettings) settings)
 {
     return transparent(transmittance_of(0.5f * state.f[0]));
 }

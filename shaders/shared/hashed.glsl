@@ -8,14 +8,14 @@
 const float NO_DEPTH = 2.0f;   // where nothing is drawn
 
 /// Colour and depth of what is drawn.
-FN PixelState empty_state(IN(MethodSettings) settings)
+FN PixelState empty_state(IN(PixelStateSettings) settings)
 {
     PixelState state = zero_state();
     state.f[3] = NO_DEPTH;
     return state;
 }
 
-FN PixelState fragment_state(IN(MethodFragment) fragment, IN(MethodSettings) settings)
+FN PixelState fragment_state(IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     PixelState state = empty_state(settings);
     if (fragment.opacity < fragment.threshold) return state;
@@ -27,13 +27,13 @@ FN PixelState fragment_state(IN(MethodFragment) fragment, IN(MethodSettings) set
 }
 
 /// 1 up to the depth of what is drawn, 0 behind it and for fragments that are not drawn.
-FN float transmittance_at(IN(PixelState) state, IN(MethodFragment) fragment, IN(MethodSettings) settings)
+FN float transmittance_at(IN(PixelState) state, IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     bool seen = fragment.opacity >= fragment.threshold && fragment.depth <= state.f[3];
     return seen ? 1.0f : 0.0f;
 }
 
-FN Composited composited(IN(PixelState) state, IN(MethodSettings) settings)
+FN Composited composited(IN(PixelState) state, IN(PixelStateSettings) settings)
 {
     Composited result = transparent(state.f[3] == NO_DEPTH ? 1.0f : 0.0f);
     result.red = state.f[0];

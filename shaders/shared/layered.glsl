@@ -35,7 +35,7 @@ FN float stored_transmittance(float x, int option)
     return option == 0 ? rounded_to_unorm16(x) : (option == 1 ? rounded_to_unorm8(x) : x);
 }
 
-FN PixelState empty_state(IN(MethodSettings) settings)
+FN PixelState empty_state(IN(PixelStateSettings) settings)
 {
     PixelState state = zero_state();
     UNROLL
@@ -63,7 +63,7 @@ FN Layer merged(IN(Layer) front, IN(Layer) behind)
 }
 
 /// One bubble through the sorted layers; what comes out behind the last one is merged into it.
-FN PixelState with_fragment(IN(PixelState) stored, IN(MethodFragment) fragment, IN(MethodSettings) settings)
+FN PixelState with_fragment(IN(PixelState) stored, IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     PixelState state = empty_state(settings);
     Layer carried;
@@ -97,7 +97,7 @@ FN PixelState with_fragment(IN(PixelState) stored, IN(MethodFragment) fragment, 
 }
 
 /// The product of the layers strictly in front.
-FN float transmittance_at(IN(PixelState) state, IN(MethodFragment) fragment, IN(MethodSettings) settings)
+FN float transmittance_at(IN(PixelState) state, IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     float depth = settings.option == 2 ? fragment.depth : rounded_to_unorm16(fragment.depth);
     float t = 1.0f;
@@ -106,7 +106,7 @@ FN float transmittance_at(IN(PixelState) state, IN(MethodFragment) fragment, IN(
     return t;
 }
 
-FN Composited composited(IN(PixelState) state, IN(MethodSettings) settings)
+FN Composited composited(IN(PixelState) state, IN(PixelStateSettings) settings)
 {
     Layer sum = layer_of(state, 0);
     UNROLL

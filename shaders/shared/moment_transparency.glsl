@@ -17,24 +17,24 @@
 
 const int SECOND = 8;   // f[0 ... 4]: b_0 ... b_4, f[8 ... 12]: those of the second pass
 
-FN int read_format(IN(MethodSettings) settings)
+FN int read_format(IN(PixelStateSettings) settings)
 {
     return settings.option % 4;
 }
 
 /// 0: one pass; 1: a second set of moments, of opacities as the first lets them be seen; 2: of the visibility itself.
-FN int second_set(IN(MethodSettings) settings)
+FN int second_set(IN(PixelStateSettings) settings)
 {
     return (settings.option / 4) % 3;
 }
 
 /// Equation 6, and mapped to [-1, 1] unless as published.
-FN float moment_depth(IN(MethodFragment) fragment, IN(MethodSettings) settings)
+FN float moment_depth(IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     return settings.option >= 12 ? fragment.plane_depth : 2.0f * fragment.plane_depth - 1.0f;
 }
 
-FN PixelState empty_state(IN(MethodSettings) settings)
+FN PixelState empty_state(IN(PixelStateSettings) settings)
 {
     return zero_state();
 }
@@ -58,7 +58,7 @@ FN Moments moments_in(IN(PixelState) state, int first)
 }
 
 /// What blending adds in the first pass (Equations 2 to 4).
-FN PixelState fragment_state(IN(MethodFragment) fragment, IN(MethodSettings) settings)
+FN PixelState fragment_state(IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     Moments moments = fragment_moments(moment_depth(fragment, settings), absorbance_of_opacity(fragment.opacity),
                                        make_basis(0.0f));
@@ -66,7 +66,7 @@ FN PixelState fragment_state(IN(MethodFragment) fragment, IN(MethodSettings) set
 }
 
 /// Towards the moments that suit the numbers' rounding (Peters and Klein 2015; Peters et al. 2017).
-FN BiasedMoments biased_for(IN(Moments) moments, IN(MethodSettings) settings)
+FN BiasedMoments biased_for(IN(Moments) moments, IN(PixelStateSettings) settings)
 {
     float target = read_format(settings) == 1 ? 0.628f : 0.375f;
     BiasedMoments biased;
@@ -82,7 +82,7 @@ FN BiasedMoments biased_for(IN(Moments) moments, IN(MethodSettings) settings)
 }
 
 /// One set of moments as the read format holds it.
-FN Moments in_read_format(IN(Moments) moments, IN(MethodSettings) settings)
+FN Moments in_read_format(IN(Moments) moments, IN(PixelStateSettings) settings)
 {
     if (read_format(settings) == 0 || is_empty(moments)) return moments;
     Moments result;
@@ -116,14 +116,14 @@ FN Moments in_read_format(IN(Moments) moments, IN(MethodSettings) settings)
 }
 
 /// What the second pass reads, before it is filtered.
-FN PixelState converted(IN(PixelState) state, IN(MethodSettings) settings)
+FN PixelState converted(IN(PixelState) state, IN(PixelStateSettings) settings)
 {
     PixelState first = with_moments(state, 0, in_read_format(moments_in(state, 0), settings));
     return with_moments(first, SECOND, in_read_format(moments_in(state, SECOND), settings));
 }
 
 /// What may be mixed of neighbouring pixels: moments that are not normalised. Non-linearly quantised ones may not.
-FN PixelState filterable(IN(PixelState) state, IN(MethodSettings) settings)
+FN PixelState filterable(IN(PixelState) state, IN(PixelStateSettings) settings)
 {
     if (read_format(settings) != 1) return state;
     PixelState first = with_moments(state, 0, unpacked_moments(moments_in(state, 0)));
@@ -131,7 +131,7 @@ FN PixelState filterable(IN(PixelState) state, IN(MethodSettings) settings)
 }
 
 /// The share of a set's mass in front of a depth.
-FN float fraction_of(IN(Moments) moments, float depth, IN(MethodSettings) settings)
+FN float fraction_of(IN(Moments) moments, float depth, IN(PixelStateSettings) settings)
 {
     if (read_format(settings) >= 2)
     {
@@ -148,7 +148,7 @@ FN float fraction_of(IN(Moments) moments, float depth, IN(MethodSettings) settin
 }
 
 /// Equation 5. state: filterable.
-FN float first_transmittance(IN(PixelState) state, IN(MethodFragment) fragment, IN(MethodSettings) settings)
+FN float first_transmittance(IN(PixelState) state, IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     Moments moments = moments_in(state, 0);
     if (is_empty(moments)) return 1.0f;
@@ -156,7 +156,7 @@ FN float first_transmittance(IN(PixelState) state, IN(MethodFragment) fragment, 
 }
 
 /// What blending adds in the second moment pass; state: filterable, of the first (two readings of Section 4.4).
-FN PixelState second_fragment_state(IN(PixelState) state, IN(MethodFragment) fragment, IN(MethodSettings) settings)
+FN PixelState second_fragment_state(IN(PixelState) state, IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     float visibility = fragment.opacity * first_transmittance(state, fragment, settings);
     float mass = second_set(settings) == 2 ? visibility : absorbance_of_opacity(visibility);
@@ -166,7 +166,7 @@ FN PixelState second_fragment_state(IN(PixelState) state, IN(MethodFragment) fra
 
 /// state: filterable. Readings of two passes: the first pass's total distributed as the second moments say, as absorbance or as
 /// opacity.
-FN float transmittance_at(IN(PixelState) state, IN(MethodFragment) fragment, IN(MethodSettings) settings)
+FN float transmittance_at(IN(PixelState) state, IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     Moments second = moments_in(state, SECOND);
     if (second_set(settings) == 0 || is_empty(second)) return first_transmittance(state, fragment, settings);
@@ -175,7 +175,7 @@ FN float transmittance_at(IN(PixelState) state, IN(MethodFragment) fragment, IN(
     return 1.0f - (1.0f - transmittance_of(state.f[0])) * fraction;
 }
 
-FN Composited composited(IN(PixelState) state, IN(MethodSettings) settings)
+FN Composited composited(IN(PixelState) state, IN(PixelStateSettings) settings)
 {
     return transparent(transmittance_of(state.f[OWN_ABSORBANCE]));
 }

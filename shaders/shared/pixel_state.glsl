@@ -12,12 +12,12 @@ struct PixelState { float f[MAX_STATE_FLOATS]; };
 
 /// Which variant of the technique: how many nodes, layers, samples or frequencies, and the choices of parameters; overestimation
 /// weight and moment bias for those that have moments, too.
-struct MethodSettings { int size; int option; float overestimation; float bias; };
+struct PixelStateSettings { int size; int option; float overestimation; float bias; };
 
 /// One transparent fragment. Depth is 0 at the near end of the depth range and 1 at its far end, window depth that of the
 /// depth buffer, plane depth the same logarithmically; colour is not multiplied by opacity. seed: random_bits.glsl; threshold:
 /// alpha_threshold.glsl.
-struct MethodFragment
+struct PixelStateFragment
 {
     float depth;
     float view_depth;

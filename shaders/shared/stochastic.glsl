@@ -8,14 +8,14 @@
 const float NO_DEPTH = 2.0f;   // of a sample that nothing covers
 
 /// f[0]: total absorbance; f[1 + s]: depth of sample s.
-FN PixelState empty_state(IN(MethodSettings) settings)
+FN PixelState empty_state(IN(PixelStateSettings) settings)
 {
     PixelState state;
     for (int i = 0; i < MAX_STATE_FLOATS; ++i) state.f[i] = i == 0 ? 0.0f : NO_DEPTH;
     return state;
 }
 
-FN PixelState fragment_state(IN(MethodFragment) fragment, IN(MethodSettings) settings)
+FN PixelState fragment_state(IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     PixelState state = empty_state(settings);
     state.f[0] = absorbance_of_opacity(fragment.opacity);
@@ -25,7 +25,7 @@ FN PixelState fragment_state(IN(MethodFragment) fragment, IN(MethodSettings) set
 }
 
 /// The share of samples with nothing strictly in front.
-FN float transmittance_at(IN(PixelState) state, IN(MethodFragment) fragment, IN(MethodSettings) settings)
+FN float transmittance_at(IN(PixelState) state, IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     float seeing = 0.0f;
     for (int s = 0; s < settings.size; ++s) seeing = state.f[1 + s] >= fragment.depth ? seeing + 1.0f : seeing;
@@ -33,7 +33,7 @@ FN float transmittance_at(IN(PixelState) state, IN(MethodFragment) fragment, IN(
 }
 
 /// Without alpha correction the background, too, is seen through the samples that nothing covers.
-FN Composited composited(IN(PixelState) state, IN(MethodSettings) settings)
+FN Composited composited(IN(PixelState) state, IN(PixelStateSettings) settings)
 {
     float empty = 0.0f;
     for (int s = 0; s < settings.size; ++s) empty = state.f[1 + s] == NO_DEPTH ? empty + 1.0f : empty;

@@ -5,13 +5,13 @@
 #define WITHOUT_DEPTHS
 #include "pixel_state.glsl"
 
-FN PixelState empty_state(IN(MethodSettings) settings)
+FN PixelState empty_state(IN(PixelStateSettings) settings)
 {
     return zero_state();
 }
 
 /// Premultiplied colour and opacity.
-FN PixelState fragment_state(IN(MethodFragment) fragment, IN(MethodSettings) settings)
+FN PixelState fragment_state(IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     PixelState state = zero_state();
     state.f[0] = fragment.opacity * fragment.red;
@@ -21,7 +21,7 @@ FN PixelState fragment_state(IN(MethodFragment) fragment, IN(MethodSettings) set
     return state;
 }
 
-FN Composited composited(IN(PixelState) state, IN(MethodSettings) settings)
+FN Composited composited(IN(PixelState) state, IN(PixelStateSettings) settings)
 {
     Composited result;
     result.red = state.f[0];

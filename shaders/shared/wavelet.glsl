@@ -7,7 +7,7 @@
 const int WAVELET_RANK = 3;
 const int COEFFICIENTS = 16;
 
-FN PixelState empty_state(IN(MethodSettings) settings)
+FN PixelState empty_state(IN(PixelStateSettings) settings)
 {
     return zero_state();
 }
@@ -26,7 +26,7 @@ FN float cell_depth(float depth)
 }
 
 /// Integrals of the fragment's step against every wavelet; the last number is that of the scaling function.
-FN PixelState fragment_state(IN(MethodFragment) fragment, IN(MethodSettings) settings)
+FN PixelState fragment_state(IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     PixelState state = zero_state();
     float absorbance = absorbance_of_opacity(fragment.opacity);
@@ -72,13 +72,13 @@ FN float absorbance_at(IN(PixelState) state, float depth)
     return absorbance;
 }
 
-FN float transmittance_at(IN(PixelState) state, IN(MethodFragment) fragment, IN(MethodSettings) settings)
+FN float transmittance_at(IN(PixelState) state, IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     return transmittance_of(max(absorbance_at(state, fragment.depth), 0.0f));
 }
 
 /// All of A lies before the last cell's end, so its mean there is exact.
-FN Composited composited(IN(PixelState) state, IN(MethodSettings) settings)
+FN Composited composited(IN(PixelState) state, IN(PixelStateSettings) settings)
 {
     return transparent(transmittance_of(max(mean_absorbance(state, COEFFICIENTS - 1), 0.0f)));
 }

@@ -5,13 +5,13 @@
 #define HOLDS_COLORS
 #include "pixel_state.glsl"
 
-FN PixelState empty_state(IN(MethodSettings) settings)
+FN PixelState empty_state(IN(PixelStateSettings) settings)
 {
     return zero_state();
 }
 
 /// 0: clamp((10 (1 - .99 z) alpha)^3, .01, 30) of window depth z. 1: of view depth (2013). 2: as in G3D (2016).
-FN float blending_weight(IN(MethodFragment) fragment, IN(MethodSettings) settings)
+FN float blending_weight(IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     float near_and_opaque = 10.0f * (1.0f - 0.99f * fragment.window_depth) * fragment.opacity;
     float phenomenological = clamp(near_and_opaque * near_and_opaque * near_and_opaque, 0.01f, 30.0f);
@@ -25,7 +25,7 @@ FN float blending_weight(IN(MethodFragment) fragment, IN(MethodSettings) setting
 }
 
 /// Weighted colour, weighted opacity, absorbance.
-FN PixelState fragment_state(IN(MethodFragment) fragment, IN(MethodSettings) settings)
+FN PixelState fragment_state(IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     PixelState state = zero_state();
     float weight = blending_weight(fragment, settings) * fragment.opacity;
@@ -38,13 +38,13 @@ FN PixelState fragment_state(IN(MethodFragment) fragment, IN(MethodSettings) set
 }
 
 /// What is seen of the fragment, relative to its opacity: its share of the coverage. Not bounded by 1.
-FN float transmittance_at(IN(PixelState) state, IN(MethodFragment) fragment, IN(MethodSettings) settings)
+FN float transmittance_at(IN(PixelState) state, IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     float coverage = 1.0f - transmittance_of(state.f[4]);
     return blending_weight(fragment, settings) * coverage / max(state.f[3], 1.0e-30f);
 }
 
-FN Composited composited(IN(PixelState) state, IN(MethodSettings) settings)
+FN Composited composited(IN(PixelState) state, IN(PixelStateSettings) settings)
 {
     Composited result;
     result.transmittance = transmittance_of(state.f[4]);

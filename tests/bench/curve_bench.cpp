@@ -34,7 +34,7 @@ void run_everything(benchmark::State& state) {
             if (has_function(technique)) benchmark::DoNotOptimize(sample_curve(ray, technique, {}, depths));
 }
 
-void run_method(benchmark::State& state, const Technique& technique) {
+void run_pixel_state(benchmark::State& state, const Technique& technique) {
     const ViewRay ray = five_fragments();
     const std::vector<float> depths = even_depths(SAMPLES);
     for (auto _ : state) benchmark::DoNotOptimize(sample_curve(ray, technique, {}, depths));
@@ -143,9 +143,9 @@ int main(int argc, char** argv) {
     benchmark::RegisterBenchmark("every technique's curve, from fragments", run_everything)
         ->Unit(benchmark::kMicrosecond);
     for (const Technique& technique : techniques())
-        if (technique.method != nullptr && has_function(technique))
+        if (technique.pixel_state != nullptr && has_function(technique))
             benchmark::RegisterBenchmark(technique.id, [&technique](benchmark::State& state) {
-                run_method(state, technique);
+                run_pixel_state(state, technique);
             })->Unit(benchmark::kMicrosecond);
     for (const Work& work : all) {
         const std::string id = work.technique->id;

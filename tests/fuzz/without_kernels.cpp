@@ -2,9 +2,9 @@
 // scenes and the shadows, which no file reaches and which take minutes to build with sanitizers.
 #include "core/scene/builtin_scenes.hpp"
 #include "core/shadow/shadow_settings.hpp"
-#include "core/techniques/method_techniques.hpp"
 #include "core/techniques/moment_kernel.hpp"
 #include "core/techniques/moment_techniques.hpp"
+#include "core/techniques/pixel_state_techniques.hpp"
 #include "core/version.hpp"
 
 namespace momentscope {
@@ -31,13 +31,13 @@ MomentKernel moment_kernel_of(int count, int bits) {
 #include "core/techniques/moment_techniques.def"
 #undef MOMENT_TECHNIQUE
 
-#define METHOD_TECHNIQUE(id, ...)                                             \
-    const MethodKernel& method_kernel(MethodKernelTag<MethodTechnique::id>) { \
-        static const MethodKernel KERNEL{};                                   \
-        return KERNEL;                                                        \
+#define PIXEL_STATE_TECHNIQUE(id, ...)                                                         \
+    const PixelStateKernel& pixel_state_kernel(PixelStateKernelTag<PixelStateTechnique::id>) { \
+        static const PixelStateKernel KERNEL{};                                                \
+        return KERNEL;                                                                         \
     }
-#include "core/techniques/method_techniques.def"
-#undef METHOD_TECHNIQUE
+#include "core/techniques/pixel_state_techniques.def"
+#undef PIXEL_STATE_TECHNIQUE
 
 Scene build_planes() {
     return {};

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "core/inspect/method_pixel.hpp"
 #include "core/inspect/pixel_color.hpp"
 #include "core/inspect/pixel_history.hpp"
+#include "core/inspect/pixel_state_curve.hpp"
 #include "tests/gl/gl_fixture.hpp"
 #include "tests/property/moment_rows.hpp"
 
@@ -15,10 +15,10 @@ namespace {
 constexpr glm::ivec2 STATES_SIZE(160, 90);
 constexpr std::size_t PIXELS = 200;
 
-std::vector<const Technique*> method_techniques() {
+std::vector<const Technique*> pixel_state_techniques() {
     std::vector<const Technique*> rows;
     for (const Technique& row : techniques())
-        if (row.method != nullptr) rows.push_back(&row);
+        if (row.pixel_state != nullptr) rows.push_back(&row);
     return rows;
 }
 
@@ -81,7 +81,7 @@ class StatesTest : public GlTest<::testing::TestWithParam<const Technique*>> {};
 
 // Eight bits: a product that rounds the other way is 1/255, and is merged into what follows.
 float tolerance_of(const Technique& technique, const ResolvedParameters& parameters) {
-    return technique.uses(ParameterId::layer_bits) && parameters.method.option == 1 ? 8e-3f : 2e-4f;
+    return technique.uses(ParameterId::layer_bits) && parameters.pixel_state.option == 1 ? 8e-3f : 2e-4f;
 }
 
 void expect_composed(const Technique& technique, const ParameterValues& values,
@@ -90,9 +90,9 @@ void expect_composed(const Technique& technique, const ParameterValues& values,
     const float tolerance = tolerance_of(technique, parameters);
     float worst = 0;
     for (const auto& [shown, capture] : pixels) {
-        worst = std::max(
-            worst, distance_between(shown, method_color(capture.ray, technique, parameters, capture.behind)));
-        if (!technique.method->has_depths()) continue;
+        worst = std::max(worst, distance_between(shown, pixel_state_color(capture.ray, technique, parameters,
+                                                                          capture.behind)));
+        if (!technique.pixel_state->has_depths()) continue;
         for (const PixelHistoryRow& row :
              pixel_history(capture.ray, capture.transmittance, technique, values))
             EXPECT_NEAR(*row.gl_transmittance, row.transmittance,
@@ -182,7 +182,7 @@ TEST_P(WithMomentsTest, EveryPixelIsWhatCppComposes) {
 INSTANTIATE_TEST_SUITE_P(Techniques, WithMomentsTest, ::testing::ValuesIn(other_techniques()),
                          [](const auto& one) { return test_name(*one.param); });
 
-INSTANTIATE_TEST_SUITE_P(Techniques, StatesTest, ::testing::ValuesIn(method_techniques()),
+INSTANTIATE_TEST_SUITE_P(Techniques, StatesTest, ::testing::ValuesIn(pixel_state_techniques()),
                          [](const auto& one) { return test_name(*one.param); });
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/inspect/curve.hpp"
-#include "tests/property/method_support.hpp"
+#include "tests/property/pixel_state_support.hpp"
 
 namespace momentscope::test {
 namespace {
@@ -40,7 +40,8 @@ TEST(Fourier, IsTheTruncatedSeriesOfTheFragments) {
         const ParameterValues values = values_with(
             {{ParameterId::coefficients, many ? 1.0f : 0.0f}, {ParameterId::lanczos, lanczos ? 1.0f : 0.0f}});
         const std::vector<float> depths = even_depths(33);
-        const auto t = method_transmittance(ray, technique, technique.method_settings(values), depths);
+        const auto t =
+            pixel_state_transmittance(ray, technique, technique.pixel_state_settings(values), depths);
         for (std::size_t d = 0; d < depths.size(); ++d) {
             const double exact = fourier_absorbance(ray, many ? 7 : 3, lanczos, unit_depth(depths[d]));
             // A of up to 36 in floats; T cannot be off by more than its relative error.
@@ -69,7 +70,7 @@ TEST(Wavelet, InterpolatesTheMeansOfTheCells) {
     for (int i = 0; i < RAYS; ++i) {
         const ViewRay ray = random_ray(random, 1 + i % 12);
         const std::vector<float> depths = even_depths(61);
-        const auto t = method_transmittance(ray, technique, technique.method_settings({}), depths);
+        const auto t = pixel_state_transmittance(ray, technique, technique.pixel_state_settings({}), depths);
         for (std::size_t d = 0; d < depths.size(); ++d) {
             const double x = unit_depth(depths[d]) * 15;
             const double cell = std::min(std::floor(x), 15.0);
@@ -119,7 +120,8 @@ TEST(Adaptive, IsThePublishedAlgorithmAndNeverAboveTheTruth) {
         const ViewRay ray = random_ray(random, 1 + i % 20);
         const ParameterValues values = values_with({{ParameterId::nodes, static_cast<float>(nodes)}});
         const std::vector<float> depths = even_depths(41);
-        const auto t = method_transmittance(ray, technique, technique.method_settings(values), depths);
+        const auto t =
+            pixel_state_transmittance(ray, technique, technique.pixel_state_settings(values), depths);
         const auto expected = adaptive_nodes(ray, static_cast<std::size_t>(nodes));
         const auto truth = true_absorbance(ray, depths);
         for (std::size_t d = 0; d < depths.size(); ++d) {
@@ -221,7 +223,7 @@ TEST(Layered, SixteenBitDepthsTie) {
     EXPECT_LT(color_of(ray, technique, values_with({{ParameterId::layer_bits, 0.0f}})).g, 0.26);
 }
 
-double weight_of(const MethodFragment& f, int kind) {
+double weight_of(const PixelStateFragment& f, int kind) {
     const double alpha = static_cast<double>(f.opacity), z = static_cast<double>(f.window_depth);
     const double view = static_cast<double>(f.view_depth);
     if (kind == 0) return std::clamp(std::pow(10 * (1 - .99 * z) * alpha, 3), .01, 30.0);
@@ -240,13 +242,13 @@ TEST(Weighted, IsTheWeightedMeanOverTheCoverageAndExactForOneFragment) {
         const ParameterValues values = values_with({{ParameterId::weight, static_cast<float>(kind)}});
         glm::dvec4 sum(0);
         for (const Fragment& f : ray.fragments)
-            sum +=
-                glm::dvec4(glm::dvec3(f.color), 1) * opacity_of(f) * weight_of(method_fragment(ray, f), kind);
+            sum += glm::dvec4(glm::dvec3(f.color), 1) * opacity_of(f) *
+                   weight_of(pixel_state_fragment(ray, f), kind);
         const double t = std::exp(-total_absorbance(ray));
         const glm::dvec4 color = color_of(ray, technique, values);
         expect_near(color, glm::dvec4(glm::dvec3(sum) / sum.a * (1 - t), t), 1e-5);
         if (ray.fragments.size() == 1) expect_near(color, true_color(ray), 1e-5);
-        const auto own = own_transmittance(ray, technique, technique.method_settings(values));
+        const auto own = own_transmittance(ray, technique, technique.pixel_state_settings(values));
         glm::dvec3 seen(0);
         for (std::size_t k = 0; k < own.size(); ++k)
             seen += glm::dvec3(ray.fragments[k].color) * opacity_of(ray.fragments[k]) *

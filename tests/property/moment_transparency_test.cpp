@@ -8,7 +8,7 @@
 #include "core/glsl.hpp"
 #include "core/inspect/curve.hpp"
 #include "core/inspect/exact.hpp"
-#include "tests/property/method_support.hpp"
+#include "tests/property/pixel_state_support.hpp"
 
 namespace momentscope::glsl::two_depths_parts {
 #pragma GCC diagnostic push
@@ -31,7 +31,7 @@ namespace parts = glsl::two_depths_parts;
 ViewRay between_planes(const ViewRay& ray, bool published) {
     ViewRay result = ray;
     for (std::size_t i = 0; i < ray.fragments.size(); ++i) {
-        const float z = method_fragment(ray, ray.fragments[i]).plane_depth;
+        const float z = pixel_state_fragment(ray, ray.fragments[i]).plane_depth;
         result.fragments[i].depth = result.fragments[i].view_depth = published ? z : 2 * z - 1;
     }
     return result;
@@ -59,7 +59,7 @@ TEST(MomentTransparency, IsFourExactMomentsBetweenThePlanes) {
         for (int i = 0; i < 2000; ++i) {
             const ViewRay ray = ray_between_planes(random, 1 + i % 8);
             const ParameterValues values = values_with({{ParameterId::depth_range, published ? 1.0f : 0.0f}});
-            const auto own = own_transmittance(ray, technique, technique.method_settings(values));
+            const auto own = own_transmittance(ray, technique, technique.pixel_state_settings(values));
             const ViewRay mapped = between_planes(ray, published);
             const auto exact = exact_function(mapped, require_technique("power4-32"), {.alpha = 3e-7f});
             std::vector<float> depths;
@@ -86,8 +86,8 @@ TEST(MomentTransparency, TheSecondSetKnowsTheFirst) {
             const ViewRay ray = ray_between_planes(random, 1 + i % 8);
             const ParameterValues values =
                 values_with({{ParameterId::moment_passes, static_cast<float>(passes)}});
-            const auto own = own_transmittance(ray, technique, technique.method_settings(values));
-            const auto first = own_transmittance(ray, technique, technique.method_settings({}));
+            const auto own = own_transmittance(ray, technique, technique.pixel_state_settings(values));
+            const auto first = own_transmittance(ray, technique, technique.pixel_state_settings({}));
             ViewRay seen = between_planes(ray, false);
             std::vector<float> depths;
             for (std::size_t k = 0; k < first.size(); ++k) {
@@ -119,9 +119,9 @@ TEST(MomentTransparency, ReadFormatsRoundAsMuchAsTheyShould) {
     for (int i = 0; i < 4000; ++i) {
         const ViewRay ray = ray_between_planes(random, 1 + i % 8);
         const auto with_format = [&](int format, float bias) {
-            return method_transmittance(
+            return pixel_state_transmittance(
                 ray, technique,
-                technique.method_settings(values_with(
+                technique.pixel_state_settings(values_with(
                     {{ParameterId::read_format, static_cast<float>(format)}, {ParameterId::alpha, bias}})),
                 even_depths(31));
         };

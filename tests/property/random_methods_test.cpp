@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/glsl.hpp"
-#include "tests/property/method_support.hpp"
+#include "tests/property/pixel_state_support.hpp"
 
 namespace momentscope::glsl::threshold_parts {
 #pragma GCC diagnostic push
@@ -35,7 +35,7 @@ TEST(Stochastic, CountsTheSamplesThatSeeADepth) {
                 if (unit_random(f.seed, s) < f.opacity)
                     nearest[static_cast<std::size_t>(s)] =
                         std::min(nearest[static_cast<std::size_t>(s)], static_cast<double>(f.depth));
-        const auto own = own_transmittance(ray, technique, technique.method_settings(values));
+        const auto own = own_transmittance(ray, technique, technique.pixel_state_settings(values));
         for (std::size_t k = 0; k < own.size(); ++k) {
             const auto seeing = std::ranges::count_if(
                 nearest, [&](double z) { return z >= static_cast<double>(ray.fragments[k].depth); });
@@ -61,7 +61,7 @@ TEST(Stochastic, ConvergesWithTheRootOfTheSamples) {
             const std::vector<float> depth = {0.25f};
             const double truth = std::exp(-true_absorbance(ray, depth)[0]);
             const double t = static_cast<double>(
-                method_transmittance(ray, technique, technique.method_settings(values), depth)[0]);
+                pixel_state_transmittance(ray, technique, technique.pixel_state_settings(values), depth)[0]);
             sum += t - truth;
             squares += (t - truth) * (t - truth);
             expected_squares += truth * (1 - truth) / samples;  // of a binomial distribution

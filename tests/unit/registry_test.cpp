@@ -94,13 +94,13 @@ TEST(Techniques, HaveTheirPage) {
 
 TEST(Techniques, WithoutMomentsHaveStatesThatFit) {
     for (const Technique& technique : techniques()) {
-        if (technique.method == nullptr) continue;
+        if (technique.pixel_state == nullptr) continue;
         SCOPED_TRACE(technique.id);
         for (const ParameterId id : technique.parameters)
             for (float value = parameter(id).minimum; value <= parameter(id).maximum; ++value) {
                 ParameterValues values;
                 values.set(id, value);
-                EXPECT_LE(technique.state_floats(technique.method_settings(values)), STATE_CAPACITY);
+                EXPECT_LE(technique.state_floats(technique.pixel_state_settings(values)), STATE_CAPACITY);
             }
     }
 }

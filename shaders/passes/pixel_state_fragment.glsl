@@ -1,4 +1,4 @@
-// method_fragment.glsl -- the fragment at hand as math files know it, and states as groups of four floats.
+// pixel_state_fragment.glsl -- the fragment at hand as math files know it, and states as groups of four floats.
 
 /// The state with its i-th group of four floats replaced.
 PixelState with_texel(PixelState state, int i, vec4 texel)
@@ -10,20 +10,20 @@ PixelState with_texel(PixelState state, int i, vec4 texel)
     return state;
 }
 
-MethodSettings method_settings()
+PixelStateSettings pixel_state_settings()
 {
-    MethodSettings settings;
-    settings.size = METHOD_SIZE;
-    settings.option = METHOD_OPTION;
+    PixelStateSettings settings;
+    settings.size = PIXEL_STATE_SIZE;
+    settings.option = PIXEL_STATE_OPTION;
     settings.overestimation = frame.parameters.x;
     settings.bias = frame.parameters.y;
     return settings;
 }
 
 #ifdef TRANSPARENT_FRAGMENT
-MethodFragment method_fragment(vec3 color)
+PixelStateFragment pixel_state_fragment(vec3 color)
 {
-    MethodFragment fragment;
+    PixelStateFragment fragment;
     fragment.view_depth = fragment_view_depth();
     fragment.depth = 0.5 * (fragment_depth() + 1.0);
     fragment.window_depth = window_depth_of(fragment.view_depth, frame.depth_warp.z, frame.depth_warp.w);

@@ -1,8 +1,8 @@
-// method_kernel.inl -- the body of a MethodKernel. A file generated from method_kernel.cpp.in defines
-// KERNEL_ID and METHOD_FILE (a file of shaders/shared) and includes this.
+// pixel_state_kernel.inl -- the body of a PixelStateKernel. A file generated from pixel_state_kernel.cpp.in defines
+// KERNEL_ID and PIXEL_STATE_FILE (a file of shaders/shared) and includes this.
 #include "core/glsl.hpp"
-#include "core/techniques/method_kernel.hpp"
-#include "core/techniques/method_techniques.hpp"
+#include "core/techniques/pixel_state_kernel.hpp"
+#include "core/techniques/pixel_state_techniques.hpp"
 #include "core/techniques/quantisation.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ constexpr auto THETA_EVEN = flat_floats(quantisation_transform<4>().even);
 constexpr auto THETA_ODD_INVERSE = flat_floats(inverse(quantisation_transform<4>().odd));
 constexpr auto THETA_EVEN_INVERSE = flat_floats(inverse(quantisation_transform<4>().even));
 constexpr auto THETA_EVEN_OFFSET = floats(quantisation_transform<4>().even_offset);
-#include METHOD_FILE
+#include PIXEL_STATE_FILE
 constexpr int STATE_FLOATS = MAX_STATE_FLOATS;
 #pragma GCC diagnostic pop
 }  // namespace glsl::KERNEL_ID
@@ -32,11 +32,11 @@ namespace {
 namespace g = glsl::KERNEL_ID;
 static_assert(g::STATE_FLOATS <= STATE_CAPACITY && g::STATE_FLOATS % 4 == 0);
 
-g::MethodSettings to_shared(const MethodSettings& settings) {
+g::PixelStateSettings to_shared(const PixelStateSettings& settings) {
     return {settings.size, settings.option, settings.overestimation, settings.bias};
 }
 
-g::MethodFragment to_shared(const MethodFragment& f) {
+g::PixelStateFragment to_shared(const PixelStateFragment& f) {
     return {f.depth, f.view_depth, f.window_depth, f.plane_depth, f.opacity,
             f.red,   f.green,      f.blue,         f.seed,        f.threshold};
 }
@@ -60,12 +60,12 @@ PixelState from_shared(const g::PixelState& shared) {
     return sum;
 }
 
-PixelState empty_state(const MethodSettings& settings) {
+PixelState empty_state(const PixelStateSettings& settings) {
     return from_shared(g::empty_state(to_shared(settings)));
 }
 
-PixelState with_fragment(const PixelState& state, const MethodFragment& fragment,
-                         const MethodSettings& settings) {
+PixelState with_fragment(const PixelState& state, const PixelStateFragment& fragment,
+                         const PixelStateSettings& settings) {
 #ifdef STATE_ORDERED
     return from_shared(g::with_fragment(to_shared(state), to_shared(fragment), to_shared(settings)));
 #else
@@ -87,21 +87,21 @@ PixelState with_fragment(const PixelState& state, const MethodFragment& fragment
 
 #ifdef SECOND_STATE
 PixelState with_fragment_again(const PixelState& state, const PixelState& read,
-                               const MethodFragment& fragment, const MethodSettings& settings) {
+                               const PixelStateFragment& fragment, const PixelStateSettings& settings) {
     return blended(
         state,
         from_shared(g::second_fragment_state(to_shared(read), to_shared(fragment), to_shared(settings))),
         1.0f);
 }
 
-PixelState readable(const PixelState& state, const MethodSettings& settings) {
+PixelState readable(const PixelState& state, const PixelStateSettings& settings) {
     return from_shared(
         g::filterable(g::converted(to_shared(state), to_shared(settings)), to_shared(settings)));
 }
 #else
 constexpr auto with_fragment_again = nullptr;
 
-PixelState readable(const PixelState& state, const MethodSettings&) {
+PixelState readable(const PixelState& state, const PixelStateSettings&) {
     return state;
 }
 #endif
@@ -112,7 +112,7 @@ constexpr int OWN = OWN_ABSORBANCE;
 constexpr int OWN = -1;
 #endif
 
-Composited composited(const PixelState& state, const MethodSettings& settings) {
+Composited composited(const PixelState& state, const PixelStateSettings& settings) {
     const g::Composited result = g::composited(to_shared(state), to_shared(settings));
     return {result.red, result.green, result.blue, result.transmittance};
 }
@@ -120,8 +120,8 @@ Composited composited(const PixelState& state, const MethodSettings& settings) {
 #ifdef WITHOUT_DEPTHS
 constexpr auto transmittance_at = nullptr;
 #else
-float transmittance_at(const PixelState& state, const MethodFragment& fragment,
-                       const MethodSettings& settings) {
+float transmittance_at(const PixelState& state, const PixelStateFragment& fragment,
+                       const PixelStateSettings& settings) {
     return g::transmittance_at(to_shared(state), to_shared(fragment), to_shared(settings));
 }
 #endif
@@ -146,8 +146,8 @@ constexpr bool COLORS = false;
 
 }  // namespace
 
-const MethodKernel& method_kernel(MethodKernelTag<MethodTechnique::KERNEL_ID>) {
-    static constexpr MethodKernel kernel = {.accumulation = ACCUMULATION,
+const PixelStateKernel& pixel_state_kernel(PixelStateKernelTag<PixelStateTechnique::KERNEL_ID>) {
+    static constexpr PixelStateKernel kernel = {.accumulation = ACCUMULATION,
                                             .holds_colors = COLORS,
                                             .empty_state = empty_state,
                                             .with_fragment = with_fragment,

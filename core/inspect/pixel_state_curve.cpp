@@ -1,4 +1,4 @@
-#include "core/inspect/method_pixel.hpp"
+#include "core/inspect/pixel_state_curve.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -8,7 +8,7 @@
 
 namespace momentscope {
 
-namespace glsl::method_pixel {
+namespace glsl::pixel_state_curve {
 #define MAX_STATE_FLOATS 4
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
@@ -17,17 +17,17 @@ namespace glsl::method_pixel {
 #include "shaders/shared/pixel_state.glsl"
 #pragma GCC diagnostic pop
 #undef MAX_STATE_FLOATS
-}  // namespace glsl::method_pixel
+}  // namespace glsl::pixel_state_curve
 
-MethodFragment method_fragment(const ViewRay& ray, const Fragment& fragment) {
-    MethodFragment result;
+PixelStateFragment pixel_state_fragment(const ViewRay& ray, const Fragment& fragment) {
+    PixelStateFragment result;
     const bool known = ray.near_plane > 0 && ray.far_plane > ray.near_plane;
     const float near = known ? ray.near_plane : NEAR_PLANE;
     const float far = known ? ray.far_plane : FAR_PLANE;
     result.depth = 0.5f * (fragment.depth + 1.0f);
     result.view_depth = ray.warp.has_view_depths() ? fragment.view_depth : 2.0f + fragment.depth;
-    result.window_depth = glsl::method_pixel::window_depth_of(result.view_depth, near, far);
-    result.plane_depth = glsl::method_pixel::plane_depth_of(result.view_depth, near, far);
+    result.window_depth = glsl::pixel_state_curve::window_depth_of(result.view_depth, near, far);
+    result.plane_depth = glsl::pixel_state_curve::plane_depth_of(result.view_depth, near, far);
     result.opacity = fragment.opacity;
     result.red = fragment.color.r;
     result.green = fragment.color.g;
@@ -40,22 +40,22 @@ MethodFragment method_fragment(const ViewRay& ray, const Fragment& fragment) {
 namespace {
 
 // What the passes store for the fragments of one pixel, as later passes read it.
-PixelState state_of(const std::vector<Fragment>& fragments, const ViewRay& ray, const MethodKernel& kernel,
-                    const MethodSettings& settings) {
+PixelState state_of(const std::vector<Fragment>& fragments, const ViewRay& ray,
+                    const PixelStateKernel& kernel, const PixelStateSettings& settings) {
     PixelState state = kernel.empty_state(settings);
     for (const Fragment& fragment : fragments)
-        state = kernel.with_fragment(state, method_fragment(ray, fragment), settings);
+        state = kernel.with_fragment(state, pixel_state_fragment(ray, fragment), settings);
     const PixelState read = kernel.readable(state, settings);
     if (kernel.with_fragment_again == nullptr) return read;
     for (const Fragment& fragment : fragments)
-        state = kernel.with_fragment_again(state, read, method_fragment(ray, fragment), settings);
+        state = kernel.with_fragment_again(state, read, pixel_state_fragment(ray, fragment), settings);
     return kernel.readable(state, settings);
 }
 
 }  // namespace
 
-PixelState pixel_state(const ViewRay& ray, const Technique& technique, const MethodSettings& settings) {
-    const MethodKernel& kernel = *technique.method;
+PixelState pixel_state(const ViewRay& ray, const Technique& technique, const PixelStateSettings& settings) {
+    const PixelStateKernel& kernel = *technique.pixel_state;
     PixelState state;
     if (settings.divisor == 1 || ray.shares.empty()) {
         state = state_of(ray.fragments, ray, kernel, settings);
@@ -73,9 +73,10 @@ PixelState pixel_state(const ViewRay& ray, const Technique& technique, const Met
     return state;
 }
 
-std::vector<float> method_transmittance(const ViewRay& ray, const Technique& technique,
-                                        const MethodSettings& settings, std::span<const float> depths) {
-    assert(technique.method->has_depths());
+std::vector<float> pixel_state_transmittance(const ViewRay& ray, const Technique& technique,
+                                             const PixelStateSettings& settings,
+                                             std::span<const float> depths) {
+    assert(technique.pixel_state->has_depths());
     const PixelState state = pixel_state(ray, technique, settings);
     Fragment mean;
     for (const Fragment& fragment : ray.fragments)
@@ -86,43 +87,45 @@ std::vector<float> method_transmittance(const ViewRay& ray, const Technique& tec
     for (const float depth : depths) {
         mean.depth = depth;
         mean.view_depth = ray.warp.has_view_depths() ? to_view_depth(depth, ray.warp) : depth;
-        t.push_back(ray.fragments.empty()
-                        ? 1.0f
-                        : technique.method->transmittance_at(state, method_fragment(ray, mean), settings));
+        t.push_back(ray.fragments.empty() ? 1.0f
+                                          : technique.pixel_state->transmittance_at(
+                                                state, pixel_state_fragment(ray, mean), settings));
     }
     return t;
 }
 
 std::vector<float> own_transmittance(const ViewRay& ray, const Technique& technique,
-                                     const MethodSettings& settings) {
-    const MethodKernel& kernel = *technique.method;
+                                     const PixelStateSettings& settings) {
+    const PixelStateKernel& kernel = *technique.pixel_state;
     std::vector<float> t(ray.fragments.size());
     if (kernel.has_depths()) {
         const PixelState state = pixel_state(ray, technique, settings);
         for (std::size_t i = 0; i < t.size(); ++i)
-            t[i] = kernel.transmittance_at(state, method_fragment(ray, ray.fragments[i]), settings);
+            t[i] = kernel.transmittance_at(state, pixel_state_fragment(ray, ray.fragments[i]), settings);
         return t;
     }
     assert(kernel.accumulation == Accumulation::over);
     PixelState drawn_later = kernel.empty_state(settings);
     for (std::size_t i = t.size(); i-- > 0;) {
         t[i] = kernel.composited(drawn_later, settings).transmittance;
-        drawn_later = kernel.with_fragment(drawn_later, method_fragment(ray, ray.fragments[i]), settings);
+        drawn_later =
+            kernel.with_fragment(drawn_later, pixel_state_fragment(ray, ray.fragments[i]), settings);
     }
     return t;
 }
 
-glm::vec3 method_color(const ViewRay& ray, const Technique& technique, const ResolvedParameters& parameters,
-                       const glm::vec3& background) {
-    const MethodKernel& kernel = *technique.method;
-    const PixelState state = pixel_state(ray, technique, parameters.method);
-    const Composited all = kernel.composited(state, parameters.method);
+glm::vec3 pixel_state_color(const ViewRay& ray, const Technique& technique,
+                            const ResolvedParameters& parameters, const glm::vec3& background) {
+    const PixelStateKernel& kernel = *technique.pixel_state;
+    const PixelState state = pixel_state(ray, technique, parameters.pixel_state);
+    const Composited all = kernel.composited(state, parameters.pixel_state);
     glm::vec3 color(all.red, all.green, all.blue);
     if (!kernel.holds_colors) {
         glm::vec4 weighted(0);
         for (const Fragment& fragment : ray.fragments)
-            weighted += glm::vec4(fragment.color, 1) * fragment.opacity *
-                        kernel.transmittance_at(state, method_fragment(ray, fragment), parameters.method);
+            weighted +=
+                glm::vec4(fragment.color, 1) * fragment.opacity *
+                kernel.transmittance_at(state, pixel_state_fragment(ray, fragment), parameters.pixel_state);
         const bool scaled = parameters.renormalize && weighted.a > 0;
         color = glm::vec3(weighted) * (scaled ? (1 - all.transmittance) / weighted.a : 1.0f);
     }

@@ -1,10 +1,10 @@
-// method_support.hpp -- techniques without moments on a ray, in double precision.
+// pixel_state_support.hpp -- techniques without moments on a ray, in double precision.
 #pragma once
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/inspect/method_pixel.hpp"
+#include "core/inspect/pixel_state_curve.hpp"
 #include "core/ray/random_ray.hpp"
 
 namespace momentscope::test {
@@ -40,8 +40,8 @@ inline glm::dvec4 true_color(const ViewRay& ray) {
 }
 
 inline glm::dvec4 color_of(const ViewRay& ray, const Technique& technique, const ParameterValues& values) {
-    const MethodSettings settings = technique.method_settings(values);
-    const Composited all = technique.method->composited(pixel_state(ray, technique, settings), settings);
+    const PixelStateSettings settings = technique.pixel_state_settings(values);
+    const Composited all = technique.pixel_state->composited(pixel_state(ray, technique, settings), settings);
     return {all.red, all.green, all.blue, all.transmittance};
 }
 
