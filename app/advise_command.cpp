@@ -19,14 +19,14 @@ namespace momentscope {
 
 namespace {
 
-constexpr int MOST_BITS = 1'000'000;
+constexpr int MAX_BITS = 1'000'000;
 
 AdviceBounds parse_bounds(const Options& options) {
     AdviceBounds bounds;
     bounds.metric = require_metric(options.metric.empty() ? "rmse" : options.metric).id;
     bounds.max_error = parse_bound(options.max_error, "greatest error");
     if (!options.max_bits.empty())
-        bounds.max_bits = parse_count(options.max_bits, "number of bits per pixel", 1, MOST_BITS);
+        bounds.max_bits = parse_count(options.max_bits, "number of bits per pixel", 1, MAX_BITS);
     if (!options.max_ms.empty()) bounds.max_ms = parse_bound(options.max_ms, "time in milliseconds");
     bounds.order_independent = options.order_independent;
     require_sensible(bounds);

@@ -44,9 +44,9 @@ class UnfinishedChart {
 public:
     explicit UnfinishedChart(const std::string& output) {
         if (output.empty()) return;
-        constexpr std::size_t MOST_NAME = 200;  // bytes of 255, so that the file beside has a name, too
+        constexpr std::size_t MAX_NAME = 200;  // bytes of 255, so that the file beside has a name, too
         const std::filesystem::path path(output);
-        path_ = path.parent_path() / (path.filename().string().substr(0, MOST_NAME) + ".partial");
+        path_ = path.parent_path() / (path.filename().string().substr(0, MAX_NAME) + ".partial");
     }
 
     RunTable read(const RunSettings& settings) const {

@@ -20,7 +20,7 @@ namespace momentscope {
 namespace {
 
 constexpr float CHART_SCALE = 1.5f;
-constexpr float MOST_SIDE = MAX_PICTURE_SIDE;
+constexpr float MAX_SIDE = MAX_PICTURE_SIDE;
 
 void write_chart_picture(const Chart& chart, Metric metric, const std::filesystem::path& path) {
     std::vector<Drawing> drawings;
@@ -30,7 +30,7 @@ void write_chart_picture(const Chart& chart, Metric metric, const std::filesyste
             drawings.emplace_back(chart_drawing(rows, metric, setting(chart.settings, "times")));
         size = {std::max(size.x, CHART_SCALE * drawing.size.x), size.y + CHART_SCALE * drawing.size.y};
     }
-    if (size.y < 1 || size.y > MOST_SIDE)
+    if (size.y < 1 || size.y > MAX_SIDE)
         throw Error(fmt::format("A picture of {} scenes cannot be drawn; write .svg or .html instead.",
                                 drawings.size()));
     const glm::ivec2 pixels(size);

@@ -22,13 +22,13 @@ namespace {
 
 constexpr std::uintmax_t MAX_EVENT_BYTES = 16U << 20;
 constexpr std::uintmax_t MAX_EXPECTED_BYTES = 1U << 20;
-constexpr std::size_t MOST_WORDS = 16;  // an event has fewer; what follows means nothing
+constexpr std::size_t MAX_WORDS = 16;  // an event has fewer; what follows means nothing
 constexpr int DRAG_STEPS = 8;
 
 std::vector<std::string> words_of(const std::string& line) {
     std::istringstream stream(line);
     std::vector<std::string> words;
-    for (std::string word; words.size() < MOST_WORDS && stream >> word && !word.starts_with('#');)
+    for (std::string word; words.size() < MAX_WORDS && stream >> word && !word.starts_with('#');)
         words.push_back(word);
     return words;
 }
@@ -76,9 +76,10 @@ ImVec2 EventPlayer::place(const std::vector<std::string>& words, std::size_t& ne
         next += 2;
         return at;
     }
-    const auto& anchors = window_.explorer().anchors();
-    const auto found = anchors.find(first.substr(1));
-    if (found == anchors.end()) throw Error(fmt::format("there is no control '{}' in the window now", first));
+    const auto& widget_rects = window_.explorer().widget_rects();
+    const auto found = widget_rects.find(first.substr(1));
+    if (found == widget_rects.end())
+        throw Error(fmt::format("there is no control '{}' in the window now", first));
     ++next;
     ImVec2 share = {0.5f, 0.5f};
     if (next + 1 < words.size() && parse_number<float>(words[next]) && parse_number<float>(words[next + 1])) {

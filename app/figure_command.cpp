@@ -34,24 +34,24 @@ constexpr const char* INTRODUCTION =
     "against `sorted` unless a row says something else; where a row ranks, it agrees if its numbers fall from left to right.\n\n";
 
 /// Draws every shot once.
-class RenderedShots : public ShotSource {
+class RenderedShots : public RenderSource {
 public:
-    const Image& picture(const Shot& shot) override {
-        std::string key = fmt::format("{} {}", shot.scene, shot.technique);
-        for (const auto& [id, value] : shot.settings) key += fmt::format(" {}={}", parameter(id).key, value);
+    const Image& picture(const RenderSetup& setup) override {
+        std::string key = fmt::format("{} {}", setup.scene, setup.technique);
+        for (const auto& [id, value] : setup.settings) key += fmt::format(" {}={}", parameter(id).key, value);
         const auto found = pictures_.find(key);
         if (found != pictures_.end()) return found->second;
-        draw(shot);
+        draw(setup);
         return pictures_.emplace(key, renderer_.read_picture()).first->second;
     }
 
-    ViewRay picked_ray(const Shot& shot) override {
-        draw(shot);
+    ViewRay picked_ray(const RenderSetup& setup) override {
+        draw(setup);
         return renderer_.capture_pixel(picked_pixel(scene_, SIZE)).ray;
     }
 
-    std::vector<CasterRay> caster_rays(const Shot& shot) override {
-        draw(shot);
+    std::vector<CasterRay> caster_rays(const RenderSetup& setup) override {
+        draw(setup);
         constexpr int STEPS = 2, STEP = 10;  // pixels
         const glm::ivec2 middle = picked_pixel(scene_, SIZE);
         std::vector<CasterRay> rays;
@@ -71,13 +71,13 @@ public:
     }
 
 private:
-    void draw(const Shot& shot) {
-        if (scene_.id != shot.scene) {
-            scene_ = load_scene(shot.scene, *parameter(ParameterId::opacity).standard);
+    void draw(const RenderSetup& setup) {
+        if (scene_.id != setup.scene) {
+            scene_ = load_scene(setup.scene, *parameter(ParameterId::opacity).standard);
             renderer_.set_scene(scene_);
         }
         renderer_.render(
-            {scene_.camera, SIZE, &require_technique(shot.technique), values_with(shot.settings)});
+            {scene_.camera, SIZE, &require_technique(setup.technique), values_with(setup.settings)});
     }
 
     Renderer renderer_;
@@ -85,11 +85,11 @@ private:
     std::map<std::string, Image> pictures_;
 };
 
-std::string text_of(const Figure& figure, const std::vector<Finding>& findings) {
+std::string text_of(const Figure& figure, const std::vector<ClaimResult>& results) {
     std::string text = fmt::format("{}: {} ({})\n", figure.id, figure.title, figure.source);
-    for (const Finding& finding : findings)
-        text += fmt::format("  {} {}: {}\n", finding.agrees ? "agrees       " : "DOES NOT AGREE",
-                            finding.claim, finding.numbers);
+    for (const ClaimResult& result : results)
+        text += fmt::format("  {} {}: {}\n", result.agrees ? "agrees       " : "DOES NOT AGREE", result.claim,
+                            result.numbers);
     return text;
 }
 
@@ -116,8 +116,8 @@ void run_figure(const Options& options) {
             "Drawing figures was ended; {} of {} pictures are in '{}', and the page was not written.",
             done.load(), chosen.size(), folder.string());
     });
-    const auto context = make_gl_context("osmesa", MOST_FIGURE_SIZE);
-    RenderedShots shots;
+    const auto context = make_gl_context("osmesa", MAX_FIGURE_SIZE);
+    RenderedShots setups;
     GuiSession gui(nullptr, FIGURE_SCALE);
     ui::apply_style(ui::ThemeKind::light, FIGURE_SCALE);
     std::string page = INTRODUCTION;
@@ -126,11 +126,11 @@ void run_figure(const Options& options) {
         progress.require_finished();
         const Figure& figure = *chosen[i];
         const std::string name = fmt::format("{}.png", figure.id);
-        write_figure_picture(gui, figure, shots, folder / name);
-        const std::vector<Finding> findings = figure.measure(shots);
+        write_figure_picture(gui, figure, setups, folder / name);
+        const std::vector<ClaimResult> results = figure.measure(setups);
         page +=
-            figure_section(figure, findings, fmt::format("{}/{}", folder.filename().string(), name)) + "\n";
-        print(text_of(figure, findings));
+            figure_section(figure, results, fmt::format("{}/{}", folder.filename().string(), name)) + "\n";
+        print(text_of(figure, results));
         std::fflush(stdout);  // what is done is seen, however the rest ends
         ++done;
     }

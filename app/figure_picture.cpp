@@ -28,16 +28,16 @@ struct Drawn {
     ui::PlotPanel plot;
 };
 
-Drawn drawn(const FigurePanel& panel, ShotSource& shots) {
+Drawn drawn(const FigurePanel& panel, RenderSource& setups) {
     Drawn result = {&panel, {}, {}, {}, {}};
     if (!panel.plot) {
-        result.texture = image_texture(shots.picture(panel.shot));
+        result.texture = image_texture(setups.picture(panel.setup));
         return result;
     }
     ui::ExplorerState& state = result.state;
-    state.technique = &require_technique(panel.shot.technique);
-    state.parameters = values_with(panel.shot.settings);
-    state.ray = panel.ray ? *panel.ray : shots.picked_ray(panel.shot);
+    state.technique = &require_technique(panel.setup.technique);
+    state.parameters = values_with(panel.setup.settings);
+    state.ray = panel.ray ? *panel.ray : setups.picked_ray(panel.setup);
     if (panel.transmittance) ui::set_quantity(state.plot, ui::Quantity::transmittance);
     state.plot.shown[static_cast<std::size_t>(ui::Series::stems)] = false;
     result.measurement.capture.ray = *state.ray;
@@ -59,13 +59,13 @@ void draw(const ui::Ui& ui, Drawn& one) {
 
 }  // namespace
 
-void write_figure_picture(GuiSession& gui, const Figure& figure, ShotSource& shots,
+void write_figure_picture(GuiSession& gui, const Figure& figure, RenderSource& setups,
                           const std::filesystem::path& path) {
     std::vector<Drawn> all;
-    for (const FigurePanel& panel : figure.panels) all.push_back(drawn(panel, shots));
-    ui::Anchors anchors;
-    const ui::Ui ui{ui::palette(ui::ThemeKind::light), anchors};
-    glm::ivec2 size = MOST_FIGURE_SIZE;
+    for (const FigurePanel& panel : figure.panels) all.push_back(drawn(panel, setups));
+    ui::WidgetRects widget_rects;
+    const ui::Ui ui{ui::palette(ui::ThemeKind::light), widget_rects};
+    glm::ivec2 size = MAX_FIGURE_SIZE;
     for (int frame = 0; frame < 2; ++frame) {  // the first one measures
         gui.begin_frame(size);
         ImGui::SetNextWindowPos({0, 0});

@@ -6,9 +6,9 @@
 #include "app/terminal.hpp"
 #include "core/error.hpp"
 #include "core/inspect/curve_output.hpp"
+#include "core/inspect/error_breakdown.hpp"
 #include "core/inspect/sharp_bounds.hpp"
 #include "core/inspect/steps.hpp"
-#include "core/inspect/verdict.hpp"
 #include "core/output_file.hpp"
 #include "core/ray/ray_json.hpp"
 #include "core/ray/submission_order.hpp"
@@ -75,7 +75,7 @@ Subject ray_of_file(const std::string& path, const ParameterValues& values) {
 }
 
 std::string text_of_light(const LightView& light, const CastLight& cast) {
-    const LightVerdict& v = light.verdict;
+    const LightBreakdown& v = light.breakdown;
     return fmt::format(
         "Receiver: {}, at depth {:.5f} seen from the light, {} in {} texels.\n"
         "Transparent casters let through {:.4f} (truth {:.4f}), opaque ones {:.4f} (truth {:.4f}); shaded with {:.4f}.\n"
@@ -87,12 +87,12 @@ std::string text_of_light(const LightView& light, const CastLight& cast) {
 }
 
 // One line for each technique, below a table of curves.
-std::string text_of_verdicts(const PixelCapture& capture, const std::vector<Curve>& curves) {
+std::string text_of_breakdowns(const PixelCapture& capture, const std::vector<Curve>& curves) {
     std::string text;
     for (const Curve& curve : curves)
-        text +=
-            fmt::format("{}: {}\n", curve_name(curve, curves),
-                        pixel_verdict(capture.ray, *curve.technique, curve.values, capture.behind).sentence);
+        text += fmt::format(
+            "{}: {}\n", curve_name(curve, curves),
+            pixel_error_breakdown(capture.ray, *curve.technique, curve.values, capture.behind).sentence);
     return text;
 }
 
@@ -151,7 +151,7 @@ void run_inspect(const Options& options) {
         : format == "csv"
             ? curves_to_csv(curves)
             : curves_to_table(ray, curves) + (subject.light ? text_of_light(*subject.light, subject.cast)
-                                                            : text_of_verdicts(subject.capture, curves));
+                                                            : text_of_breakdowns(subject.capture, curves));
     if (options.output.empty())
         print(text);
     else

@@ -19,7 +19,7 @@ namespace {
 constexpr std::array<glm::vec3, NEEDED_COUNT> NEED_COLORS = {
     glm::vec3(0.93f, 0.93f, 0.93f), glm::vec3(0.99f, 0.91f, 0.55f), glm::vec3(0.53f, 0.66f, 0.63f),
     glm::vec3(0.16f, 0.31f, 0.50f), glm::vec3(0.80f, 0.28f, 0.10f)};
-constexpr int MOST_TEXT_HEIGHT = 600;
+constexpr int MAX_TEXT_HEIGHT = 600;
 
 enum class Agreement { nothing, agree, cautious, overlooked };
 constexpr std::array<glm::vec3, 4> AGREEMENT_COLORS = {
@@ -95,7 +95,7 @@ void write_needed_picture(const Image& picture, std::span<const PixelNeed> pixel
     const NeedHistogram histogram = count_needs(pixels);
     const float width = 560;
     const float height = width * static_cast<float>(picture.height) / static_cast<float>(picture.width);
-    glm::ivec2 size(static_cast<int>(2 * width) + 60, static_cast<int>(2 * height) + MOST_TEXT_HEIGHT);
+    glm::ivec2 size(static_cast<int>(2 * width) + 60, static_cast<int>(2 * height) + MAX_TEXT_HEIGHT);
     const auto context = make_gl_context("osmesa", size);
     GuiSession gui(nullptr, 1.0f);
     std::array<GlTexture, 4> textures;

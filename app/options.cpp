@@ -147,9 +147,9 @@ std::vector<Configuration> parse_configurations(const Options& options, const ch
 }
 
 ChartSettings parse_chart_settings(const Options& options, const char* standard_size) {
-    constexpr int MOST_ROUNDS = 1000;
+    constexpr int MAX_ROUNDS = 1000;
     return {parse_size(options.size.empty() ? standard_size : options.size),
-            parse_count(options.repeat, "number of rounds", 1, MOST_ROUNDS), parse_parameters(options)};
+            parse_count(options.repeat, "number of rounds", 1, MAX_ROUNDS), parse_parameters(options)};
 }
 
 std::vector<Configuration> charted_configurations(const Options& options, const ParameterValues& values) {

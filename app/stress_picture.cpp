@@ -12,7 +12,7 @@ namespace momentscope {
 namespace {
 
 constexpr float MAP_SCALE = 1.25f;
-constexpr glm::ivec2 MOST_SIZE(4096, 2160);
+constexpr glm::ivec2 MAX_SIZE(4096, 2160);
 
 // The colours from 0 to 1.
 void draw_scale(const ui::Ui& ui) {
@@ -36,19 +36,19 @@ void draw_scale(const ui::Ui& ui) {
 
 void write_stress_picture(const std::vector<StressCell>& cells, const StressOptions& options,
                           const std::filesystem::path& path) {
-    const auto context = make_gl_context("osmesa", MOST_SIZE);
+    const auto context = make_gl_context("osmesa", MAX_SIZE);
     GuiSession gui(nullptr, MAP_SCALE);
     ui::apply_style(ui::ThemeKind::light, MAP_SCALE);
-    ui::Anchors anchors;
-    const ui::Ui ui{ui::palette(ui::ThemeKind::light), anchors};
-    glm::ivec2 size = MOST_SIZE;
+    ui::WidgetRects widget_rects;
+    const ui::Ui ui{ui::palette(ui::ThemeKind::light), widget_rects};
+    glm::ivec2 size = MAX_SIZE;
     for (int frame = 0; frame < 2; ++frame) {  // the first one measures the text
         gui.begin_frame(size);
         const ImVec2 map = ui::stress_map_size(cells);
         const float least = ImGui::CalcTextSize(stress_title(options).c_str()).x;
         size = glm::min(glm::ivec2(static_cast<int>(std::max(map.x, least) + 2 * ui::em()),
                                    static_cast<int>(map.y + 5.5f * ui::em())),
-                        MOST_SIZE);
+                        MAX_SIZE);
         ImGui::SetNextWindowPos({0, 0});
         ImGui::SetNextWindowSize({static_cast<float>(size.x), static_cast<float>(size.y)});
         ImGui::Begin("stress", nullptr, ImGuiWindowFlags_NoDecoration);

@@ -49,9 +49,9 @@ public:
 
 // Where symbolic links lead, even when nothing is there yet.
 fs::path target_of(fs::path path) {
-    constexpr int MOST_LINKS = 40;  // as many as the system follows
+    constexpr int MAX_LINKS = 40;  // as many as the system follows
     std::error_code code;
-    for (int i = 0; i < MOST_LINKS && fs::is_symlink(path, code); ++i)
+    for (int i = 0; i < MAX_LINKS && fs::is_symlink(path, code); ++i)
         path = path.parent_path() / fs::read_symlink(path, code);
     return path;
 }

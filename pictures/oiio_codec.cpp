@@ -13,7 +13,7 @@ namespace momentscope {
 
 namespace {
 
-constexpr int MOST_MIB = 2048;  // that a decoder may take for a picture as it is stored
+constexpr int MAX_MIB = 2048;  // that a decoder may take for a picture as it is stored
 
 OIIO::TypeDesc type_of(PictureNumbers numbers) {
     return numbers == PictureNumbers::floats ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
@@ -50,7 +50,7 @@ std::unique_ptr<PictureReader> open(const std::string& path, bool unassociated, 
     OIIO::ImageSpec as_stored;
     if (unassociated) as_stored.attribute("oiio:UnassociatedAlpha", 1);
     // Some decoders take the memory while they open the file.
-    OIIO::attribute("limits:imagesize_MB", MOST_MIB);
+    OIIO::attribute("limits:imagesize_MB", MAX_MIB);
     try {
         if (auto input = OIIO::ImageInput::open(path, &as_stored))
             return std::make_unique<OiioReader>(std::move(input));

@@ -66,7 +66,7 @@ void write_pixel_state(const std::filesystem::path& folder, const Technique& tec
     ShaderVariant variant = state_variant(technique, settings);
     write(folder, technique.id, "passes/state_composite.frag", variant);
     if (!technique.pixel_state->holds_colors) write(folder, technique.id, "passes/state_color.frag", variant);
-    if (technique.pixel_state->with_fragment_again != nullptr) {
+    if (technique.pixel_state->accumulate_second_pass != nullptr) {
         write(folder, technique.id, "passes/state_convert.frag", variant);
         ShaderVariant second = state_building_variant(technique, settings, access);
         second.defines.insert({{"SECOND_PASS", "1"}, {"FIRST_TEXEL", "2"}, {"WRITTEN_TEXELS", "2"}});

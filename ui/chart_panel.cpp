@@ -120,11 +120,11 @@ void ChartPanel::draw_sizes(const Ui& ui) {
     if (ImGui::BeginCombo("##size", size_text(SIZES[size_]).c_str())) {
         for (std::size_t i = 0; i < SIZES.size(); ++i) {
             if (ImGui::Selectable(size_text(SIZES[i]).c_str(), size_ == i)) size_ = i;
-            ui.mark(fmt::format("chart.size.{}", SIZES[i].x));
+            ui.record_widget_rect(fmt::format("chart.size.{}", SIZES[i].x));
         }
         ImGui::EndCombo();
     }
-    ui.mark("chart.size");
+    ui.record_widget_rect("chart.size");
     tooltip("How large the pictures are that are measured.");
 }
 
@@ -138,15 +138,15 @@ bool ChartPanel::draw_controls(const Ui& ui, const Scene& scene, const ExplorerS
                            fmt::format("{} of {}, {:.0f} s left", measurement_.steps_done(),
                                        measurement_.steps(), std::ceil(measurement_.seconds_left()))
                                .c_str());
-        ui.mark("chart.progress");
+        ui.record_widget_rect("chart.progress");
         ImGui::SameLine();
         if (ImGui::Button("cancel")) cancel();
-        ui.mark("chart.cancel");
+        ui.record_widget_rect("chart.cancel");
         tooltip("Ends the measurement; rows that are done stay.");
         return false;
     }
     if (ImGui::Button("measure")) start(scene, state, message);
-    ui.mark("chart.measure");
+    ui.record_widget_rect("chart.measure");
     tooltip(
         "Draws the scene's own view by every technique, and takes its time and its error. The window goes on "
         "meanwhile, but what it draws takes time from what is measured.");
@@ -156,12 +156,12 @@ bool ChartPanel::draw_controls(const Ui& ui, const Scene& scene, const ExplorerS
     draw_sizes(ui);
     flow(button_width("standard parameters only") + 1.5f * em(), right, 0.5f * em());
     ImGui::Checkbox("standard parameters only", &standards_only_);
-    ui.mark("chart.standards_only");
+    ui.record_widget_rect("chart.standards_only");
     tooltip("Every technique once, without the grid of its parameters: about half the time.");
     if (measurement_.rows().empty()) return false;
     flow(button_width("save…"), right, 0.5f * em());
     const bool asked = ImGui::Button("save…");
-    ui.mark("chart.save");
+    ui.record_widget_rect("chart.save");
     tooltip("Writes the rows as CSV, or the chart as HTML, SVG or Markdown.");
     return asked;
 }
@@ -185,7 +185,7 @@ void ChartPanel::draw_chart(const Ui& ui, bool stale, ExplorerState& state) {
     ImGui::InvisibleButton("chart", {size.x, size.y});
     const bool hovered = ImGui::IsItemHovered();
     const bool clicked = ImGui::IsItemClicked();
-    ui.mark("chart.plot");
+    ui.record_widget_rect("chart.plot");
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 end = {origin.x + size.x, origin.y + size.y};
     list.AddRectFilled(origin, end, IM_COL32_WHITE, 0.3f * em());
@@ -198,7 +198,7 @@ void ChartPanel::draw_chart(const Ui& ui, bool stale, ExplorerState& state) {
         if (mark.row == Drawing::NO_ROW) continue;
         const ImVec2 at = {origin.x + scale * mark.at.x, origin.y + scale * mark.at.y};
         const float radius = scale * mark.radius;
-        ui.anchors[fmt::format("chart.{}", measurement_.rows()[mark.row].configuration)] = {
+        ui.widget_rects[fmt::format("chart.{}", measurement_.rows()[mark.row].configuration)] = {
             {at.x - radius, at.y - radius}, {at.x + radius, at.y + radius}};
         if (advice_ && advice_->winner == mark.row)
             list.AddCircle(at, radius + 0.45f * em(), IM_COL32(213, 0, 50, 255), 0, 0.15f * em());
@@ -236,7 +236,7 @@ bool ChartPanel::draw(const Ui& ui, const Scene& scene, ExplorerState& state, st
                         "those of what is shown now.",
                         measurement_.scene(), size_text(measurement_.settings().size))
                 .c_str());
-        ui.mark("chart.stale");
+        ui.record_widget_rect("chart.stale");
     } else {
         ImGui::TextDisabled("%s", fmt::format("{} configurations on {} at {}, the scene's own view",
                                               measurement_.rows().size(), measurement_.scene(),

@@ -8,7 +8,7 @@ namespace momentscope::ui {
 
 namespace {
 
-constexpr int MOST_BITS = 4096;
+constexpr int MAX_BITS = 4096;
 
 float greatest_error(Metric metric) {
     return metric == Metric::delta_e ? 50.0f : metric == Metric::flip ? 0.99f : 1.0f;
@@ -25,11 +25,11 @@ void ChartPanel::draw_error_bound(const Ui& ui, float right) {
                     static_cast<double>(greatest_error(row.id) / greatest_error(bounds_.metric));
                 bounds_.metric = row.id;
             }
-            ui.mark(fmt::format("chart.metric.{}", row.key));
+            ui.record_widget_rect(fmt::format("chart.metric.{}", row.key));
         }
         ImGui::EndCombo();
     }
-    ui.mark("chart.metric");
+    ui.record_widget_rect("chart.metric");
     tooltip("The error of the chart and of the advice.");
     flow(9 * em(), right, 0.5f * em());
     ImGui::SetNextItemWidth(9 * em());
@@ -38,7 +38,7 @@ void ChartPanel::draw_error_bound(const Ui& ui, float right) {
     if (ImGui::SliderFloat("##max_error", &error, 1e-4f * most, most, "at most %.3g",
                            ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
         bounds_.max_error = static_cast<double>(error);
-    ui.mark("chart.max_error");
+    ui.record_widget_rect("chart.max_error");
     tooltip("The greatest error that is good enough, also at views that the rows were not measured at.",
             "Ctrl+click to type");
 }
@@ -46,14 +46,14 @@ void ChartPanel::draw_error_bound(const Ui& ui, float right) {
 void ChartPanel::draw_bits_bound(const Ui& ui, float right) {
     flow(button_width("bits") + 8 * em(), right, 0.5f * em());
     ImGui::Checkbox("bits", &bounds_bits_);
-    ui.mark("chart.bounds_bits");
+    ui.record_widget_rect("chart.bounds_bits");
     tooltip("Bounds what a pixel stores beside the colour buffers.");
     if (bounds_bits_) {
         ImGui::SameLine();
         ImGui::SetNextItemWidth(7 * em());
-        ImGui::SliderInt("##bits", &bits_, 1, MOST_BITS, "at most %d",
+        ImGui::SliderInt("##bits", &bits_, 1, MAX_BITS, "at most %d",
                          ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-        ui.mark("chart.max_bits");
+        ui.record_widget_rect("chart.max_bits");
         tooltip("Bits per pixel.", "Ctrl+click to type");
     }
 }
@@ -65,7 +65,7 @@ void ChartPanel::draw_bounds(const Ui& ui) {
     draw_bits_bound(ui, right);
     flow(button_width("any order") + 1.5f * em(), right, 0.5f * em());
     ImGui::Checkbox("any order", &bounds_.order_independent);
-    ui.mark("chart.order_independent");
+    ui.record_widget_rect("chart.order_independent");
     tooltip("Leaves out what depends on the order of submission.");
 }
 
@@ -76,7 +76,7 @@ void ChartPanel::draw_row(const Ui& ui, const char* name, std::optional<std::siz
     ImGui::BeginDisabled(stale);
     if (ImGui::Button(fmt::format("use##{}", name).c_str())) use(*row, state);
     ImGui::EndDisabled();
-    ui.mark(fmt::format("chart.use.{}", name));
+    ui.record_widget_rect(fmt::format("chart.use.{}", name));
     tooltip("Draws the picture with this technique and these parameters.");
     ImGui::SameLine();
     const ChartRow& of = measurement_.rows()[*row];
@@ -97,14 +97,14 @@ void ChartPanel::draw_advice(const Ui& ui, bool stale, ExplorerState& state) {
         ImGui::TextWrapped("%s", no_advice_text(measurement_.rows(), bounds_,
                                                 measurement_.held_out(bounds_.metric), *advice_)
                                      .c_str());
-        ui.mark("chart.nothing");
+        ui.record_widget_rect("chart.nothing");
         draw_row(ui, "nearest", advice_->nearest, "None of the rows is a candidate.", stale, state);
     }
     ImGui::TextDisabled("%s", measurement_.busy() ? "Of the rows so far, at their own view alone."
                               : checking_         ? "Checking at other views…"
                               : stale             ? "At their own view alone."
                                                   : "Checked at six other views.");
-    ui.mark("chart.checked");
+    ui.record_widget_rect("chart.checked");
 }
 
 }  // namespace momentscope::ui

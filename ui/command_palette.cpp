@@ -33,7 +33,7 @@ void place_window(float width, float height, float top) {
 bool draw_entry(const Ui& ui, const Command& command, bool selected) {
     const std::string label = fmt::format("{}: {}##{}", menu_title(command), command.name, command.id);
     const bool clicked = ImGui::Selectable(label.c_str(), selected);
-    ui.mark("palette." + command.id);
+    ui.record_widget_rect("palette." + command.id);
     tooltip(command.help);
     if (!command.keys.empty()) {
         ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - 9 * em());
@@ -78,7 +78,7 @@ bool CommandPalette::draw_typed(const Ui& ui) {
     const std::string before = typed_;
     const bool accepted = ImGui::InputTextWithHint("##typed", "type what you want to do", &typed_,
                                                    ImGuiInputTextFlags_EnterReturnsTrue);
-    ui.mark("palette.typed");
+    ui.record_widget_rect("palette.typed");
     if (typed_ != before) chosen_ = 0;
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow))) ++chosen_;
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_UpArrow))) --chosen_;
@@ -122,9 +122,9 @@ void draw_help(const Ui& ui, bool& open) {
         ImGui::End();
         return;
     }
-    ui.anchors["help"] = {ImGui::GetWindowPos(),
-                          {ImGui::GetWindowPos().x + ImGui::GetWindowWidth(),
-                           ImGui::GetWindowPos().y + ImGui::GetWindowHeight()}};
+    ui.widget_rects["help"] = {ImGui::GetWindowPos(),
+                               {ImGui::GetWindowPos().x + ImGui::GetWindowWidth(),
+                                ImGui::GetWindowPos().y + ImGui::GetWindowHeight()}};
     const auto begin_table = [](const char* id) {
         if (!ImGui::BeginTable(id, 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings)) return false;
         ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 12 * em());

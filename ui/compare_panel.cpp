@@ -21,12 +21,12 @@ void draw_modes(const Ui& ui, CompareState& compare) {
                  {CompareMode::false_color, "false colour", "false_color"}};
     label("show");
     if (toggle_button("picture", compare.mode == CompareMode::off)) compare.mode = CompareMode::off;
-    ui.mark("comparison.off");
+    ui.record_widget_rect("comparison.off");
     tooltip("The picture alone; hold G to flip to the reference.");
     for (const auto& row : MODES) {
         ImGui::SameLine(0, 0.2f * em());
         if (toggle_button(row.name, compare.mode == row.mode)) compare.mode = row.mode;
-        ui.mark(fmt::format("comparison.{}", row.id));
+        ui.record_widget_rect(fmt::format("comparison.{}", row.id));
         const Command& command = require_command(fmt::format("compare.{}", row.id));
         tooltip(command.help, command.keys.front());
     }
@@ -37,14 +37,14 @@ void draw_mode_controls(const Ui& ui, CompareState& compare) {
     if (compare.mode == CompareMode::wipe) {
         label("");
         if (ImGui::Button("swap sides")) compare.swapped = !compare.swapped;
-        ui.mark("comparison.swap");
+        ui.record_widget_rect("comparison.swap");
         tooltip("Exchanges the sides of reference and picture.", "Shift+W");
     } else if (compare.mode != CompareMode::off) {
         label("amplify");
         ImGui::SetNextItemWidth(14 * em());
-        ImGui::SliderFloat("##gain", &compare.gain, LEAST_GAIN, MOST_GAIN, "× %.3g",
+        ImGui::SliderFloat("##gain", &compare.gain, MIN_GAIN, MAX_GAIN, "× %.3g",
                            ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-        ui.mark("comparison.gain");
+        ui.record_widget_rect("comparison.gain");
         tooltip("By how much differences are amplified, in the picture alone: the numbers stay as they are.",
                 "1 to 64; Ctrl+click to type");
     }
@@ -65,7 +65,7 @@ void draw_metric(const Ui& ui, const MetricRow& row, const char* name, Compariso
     ImGui::TableNextColumn();
     if (ImGui::Selectable(name, compare.metric == row.id, ImGuiSelectableFlags_SpanAllColumns))
         compare.metric = row.id;
-    ui.mark(fmt::format("comparison.metric.{}", row.key));
+    ui.record_widget_rect(fmt::format("comparison.metric.{}", row.key));
     tooltip(fmt::format("{} Click to choose it for false colour and the worst pixel.", row.help), row.source);
     const MetricResult* result = comparison.result(row.id);
     const bool fresh = comparison.is_fresh(row.id);
@@ -104,7 +104,7 @@ void draw_metrics(const Ui& ui, Comparison& comparison, ExplorerState& state) {
 bool draw_actions(const Ui& ui, Comparison& comparison, CompareState& compare) {
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     const bool asked = ImGui::Button("next worst pixel");
-    ui.mark("comparison.next_worst");
+    ui.record_widget_rect("comparison.next_worst");
     tooltip(
         "Picks the pixel where the chosen metric is greatest, of the region if there is one; then the next "
         "worst, at least 16 pixels away from those before.",
@@ -116,7 +116,7 @@ bool draw_actions(const Ui& ui, Comparison& comparison, CompareState& compare) {
     }
     ImGui::SameLine();
     if (ImGui::Button("forget region")) compare.region.reset();
-    ui.mark("comparison.forget_region");
+    ui.record_widget_rect("comparison.forget_region");
     tooltip("Measures the whole picture alone.", "Escape");
     if (!compare.region) return asked;
     const PixelRegion region = pixels_of(compare.region, comparison.size());

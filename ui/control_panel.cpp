@@ -22,12 +22,12 @@ void wide_label(const char* text) {
 void draw_scene_combo(const Ui& ui, ExplorerState& state) {
     const std::string shown = state.ray ? "a view ray of its own" : state.scene;
     const bool open = ImGui::BeginCombo("##scene", shown.c_str());
-    ui.mark("controls.scene");
+    ui.record_widget_rect("controls.scene");
     tooltip("The scene. Mesh files are opened with File > Open mesh.", "--scene");
     if (!open) return;
     for (const SceneEntry& entry : scene_entries()) {
         if (ImGui::Selectable(entry.id, !state.ray && state.scene == entry.id)) choose_scene(state, entry.id);
-        ui.mark(fmt::format("controls.scene.{}", entry.id));
+        ui.record_widget_rect(fmt::format("controls.scene.{}", entry.id));
         tooltip(entry.description);
     }
     ImGui::EndCombo();
@@ -39,7 +39,7 @@ void draw_compared_combo(const Ui& ui, ExplorerState& state) {
         shown += fmt::format("{}{}", shown.empty() ? "" : ", ", technique->id);
     const bool open = ImGui::BeginCombo("##compared", shown.empty() ? "none" : shown.c_str(),
                                         ImGuiComboFlags_HeightLargest);
-    ui.mark("controls.compared");
+    ui.record_widget_rect("controls.compared");
     tooltip("Techniques whose reconstruction the plot shows beside that of the picture.");
     if (!open) return;
     for (const Technique& row : techniques()) {
@@ -51,7 +51,7 @@ void draw_compared_combo(const Ui& ui, ExplorerState& state) {
             else
                 std::erase(state.compared, &row);
         }
-        ui.mark(fmt::format("controls.compared.{}", row.id));
+        ui.record_widget_rect(fmt::format("controls.compared.{}", row.id));
         tooltip(row.description, row.source);
     }
     ImGui::EndCombo();

@@ -7,7 +7,7 @@ namespace momentscope::ui {
 
 namespace {
 
-constexpr int MOST_DIVISOR = 4;
+constexpr int MAX_DIVISOR = 4;
 
 }  // namespace
 
@@ -28,7 +28,7 @@ void DraftPicture::draw(const View& view, double wanted) {
     renderer_->render(draft);
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
     // The first draft uploads the scene and compiles shaders, which says nothing of the next.
-    if (!first && took.count() > wanted) divisor_ = std::min(divisor_ + 1, MOST_DIVISOR);
+    if (!first && took.count() > wanted) divisor_ = std::min(divisor_ + 1, MAX_DIVISOR);
 }
 
 glm::ivec2 DraftPicture::pixel_at(glm::vec2 place) const {

@@ -293,10 +293,10 @@ void Explorer::measure_if_changed(bool captured) {
     report_.plot = captured || first || !same_curves(shown_state_, state_);
     if (captured || first) sharp_input_.reset();
     if (report_.plot) measure_curves(measurement_, state_);
-    verdict_stale_ |= report_.plot || shown_state_.parameters != state_.parameters;
-    if (verdict_stale_ && state_.panel == Panel::fragments && !measurement_.light) {
-        measure_verdict(measurement_, state_);
-        verdict_stale_ = false;
+    breakdown_stale_ |= report_.plot || shown_state_.parameters != state_.parameters;
+    if (breakdown_stale_ && state_.panel == Panel::fragments && !measurement_.light) {
+        measure_breakdown(measurement_, state_);
+        breakdown_stale_ = false;
     }
     report_.query = report_.plot || query_depth(measurement_, state_) != measurement_.canonical.query;
     if (report_.query) measure_query(measurement_, state_);

@@ -121,7 +121,7 @@ public:
 
     /// What the scene is shown without, which is also its first message; empty when nothing is missing.
     std::string warning() const;
-    const Anchors& anchors() const { return anchors_; }
+    const WidgetRects& widget_rects() const { return widget_rects_; }
     bool shows_reference() const { return flipped_; }
     bool shows_help() const { return help_; }
     bool shows_palette() const { return palette_.is_open(); }
@@ -195,7 +195,7 @@ private:
     Measurement measurement_;
     FrameReport report_;
     std::string message_;
-    Anchors anchors_;
+    WidgetRects widget_rects_;
 
     Scene scene_;               // what the renderer holds
     float light_distance_ = 1;  // its light's own
@@ -212,7 +212,7 @@ private:
     bool flip_button_held_ = false;
     bool lens_flipped_ = false;
     bool transmittance_stale_ = true;
-    bool verdict_stale_ = true;
+    bool breakdown_stale_ = true;
     Comparison comparison_;
     bool pair_stale_ = true;     // picture or reference changed since they were compared
     bool worst_wanted_ = false;  // as soon as it is known

@@ -16,7 +16,7 @@ namespace momentscope::ui {
 
 namespace {
 
-constexpr float LEAST_SHARE = 0.2f, MOST_SHARE = 0.8f;
+constexpr float MIN_SHARE = 0.2f, MAX_SHARE = 0.8f;
 
 ImVec4 color_of(ImU32 tint) {
     return ImGui::ColorConvertU32ToFloat4(tint);
@@ -26,12 +26,12 @@ ImVec4 color_of(ImU32 tint) {
 void splitter(const Ui& ui, const char* name, bool vertical, ImVec2 size, float room, float standard,
               float& share) {
     ImGui::InvisibleButton(name, {std::max(size.x, 1.0f), std::max(size.y, 1.0f)});
-    ui.mark(name);
+    ui.record_widget_rect(name);
     const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
     tooltip("Drag to divide the room; double-click to divide it as at first.");
     if (hot) ImGui::SetMouseCursor(vertical ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
     const float moved = vertical ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y;
-    if (ImGui::IsItemActive() && room > 1) share = std::clamp(share + moved / room, LEAST_SHARE, MOST_SHARE);
+    if (ImGui::IsItemActive() && room > 1) share = std::clamp(share + moved / room, MIN_SHARE, MAX_SHARE);
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) share = standard;
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
@@ -62,12 +62,12 @@ void Explorer::frame() {
         apply_style(state_.theme, options_.scale);
         styled_ = state_.theme;
     }
-    anchors_.clear();
+    widget_rects_.clear();
     stress_panel_.poll();
     poll_tuning();
     comparison_.poll();
     if (!busy()) chart_panel_.work(state_, message_);
-    const Ui ui = {palette(state_.theme), anchors_};
+    const Ui ui = {palette(state_.theme), widget_rects_};
     const ImGuiViewport& viewport = *ImGui::GetMainViewport();
     ImGui::SetNextWindowPos(viewport.Pos);
     ImGui::SetNextWindowSize(viewport.Size);
@@ -100,7 +100,7 @@ void Explorer::draw_menu(const Ui& ui) {
     if (!ImGui::BeginMenuBar()) return;
     for (const Menu& menu : menus()) {
         const bool open = ImGui::BeginMenu(menu.title);
-        ui.mark(fmt::format("menu.{}", menu.id));
+        ui.record_widget_rect(fmt::format("menu.{}", menu.id));
         if (!open) continue;
         for (const Command& command : commands()) {
             if (!command.id.starts_with(std::string(menu.id) + ".")) continue;
@@ -110,7 +110,7 @@ void Explorer::draw_menu(const Ui& ui) {
             if (ImGui::MenuItem(command.name.c_str(), key.c_str(), checked,
                                 command.run && is_enabled(command, *this)))
                 command.run(*this);
-            ui.mark(command.id);
+            ui.record_widget_rect(command.id);
             tooltip(command.help);
         }
         ImGui::EndMenu();
@@ -174,7 +174,7 @@ void Explorer::draw_tabs(const Ui& ui) {
         if (i > 0) flow(button_width(PANEL_NAMES[i]), right, 0.2f * em());
         if (toggle_button(PANEL_NAMES[i], state_.panel == static_cast<Panel>(i)))
             state_.panel = static_cast<Panel>(i);
-        ui.mark(fmt::format("tab.{}", i + 1));
+        ui.record_widget_rect(fmt::format("tab.{}", i + 1));
         tooltip(HELP[i], fmt::format("Ctrl+{}", i + 1));
     }
     ImGui::BeginChild("panel");
@@ -212,7 +212,7 @@ void Explorer::draw_tabs(const Ui& ui) {
             break;
     }
     ImGui::EndChild();
-    anchors_["panel"] = {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
+    widget_rects_["panel"] = {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
 }
 
 // A message stays until the user does the next thing.
@@ -227,7 +227,7 @@ void Explorer::message_until_input() {
 void Explorer::draw_status(const Ui& ui) {
     if (!message_.empty()) {
         ImGui::TextColored(color_of(ui.colors.warning), "%s", message_.c_str());
-        ui.mark("status");
+        ui.record_widget_rect("status");
         tooltip(message_);
         return;
     }
@@ -244,14 +244,14 @@ void Explorer::draw_status(const Ui& ui) {
                               t.opaque, t.moments, t.color, t.composite);
     }
     ImGui::TextUnformatted(status.c_str());
-    ui.mark("status");
+    ui.record_widget_rect("status");
     tooltip(
         "The picked pixel, what lies on its ray, and how long the GL took for each pass when it last ran.");
     const std::string gl = gl_.software ? fmt::format("no GPU: {}", gl_.renderer) : gl_.renderer;
     const float width = std::min(ImGui::CalcTextSize(gl.c_str()).x, 0.35f * ImGui::GetContentRegionMax().x);
     ImGui::SameLine(std::max(ImGui::GetContentRegionMax().x - width, 1.0f));
     ImGui::TextDisabled("%s", gl.c_str());
-    ui.mark("status.gl");
+    ui.record_widget_rect("status.gl");
     std::string missing = fmt::format("OpenGL {}, {}", gl_.version, gl_.renderer);
     for (const MissingFeature& feature : gl_.missing)
         missing += fmt::format("\nmissing: {}; {}.", feature.feature, feature.consequence);
@@ -276,7 +276,7 @@ void Explorer::draw_loading(const Ui& ui) {
         static_cast<float>(seconds - std::floor(seconds));  // how long it takes is not known beforehand
     ImGui::ProgressBar(sweep, {-1, 0}, fmt::format("{:.1f} s", seconds).c_str());
     if (ImGui::Button("Cancel", {6 * em(), 0}) || pressed({.key = 256})) loader_.cancel();
-    ui.mark("loading.cancel");
+    ui.record_widget_rect("loading.cancel");
     tooltip("Stops reading; the last scene stays.", "Escape");
     ImGui::End();
 }

@@ -24,7 +24,7 @@ void Explorer::draw_lessons(const Ui& ui) {
             else
                 open_lesson(state_, lesson);
         }
-        ui.mark(fmt::format("card.{}", lesson.id));
+        ui.record_widget_rect(fmt::format("card.{}", lesson.id));
         if (!open) tooltip(lesson.question, "click to start from there; Ctrl+Z brings everything back");
         ++number;
     }
@@ -61,13 +61,13 @@ void Explorer::draw_card(const Ui& ui) {
     ImGui::SetCursorPos({width - button - pad, pad});
     if (ImGui::Button(state_.answer ? "hide answer" : "show answer", {button, 0}))
         state_.answer = !state_.answer;
-    ui.mark("card.answer");
+    ui.record_widget_rect("card.answer");
     ImGui::SetCursorPos({width - button - pad, pad + ImGui::GetFrameHeightWithSpacing()});
     if (ImGui::Button("close card", {button, 0})) state_.card.clear();
-    ui.mark("card.close");
+    ui.record_widget_rect("card.close");
     tooltip("Hides the card and keeps everything as it is.", "Escape");
     ImGui::EndChild();
-    anchors_["card"] = {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
+    widget_rects_["card"] = {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
     ImGui::PopStyleColor();
 }
 

@@ -58,7 +58,7 @@ void Explorer::draw_tuning(const Ui& ui) {
     ImGui::Spacing();
     if (!tuning_.busy()) {
         if (ImGui::Button("tune α, θ, β")) start_tuning();
-        ui.mark("controls.tune");
+        ui.record_widget_rect("controls.tune");
         tooltip(
             "Looks for the moment bias, wrapping zone angle and overestimation weight of least error against "
             "the truth, over the pixels of this scene or for this ray, as the paper advises finding them by "
@@ -67,10 +67,10 @@ void Explorer::draw_tuning(const Ui& ui) {
         return;
     }
     ImGui::ProgressBar(tuning_.share(), {12 * em(), 0});
-    ui.mark("controls.tune.progress");
+    ui.record_widget_rect("controls.tune.progress");
     ImGui::SameLine();
     if (ImGui::Button("cancel##tune")) tuning_.cancel();
-    ui.mark("controls.tune.cancel");
+    ui.record_widget_rect("controls.tune.cancel");
     tooltip("Ends the search and keeps the parameters.");
 }
 

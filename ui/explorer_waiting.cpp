@@ -27,8 +27,8 @@ void Explorer::announce(const PictureKind& kind, glm::ivec2 size) const {
 
 void Explorer::draw_waiting(ImDrawList& list) const {
     constexpr const char* WORD = "drawing…";
-    const auto scene = anchors_.find("scene");
-    if (scene == anchors_.end()) return;
+    const auto scene = widget_rects_.find("scene");
+    if (scene == widget_rects_.end()) return;
     const Rect& area = scene->second;
     const ImVec2 extent = ImGui::CalcTextSize(WORD);
     draw_label(list,

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t MOST_ENTRIES = 5000;  // more than anybody scrolls through
+constexpr std::size_t MAX_ENTRIES = 5000;  // more than anybody scrolls through
 
 std::string size_text(std::uintmax_t bytes) {
     if (bytes < 1000) return fmt::format("{} B", bytes);
@@ -56,7 +56,7 @@ void FileDialog::read_folder() {
     std::error_code status;
     const std::string extension = kinds_[kind_].extension;
     for (fs::directory_iterator at(folder_, status), end;
-         !status && at != end && entries_.size() < MOST_ENTRIES; at.increment(status)) {
+         !status && at != end && entries_.size() < MAX_ENTRIES; at.increment(status)) {
         std::error_code of_entry;
         const bool folder = at->is_directory(of_entry);
         const std::string name = at->path().filename().string();
@@ -83,7 +83,7 @@ void FileDialog::draw_entries(const Ui& ui, bool& accept) {
         0, std::max(ImGui::GetContentRegionAvail().y - 4.6f * ImGui::GetFrameHeightWithSpacing(), 4 * em())};
     ImGui::BeginChild("entries", size, true);
     if (ImGui::Selectable("../", false)) enter(folder_.parent_path());
-    ui.mark("file.parent");
+    ui.record_widget_rect("file.parent");
     std::optional<fs::path> entered;
     for (const Entry& entry : entries_) {
         const std::string label = entry.folder ? entry.name + "/" : entry.name;
@@ -99,7 +99,7 @@ void FileDialog::draw_entries(const Ui& ui, bool& accept) {
                 name_ = entry.name;
             accept |= !entry.folder && second;
         }
-        ui.mark("file.entry." + entry.name);
+        ui.record_widget_rect("file.entry." + entry.name);
         if (!entry.folder) {
             ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - 6 * em());
             ImGui::TextDisabled("%s", size_text(entry.bytes).c_str());
@@ -150,11 +150,11 @@ void FileDialog::draw_kinds(const Ui& ui) {
     if (ImGui::BeginCombo("##kind", kinds_[kind_].name)) {
         for (std::size_t i = 0; i < kinds_.size(); ++i) {
             if (ImGui::Selectable(kinds_[i].name, i == kind_)) choose_kind(i);
-            ui.mark(fmt::format("file.kind.{}", kinds_[i].id));
+            ui.record_widget_rect(fmt::format("file.kind.{}", kinds_[i].id));
         }
         ImGui::EndCombo();
     }
-    ui.mark("file.kind");
+    ui.record_widget_rect("file.kind");
     tooltip("What is written.");
 }
 
@@ -165,14 +165,14 @@ void FileDialog::draw_answer(const Ui& ui, bool& accept, bool& cancel) {
     begin_ = false;
     accept |= ImGui::InputTextWithHint("##name", "name of the file, or a path", &name_,
                                        ImGuiInputTextFlags_EnterReturnsTrue);
-    ui.mark("file.name");
+    ui.record_widget_rect("file.name");
     tooltip("A name in this folder, or a whole path.");
     accept |= ImGui::Button(mode_ == Mode::save ? "Save" : "Open", {6 * em(), 0});
-    ui.mark("file.accept");
+    ui.record_widget_rect("file.accept");
     tooltip(mode_ == Mode::save ? "Writes the file." : "Opens the file, or enters the folder.", "Enter");
     ImGui::SameLine();
     cancel |= ImGui::Button("Cancel", {6 * em(), 0}) || pressed({.key = 256});
-    ui.mark("file.cancel");
+    ui.record_widget_rect("file.cancel");
     tooltip("Closes the dialog and changes nothing.", "Escape");
 }
 

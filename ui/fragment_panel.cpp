@@ -66,7 +66,7 @@ void draw_row(const Ui& ui, const Measurement& m, const PixelHistoryRow& row, st
             state.marked = row.fragment;
         state.plot.query.reset();
     }
-    ui.mark(fmt::format("fragment.{}", place + 1));
+    ui.record_widget_rect(fmt::format("fragment.{}", place + 1));
     tooltip(fmt::format("View depth {:.4f}; draw call {}, triangle {}. Blending (ONE, ONE) adds {} to {}; in "
                         "linear RGB, with the weight last.",
                         f.view_depth, f.draw, f.primitive, vector_text(row.source), vector_text(row.sum)),
@@ -117,17 +117,17 @@ std::string summary(const Measurement& m) {
                        std::sqrt(squares / static_cast<double>(std::max<std::size_t>(m.history.size(), 1))));
 }
 
-std::string verdict_help(const Verdict& verdict) {
+std::string breakdown_help(const ErrorBreakdown& breakdown) {
     std::string text =
         "What the pixel's error is made of, step by step from the truth to what is shown; negative shares make "
         "up for others. Distances in linear RGB.";
-    for (const Contribution& one : verdict.contributions)
+    for (const Contribution& one : breakdown.contributions)
         text += fmt::format("\n{:+.4f}  {}", one.share, one.cause);
     return text;
 }
 
 std::string light_help(const LightView& light) {
-    const LightVerdict& v = light.verdict;
+    const LightBreakdown& v = light.breakdown;
     std::string text = fmt::format(
         "Shares of the light. Transparent casters let {:.4f} through, {:.4f} by the truth of a deep shadow map with the same "
         "filter; opaque ones {:.4f}, {:.4f} by comparing every texel. The GL shades with {:.4f}.\nWhat the difference is made of:",
@@ -148,18 +148,18 @@ std::string light_summary(const LightView& light) {
 void draw_fragment_panel(const Ui& ui, const Measurement& m, ExplorerState& state) {
     if (m.history.empty()) {
         ImGui::TextWrapped("%s", empty_ray_text(m).c_str());
-        ui.mark("fragments.empty");
+        ui.record_widget_rect("fragments.empty");
         return;
     }
     if (m.light) {
-        ImGui::TextWrapped("%s", m.light->verdict.sentence.c_str());
-        ui.mark("fragments.verdict");
+        ImGui::TextWrapped("%s", m.light->breakdown.sentence.c_str());
+        ui.record_widget_rect("fragments.verdict");
         tooltip(light_help(*m.light));
         ImGui::TextWrapped("%s", light_summary(*m.light).c_str());
     } else {
-        ImGui::TextWrapped("%s", m.verdict.sentence.c_str());
-        ui.mark("fragments.verdict");
-        tooltip(verdict_help(m.verdict));
+        ImGui::TextWrapped("%s", m.breakdown.sentence.c_str());
+        ui.record_widget_rect("fragments.verdict");
+        tooltip(breakdown_help(m.breakdown));
         ImGui::TextUnformatted(summary(m).c_str());
     }
     const ImGuiTableFlags flags = ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg |

@@ -7,14 +7,14 @@ namespace momentscope::ui {
 
 namespace {
 
-constexpr std::size_t MOST_STEPS = 1000;  // a state is small; a long lesson has some hundred
+constexpr std::size_t MAX_STEPS = 1000;  // a state is small; a long lesson has some hundred
 
 }  // namespace
 
 void History::record(const ExplorerState& state) {
     if (state == present_) return;
     past_.push_back(std::exchange(present_, state));
-    if (past_.size() > MOST_STEPS) past_.erase(past_.begin());
+    if (past_.size() > MAX_STEPS) past_.erase(past_.begin());
     future_.clear();
 }
 

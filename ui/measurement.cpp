@@ -66,8 +66,8 @@ float query_depth(const Measurement& measurement, const ExplorerState& state) {
     return state.marked && *state.marked < ray.fragments.size() ? ray.fragments[*state.marked].depth : 0.0f;
 }
 
-BandExit band_exit(const Curve& curve) {
-    BandExit exit;
+BoundViolation bound_violation(const Curve& curve) {
+    BoundViolation exit;
     if (curve.beta0.empty()) return exit;
     const auto tolerance =
         static_cast<float>(2e-3 * std::max(curve.total_absorbance, 1e-6));  // a pixel of the plot
@@ -113,7 +113,7 @@ void measure_curves(Measurement& m, const ExplorerState& state) {
     const std::vector<float> depths = plot_depths(ray, SAMPLES, visible_depths(ray, state.plot));
     const auto [technique, values] = plotted_configuration(state);
     m.curve = sample_curve(ray, *technique, values, depths);
-    m.exit = band_exit(m.curve);
+    m.exit = bound_violation(m.curve);
     m.failure = solver_failure(m.curve);
     m.compared.clear();
     for (const Technique* other : state.compared)
@@ -127,8 +127,8 @@ void measure_curves(Measurement& m, const ExplorerState& state) {
             sample_curve(pin.ray, *state.technique, state.parameters, plot_depths(pin.ray, SAMPLES / 2));
 }
 
-void measure_verdict(Measurement& m, const ExplorerState& state) {
-    m.verdict = pixel_verdict(m.capture.ray, *state.technique, state.parameters, m.capture.behind);
+void measure_breakdown(Measurement& m, const ExplorerState& state) {
+    m.breakdown = pixel_error_breakdown(m.capture.ray, *state.technique, state.parameters, m.capture.behind);
 }
 
 void measure_query(Measurement& m, const ExplorerState& state) {

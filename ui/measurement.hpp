@@ -6,17 +6,17 @@
 
 #include "core/inspect/canonical.hpp"
 #include "core/inspect/curve.hpp"
+#include "core/inspect/error_breakdown.hpp"
 #include "core/inspect/pixel_history.hpp"
 #include "core/inspect/sharp_bounds.hpp"
 #include "core/inspect/steps.hpp"
-#include "core/inspect/verdict.hpp"
 #include "core/render/light_view.hpp"
 #include "ui/state.hpp"
 
 namespace momentscope::ui {
 
 /// Where the truth lies outside of what beta = 0 and beta = 1 give.
-struct BandExit {
+struct BoundViolation {
     std::vector<Range> where;  // depths, ascending
     float worst = 0;           // absorbance by which it leaves
     float worst_depth = 0;
@@ -48,8 +48,8 @@ struct Measurement {
     CanonicalRepresentation canonical;
     Steps steps;                           // at the same query depth
     std::vector<PixelHistoryRow> history;  // front to back
-    Verdict verdict;                       // on the pixel's colour
-    BandExit exit;
+    ErrorBreakdown breakdown;              // on the pixel's colour
+    BoundViolation exit;
     SolverFailure failure;
     std::vector<Pinned> pins;
 };
@@ -68,7 +68,7 @@ Range visible_depths(const ViewRay& ray, const PlotState& plot);
 float query_depth(const Measurement& measurement, const ExplorerState& state);
 
 /// Where a curve's truth leaves the band by more than rounding does.
-BandExit band_exit(const Curve& curve);
+BoundViolation bound_violation(const Curve& curve);
 
 /// Where the curve's solver fails; evaluates it once more per depth if it is the textbook's.
 SolverFailure solver_failure(const Curve& curve);
@@ -83,7 +83,7 @@ bool same_curves(const ExplorerState& a, const ExplorerState& b);
 void measure_curves(Measurement& measurement, const ExplorerState& state);
 
 /// Recomputes why the pixel's colour is wrong; depends on all parameters.
-void measure_verdict(Measurement& measurement, const ExplorerState& state);
+void measure_breakdown(Measurement& measurement, const ExplorerState& state);
 
 /// Recomputes the canonical representation and the steps at the query depth, from the curve's moments.
 void measure_query(Measurement& measurement, const ExplorerState& state);

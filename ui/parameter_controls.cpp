@@ -13,7 +13,7 @@ namespace momentscope::ui {
 
 namespace {
 
-constexpr float LEAST_EXPONENT = -9;  // sliders of logarithmic parameters start at 10^-9, and left of it at 0
+constexpr float MIN_EXPONENT = -9;  // sliders of logarithmic parameters start at 10^-9, and left of it at 0
 
 std::string shown_name(const Parameter& row) {
     return fmt::format("{} {}", row.name, row.symbol);  // never a bare alpha
@@ -22,8 +22,8 @@ std::string shown_name(const Parameter& row) {
 // ImGui's own logarithmic sliders do not reach this far down, so the slider moves the exponent.
 bool draw_logarithmic(const Parameter& row, float& value) {
     const float most = std::log10(row.maximum);
-    const float first = row.minimum > 0 ? std::log10(row.minimum) : LEAST_EXPONENT;
-    const float least = row.minimum > 0 ? first : LEAST_EXPONENT - 0.25f;
+    const float first = row.minimum > 0 ? std::log10(row.minimum) : MIN_EXPONENT;
+    const float least = row.minimum > 0 ? first : MIN_EXPONENT - 0.25f;
     float exponent = value > 0 ? std::clamp(std::log10(value), first, most) : least;
     const bool plain = row.maximum > 1;  // a length, not a small share
     const std::string shown = plain       ? fmt::format("{:.4g}", static_cast<double>(value))
@@ -47,7 +47,7 @@ bool draw_choice(const Ui& ui, const Parameter& row, const Technique& technique,
         ImGui::BeginDisabled(why_not != nullptr);
         const bool clicked = ImGui::Selectable(row.choices[i], i == chosen);
         ImGui::EndDisabled();
-        ui.mark(fmt::format("parameter.{}.{}", row.key, row.choices[i]));
+        ui.record_widget_rect(fmt::format("parameter.{}.{}", row.key, row.choices[i]));
         if (why_not != nullptr) tooltip(why_not);
         if (!clicked || i == chosen) continue;
         value = static_cast<float>(i);
@@ -160,7 +160,7 @@ void draw_parameter_control(const Ui& ui, const Parameter& row, const Technique&
         if (to_type && ImGui::IsItemHovered() && ImGui::IsMouseReleased(ImGuiMouseButton_Left))
             typing_state() = begin_typing;
     }
-    ui.mark(fmt::format("parameter.{}", row.key));
+    ui.record_widget_rect(fmt::format("parameter.{}", row.key));
     draw_tooltip(row);
     if (reset) {
         values.set(row.id, row.standard);
@@ -170,7 +170,7 @@ void draw_parameter_control(const Ui& ui, const Parameter& row, const Technique&
         ImGui::SameLine();
         bool on = !values[row.id].has_value();
         if (ImGui::Checkbox("auto", &on)) values.set(row.id, on ? std::nullopt : std::optional(value));
-        ui.mark(fmt::format("parameter.{}.auto", row.key));
+        ui.record_widget_rect(fmt::format("parameter.{}.auto", row.key));
         tooltip(automatic ? fmt::format("The scene's own, {:.3g}.", static_cast<double>(recommended))
                           : fmt::format("What the bias preset says for this technique, {:.1e}.",
                                         static_cast<double>(recommended)));

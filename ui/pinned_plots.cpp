@@ -43,11 +43,11 @@ void draw_pinned_plots(const Ui& ui, const Measurement& m, ExplorerState& state,
         const ImVec2 low = ImGui::GetCursorScreenPos();
         const Rect area = {low, {low.x + each.x, low.y + each.y}};
         const bool clicked = ImGui::InvisibleButton("pin", each);
-        ui.mark(fmt::format("pin.{}", i + 1));
+        ui.record_widget_rect(fmt::format("pin.{}", i + 1));
         const ImVec2 mouse = ImGui::GetIO().MousePos;
         const bool on_cross = mouse.x > area.high.x - cross && mouse.y < low.y + cross;
-        ui.anchors[fmt::format("pin.{}.remove", i + 1)] = {{area.high.x - cross, low.y},
-                                                           {area.high.x, low.y + cross}};
+        ui.widget_rects[fmt::format("pin.{}.remove", i + 1)] = {{area.high.x - cross, low.y},
+                                                                {area.high.x, low.y + cross}};
         tooltip(on_cross ? "Remove this pin." : "Click to go to this pixel.");
         draw_small_plot(ui, m.pins[i], i + 1, state.plot, area);
         if (clicked && on_cross) removed = i;

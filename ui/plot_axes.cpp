@@ -18,9 +18,9 @@ Range fitting_depths(const PlotAxes& axes, const Curve& curve, const PlotState& 
     const float high = axes.axis_of(1);
     if (!has_wrapping_zone(curve, plot)) return {low, high};
     // In view depth the zone grows exponentially: a part of it is shown.
-    constexpr float MOST_ZONE = 0.2f;
+    constexpr float MAX_ZONE = 0.2f;
     const float end = axes.axis_of(end_of_circle(curve.parameters.theta));
-    if (axes.axis == DepthAxis::view) return {low, std::min(end, high + MOST_ZONE * (high - low))};
+    if (axes.axis == DepthAxis::view) return {low, std::min(end, high + MAX_ZONE * (high - low))};
     return {low, std::max(end, high)};
 }
 

@@ -17,7 +17,7 @@ bool legend_entry(const Ui& ui, const char* name, ImU32 tint, ImVec2 dash, bool 
     if (!first) flow(size.x, right, 0.9f * em());
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const bool clicked = ImGui::InvisibleButton(name, size);
-    ui.mark(anchor);
+    ui.record_widget_rect(anchor);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImU32 text = on ? ImGui::GetColorU32(ImGuiCol_Text) : ImGui::GetColorU32(ImGuiCol_TextDisabled);
     const float y = at.y + 0.5f * size.y;

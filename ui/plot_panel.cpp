@@ -19,7 +19,7 @@ void draw_axis_choices(const Ui& ui, bool warped, PlotState& plot, float right) 
     const auto choose = [&](const char* label, bool on, const char* anchor, const char* help,
                             const char* key) {
         const bool clicked = toggle_button(label, on);
-        ui.mark(anchor);
+        ui.record_widget_rect(anchor);
         tooltip(help, key);
         return clicked && !on;
     };
@@ -61,7 +61,7 @@ void draw_viewpoint_choice(const Ui& ui, ExplorerState& state, float right) {
          "four moments shadow mapping with β = 0; the sharp bounds are its Hausdorff variant."}};
     for (const auto& choice : choices) {
         if (toggle_button(choice.label, shown == choice.viewpoint)) set_viewpoint(state, choice.viewpoint);
-        ui.mark(choice.anchor);
+        ui.record_widget_rect(choice.anchor);
         tooltip(choice.help, choice.viewpoint == Viewpoint::opaque_casters ? "" : "V");
         flow(button_width("opaque"), right,
              (choice.viewpoint == Viewpoint::opaque_casters ? 1.0f : 0.2f) * em());
@@ -74,14 +74,14 @@ void draw_tools(const Ui& ui, const Measurement& m, ExplorerState& state, float 
     draw_axis_choices(ui, m.capture.ray.warp.has_view_depths(), plot, right);
     flow(button_width("fit"), right, em());
     if (ImGui::Button("fit")) fit(plot);
-    ui.mark("plot.fit");
+    ui.record_widget_rect("plot.fit");
     tooltip("Fit the plot to the ray.", "F, or double-click in the plot");
     flow(9 * em(), right, em());
     ImGui::SetNextItemWidth(std::min(9 * em(), std::max(right - ImGui::GetCursorScreenPos().x, 20.0f)));
     float query = query_depth(m, state);
     if (ImGui::SliderFloat("##query", &query, -1, 1, "query z = %.3f", ImGuiSliderFlags_AlwaysClamp))
         plot.query = query;
-    ui.mark("plot.query");
+    ui.record_widget_rect("plot.query");
     tooltip(
         "The query depth z at which bounds, β and the canonical representation are drawn. Drag in the plot, "
         "or Ctrl+click here to type a number.");
@@ -156,9 +156,9 @@ void draw_light_line(const Ui& ui, const Measurement& m, float right) {
     if (!m.light) return;
     ImGui::PushTextWrapPos(right - ImGui::GetWindowPos().x);
     ImGui::TextWrapped("Receiver: %s, at z = %.3f. %s", m.light->receiver.c_str(),
-                       static_cast<double>(m.light->bundle.place.depth), m.light->verdict.sentence.c_str());
+                       static_cast<double>(m.light->bundle.place.depth), m.light->breakdown.sentence.c_str());
     ImGui::PopTextWrapPos();
-    ui.mark("plot.receiver");
+    ui.record_widget_rect("plot.receiver");
     tooltip(
         "What lights the surface in the picked pixel: the fragment that was marked, or the one with which the pixel "
         "is covered by half, else the opaque surface. To choose another, mark a fragment of the eye's ray. The truth "
@@ -275,9 +275,11 @@ void PlotPanel::draw(const Ui& ui, const Measurement& m, ExplorerState& state, I
     PlotAxes axes = make_axes(m.capture.ray, m.curve, state.plot, outside, true);
     if (m.light && state.viewpoint == Viewpoint::opaque_casters && axes.quantity == Quantity::absorbance)
         axes.value_name = "share of the filter region in front of z, linear";
-    ui.anchors["plot"] = axes.area;
-    ui.anchors["plot.depth_axis"] = {{axes.area.low.x, axes.area.high.y}, {axes.area.high.x, outside.high.y}};
-    ui.anchors["plot.value_axis"] = {{outside.low.x, axes.area.low.y}, {axes.area.low.x, axes.area.high.y}};
+    ui.widget_rects["plot"] = axes.area;
+    ui.widget_rects["plot.depth_axis"] = {{axes.area.low.x, axes.area.high.y},
+                                          {axes.area.high.x, outside.high.y}};
+    ui.widget_rects["plot.value_axis"] = {{outside.low.x, axes.area.low.y},
+                                          {axes.area.low.x, axes.area.high.y}};
     handle_mouse(axes, m, state);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(outside.low, outside.high, true);
@@ -290,7 +292,7 @@ void PlotPanel::draw(const Ui& ui, const Measurement& m, ExplorerState& state, I
         draw_text(list,
                   {0.5f * (axes.area.low.x + axes.area.high.x), 0.5f * (axes.area.low.y + axes.area.high.y)},
                   {0.5f, 0.5f}, empty_ray_text(m).c_str(), ui.colors.text);
-        ui.anchors["plot.empty"] = axes.area;
+        ui.widget_rects["plot.empty"] = axes.area;
     }
     list.PopClipRect();
     if (ImGui::IsItemHovered() && contains(axes.area, ImGui::GetIO().MousePos) && grip_ != Grip::pan)

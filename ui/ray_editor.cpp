@@ -16,7 +16,7 @@
 
 namespace momentscope::ui {
 
-constexpr float MOST_OPACITY = 0.9999f;
+constexpr float MAX_OPACITY = 0.9999f;
 
 // From depth and opacity to the screen and back.
 struct EditorCanvas {
@@ -27,13 +27,13 @@ struct EditorCanvas {
         return std::clamp(2 * (at.x - area.low.x) / (area.high.x - area.low.x) - 1, -1.0f, 1.0f);
     }
     float opacity(ImVec2 at) const {
-        return std::clamp((area.high.y - at.y) / (area.high.y - area.low.y), 0.0f, MOST_OPACITY);
+        return std::clamp((area.high.y - at.y) / (area.high.y - area.low.y), 0.0f, MAX_OPACITY);
     }
 };
 
 namespace {
 
-constexpr std::size_t MOST_HANDLES = 2000;  // more would cover each other
+constexpr std::size_t MAX_HANDLES = 2000;  // more would cover each other
 
 void place(Fragment& fragment, float depth, const DepthWarp& warp) {
     // Through the view depth, as the shaders get there, so that a saved ray comes back the same.
@@ -44,12 +44,12 @@ void place(Fragment& fragment, float depth, const DepthWarp& warp) {
 void draw_sources(const Ui& ui, const Measurement& m, ExplorerState& state) {
     ImGui::SetNextItemWidth(10 * em());
     const bool open = ImGui::BeginCombo("##preset", "start from ...", ImGuiComboFlags_HeightLargest);
-    ui.mark("editor.preset");
+    ui.record_widget_rect("editor.preset");
     tooltip("Puts a ray to experiment with in place of this one; Ctrl+Z brings it back.");
     if (open) {
         for (const RayPreset& preset : ray_presets()) {
             if (ImGui::Selectable(preset.name)) edit_ray(state, preset.make());
-            ui.mark(fmt::format("editor.preset.{}", preset.id));
+            ui.record_widget_rect(fmt::format("editor.preset.{}", preset.id));
             tooltip(preset.help);
         }
         ImGui::EndCombo();
@@ -57,11 +57,11 @@ void draw_sources(const Ui& ui, const Measurement& m, ExplorerState& state) {
     ImGui::SameLine();
     if (state.ray) {
         if (ImGui::Button("back to the scene")) leave_ray(state);
-        ui.mark("editor.leave");
+        ui.record_widget_rect("editor.leave");
         tooltip("Leaves the ray for the scene and its picked pixel.");
     } else {
         if (ImGui::Button("edit this ray")) edit_ray(state, m.capture.ray);
-        ui.mark("editor.detach");
+        ui.record_widget_rect("editor.detach");
         tooltip("Takes the picked pixel's ray off the scene, so that its fragments can be moved.");
     }
 }
@@ -72,7 +72,7 @@ void draw_clipboard(const Ui& ui, const Measurement& m, ExplorerState& state, st
         ImGui::SetClipboardText(json_text(ray_to_json(m.capture.ray), 1).c_str());
         message = "The ray was copied as JSON.";
     }
-    ui.mark("editor.copy");
+    ui.record_widget_rect("editor.copy");
     tooltip("Copies the ray as JSON.");
     ImGui::SameLine();
     if (ImGui::Button("paste")) {
@@ -83,7 +83,7 @@ void draw_clipboard(const Ui& ui, const Measurement& m, ExplorerState& state, st
             message = error.what();
         }
     }
-    ui.mark("editor.paste");
+    ui.record_widget_rect("editor.paste");
     tooltip("Puts the ray in the clipboard, as JSON, in place of this one.",
             "File > Open view ray reads one from a file.");
 }
@@ -99,11 +99,11 @@ void draw_swatches(const Ui& ui, const Measurement& m, const ExplorerState& stat
                     static_cast<double>(color.b));
     };
     swatch("truth", colors.truth);
-    ui.mark("editor.truth");
+    ui.record_widget_rect("editor.truth");
     tooltip("The pixel's colour, composited front to back over grey; linear RGB.");
     ImGui::SameLine(0, 1.5f * em());
     swatch(state.technique->id, colors.technique);
-    ui.mark("editor.technique");
+    ui.record_widget_rect("editor.technique");
     tooltip("The pixel's colour as the technique weighs its fragments; linear RGB.");
 }
 
@@ -122,22 +122,22 @@ void draw_marked(const Ui& ui, ExplorerState& state) {
         place(fragment, depth, state.ray->warp);
         changed = true;
     }
-    ui.mark("editor.depth");
+    ui.record_widget_rect("editor.depth");
     tooltip("Depth of the marked fragment, warped to [−1, 1]. Drag, or double-click to type.");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(8 * em());
     changed |= ImGui::DragFloat("##opacity", &fragment.opacity, 0.002f, 0, 1, "α_l = %.4f",
                                 ImGuiSliderFlags_AlwaysClamp);
-    ui.mark("editor.opacity");
+    ui.record_widget_rect("editor.opacity");
     tooltip("Opacity α_l of the marked fragment. Drag, or double-click to type.");
     ImGui::SameLine();
     changed |= ImGui::ColorEdit3("##color", &fragment.color.r,
                                  ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs);
-    ui.mark("editor.color");
+    ui.record_widget_rect("editor.color");
     tooltip("Its colour, linear RGB.");
     ImGui::SameLine();
     if (ImGui::Button("delete")) return delete_marked(state);
-    ui.mark("editor.delete");
+    ui.record_widget_rect("editor.delete");
     tooltip("Takes the marked fragment out of the ray.", "Delete");
     if (!changed) return;
     ViewRay ray = *state.ray;
@@ -146,7 +146,7 @@ void draw_marked(const Ui& ui, ExplorerState& state) {
 }
 
 std::size_t handle_count(const ViewRay& ray) {
-    return std::min(ray.fragments.size(), MOST_HANDLES);
+    return std::min(ray.fragments.size(), MAX_HANDLES);
 }
 
 std::optional<std::size_t> handle_at(const EditorCanvas& canvas, const ViewRay& ray, ImVec2 at) {
@@ -191,7 +191,8 @@ void draw_handles(const Ui& ui, const EditorCanvas& canvas, const ViewRay& ray,
         list.AddCircleFilled(at, 0.45f * em(), ImGui::ColorConvertFloat4ToU32(display_color(fragment.color)));
         list.AddCircle(at, (on ? 0.6f : 0.45f) * em(), on ? ui.colors.mark : ui.colors.text, 0,
                        (on ? 0.16f : 0.07f) * em());
-        ui.anchors[fmt::format("editor.fragment.{}", i + 1)] = {{at.x - 2, at.y - 2}, {at.x + 2, at.y + 2}};
+        ui.widget_rects[fmt::format("editor.fragment.{}", i + 1)] = {{at.x - 2, at.y - 2},
+                                                                     {at.x + 2, at.y + 2}};
     }
     const auto& [low, high] = canvas.area;
     if (ray.fragments.empty())
@@ -257,12 +258,12 @@ void RayEditor::draw_canvas(const Ui& ui, const Measurement& m, ExplorerState& s
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 size = {std::max(room.x, 1.0f), std::max(room.y - 0.3f * em(), 5 * em())};
     ImGui::InvisibleButton("canvas", size);
-    ui.mark("editor.canvas");
+    ui.record_widget_rect("editor.canvas");
     const float pad = 0.9f * em();
     const EditorCanvas canvas = {
         {{low.x + 2.2f * em(), low.y + pad}, {low.x + size.x - pad, low.y + size.y - 1.4f * em()}}};
     if (canvas.area.empty()) return;
-    ui.anchors["editor.area"] = canvas.area;
+    ui.widget_rects["editor.area"] = canvas.area;
     const auto shown = [&]() -> const ViewRay& { return state.ray ? *state.ray : m.capture.ray; };
     if (std::optional<ViewRay> ray = edited(canvas, shown(), state)) {
         if (!state.ray)

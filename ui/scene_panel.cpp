@@ -81,7 +81,7 @@ void ScenePanel::draw_tools(const Ui& ui, const Measurement& m, const ScenePictu
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     const auto next = [&](const char* label) { flow(button_width(label), right, 0.2f * em()); };
     const auto explain = [&](const char* anchor, const char* help, const char* key) {
-        ui.mark(anchor);
+        ui.record_widget_rect(anchor);
         tooltip(help, key);
     };
     if (ImGui::Button("reset view")) state.camera.reset();
@@ -148,7 +148,7 @@ glm::ivec2 ScenePanel::draw_controls(const Ui& ui, const Measurement& m, const S
     ImGui::InvisibleButton("scene", extent,
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
-    ui.mark("scene");
+    ui.record_widget_rect("scene");
     handle_mouse(ui, m, picture, state);
     ImGui::PopID();
     return {static_cast<int>(extent.x), static_cast<int>(extent.y)};
@@ -158,11 +158,11 @@ glm::ivec2 ScenePanel::draw_controls(const Ui& ui, const Measurement& m, const S
 void ScenePanel::handle_left(const Ui& ui, const Measurement& m, const ScenePicture& picture,
                              ExplorerState& state) {
     const ImGuiIO& io = ImGui::GetIO();
-    const Rect area = ui.anchors["scene"];
+    const Rect area = ui.widget_rects["scene"];
     bool on_divider = false;
     if (picture.beside != 0) {
         const Rect divider = divider_area(area, state.compare);
-        ui.anchors["scene.divider"] = divider;
+        ui.widget_rects["scene.divider"] = divider;
         on_divider =
             io.MousePos.x >= divider.low.x && io.MousePos.x < divider.high.x && ImGui::IsItemHovered();
     }
@@ -176,7 +176,7 @@ void ScenePanel::handle_left(const Ui& ui, const Measurement& m, const ScenePict
     if (!ImGui::IsItemActive() || !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
         drag_ = Drag::none;
     } else if (drag_ == Drag::divider) {
-        state.compare.divider = std::clamp(at.x / (area.high.x - area.low.x), LEAST_DIVIDER, MOST_DIVIDER);
+        state.compare.divider = std::clamp(at.x / (area.high.x - area.low.x), MIN_DIVIDER, MAX_DIVIDER);
     } else if (drag_ == Drag::pick) {
         pick(state, fraction_of(pixel, m.picture_size));
     } else if (drag_ == Drag::region) {
@@ -214,7 +214,7 @@ void ScenePanel::handle_mouse(const Ui& ui, const Measurement& m, const ScenePic
 void ScenePanel::draw_picture(const Ui& ui, const Measurement& m, const ScenePicture& picture,
                               const ExplorerState& state) const {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const Rect area = ui.anchors["scene"];
+    const Rect area = ui.widget_rects["scene"];
     const float pad = 0.8f * em();
     if (state.ray) {
         list.AddRectFilled(area.low, area.high, ui.colors.plot_background);

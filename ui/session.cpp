@@ -165,8 +165,8 @@ void read_compare(const json& object, CompareState& compare, std::vector<std::st
     std::string metric = metrics()[static_cast<std::size_t>(compare.metric)].key;
     reader.text("metric", metric);
     compare.metric = require_metric(metric).id;
-    reader.number("gain", compare.gain, LEAST_GAIN, MOST_GAIN);
-    reader.number("divider", compare.divider, LEAST_DIVIDER, MOST_DIVIDER);
+    reader.number("gain", compare.gain, MIN_GAIN, MAX_GAIN);
+    reader.number("divider", compare.divider, MIN_DIVIDER, MAX_DIVIDER);
     reader.flag("swapped", compare.swapped);
     if (const json* found = reader.find("region"); found != nullptr && !found->is_null()) {
         const auto ends = reader.numbers(*found, "region", 4, 0, 1);

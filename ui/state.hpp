@@ -89,8 +89,8 @@ struct PictureRegion {
     friend bool operator==(const PictureRegion&, const PictureRegion&) = default;
 };
 
-constexpr float LEAST_GAIN = 1, MOST_GAIN = 64;
-constexpr float LEAST_DIVIDER = 0.02f, MOST_DIVIDER = 0.98f;
+constexpr float MIN_GAIN = 1, MAX_GAIN = 64;
+constexpr float MIN_DIVIDER = 0.02f, MAX_DIVIDER = 0.98f;
 
 /// What the picture is compared with, and how.
 struct CompareState {

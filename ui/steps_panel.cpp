@@ -114,7 +114,7 @@ void draw_kernel(const Ui& ui, const Steps& steps) {
     draw_text(list, {query + 0.3f * em(), low.y + 0.2f * em()}, {0, 0}, "z_f", ui.colors.text);
     list.PopClipRect();
     ImGui::Dummy(size);
-    ui.mark("steps.kernel");
+    ui.record_widget_rect("steps.kernel");
     tooltip(
         "The kernel polynomial over depth, with the dots where it vanishes: nodes of the canonical "
         "representation. Drawn as its n-th root, so that small bumps show.");
@@ -149,7 +149,7 @@ void draw_circle(const Ui& ui, const Steps& steps) {
         dot(steps.nodes[l].phase, steps.nodes[l].weight, ui.colors.stems, fmt::format("x{}", l + 1));
     dot(query, steps.query_weight, ui.colors.truth, "x(z_f)");
     ImGui::Dummy({2 * radius + 5 * em(), 2 * radius + 2.4f * em()});
-    ui.mark("steps.circle");
+    ui.record_widget_rect("steps.circle");
     tooltip(
         "Depths on the unit circle: the near end at the right, then counter-clockwise. The thick arc is the wrapping zone. Dots "
         "are the nodes, larger for greater masses.");
@@ -192,7 +192,7 @@ void draw_steps_panel(const Ui& ui, const Measurement& m) {
         ImGui::PushFont(bold_font());
         ImGui::TextUnformatted(step.title.c_str());
         ImGui::PopFont();
-        ui.mark("steps." + step.title.substr(0, 1));
+        ui.record_widget_rect("steps." + step.title.substr(0, 1));
         ImGui::TextWrapped("%s", step.sentence.c_str());
         draw_figures(ui, steps, step.title, circle);
         if (!step.title.starts_with("3")) {

@@ -117,7 +117,7 @@ std::optional<std::size_t> draw_stress_map(const Ui& ui, const std::vector<Stres
         const float left = origin.x + edges[i % layout.columns];
         if (draw_cell(cells[i], {left, top}, {left + layout.cell_width - 2, top + layout.cell_height - 2}))
             clicked = i;
-        ui.mark(fmt::format("stress.{}.{}", cells[i].technique->id, cells[i].condition->id));
+        ui.record_widget_rect(fmt::format("stress.{}.{}", cells[i].technique->id, cells[i].condition->id));
     }
     const ImVec2 size = stress_map_size(cells);
     ImGui::SetCursorScreenPos(origin);

@@ -21,10 +21,10 @@ void StressPanel::start(const ExplorerState& state) {
 
 void StressPanel::draw_progress(const Ui& ui) {
     ImGui::ProgressBar(work_.share(), {14 * em(), 0});
-    ui.mark("stress.progress");
+    ui.record_widget_rect("stress.progress");
     ImGui::SameLine();
     if (ImGui::Button("cancel")) work_.cancel();
-    ui.mark("stress.cancel");
+    ui.record_widget_rect("stress.cancel");
     tooltip("Ends the run; what was shown before stays.");
 }
 
@@ -51,14 +51,14 @@ void StressPanel::draw(const Ui& ui, ExplorerState& state, std::string& message)
         draw_progress(ui);
     } else {
         if (ImGui::Button("run")) start(state);
-        ui.mark("stress.run");
+        ui.record_widget_rect("stress.run");
         tooltip(
             "Tries every technique under every condition with the current solver, bias and β, and counts failures.");
         ImGui::SameLine();
         ImGui::SetNextItemWidth(9 * em());
         ImGui::SliderInt("##rays", &rays_, 10, 1000, "%d rays a cell",
                          ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-        ui.mark("stress.rays");
+        ui.record_widget_rect("stress.rays");
         tooltip("Random rays for each technique and condition: more find rarer failures.");
     }
     if (cells_.empty()) {

@@ -12,7 +12,7 @@ void draw_technique_combo(const Ui& ui, const std::string& anchor, OrderedAccess
                           const std::string& help, const std::string& source, const Technique*& chosen) {
     const bool open = ImGui::BeginCombo(("##" + anchor).c_str(), technique_label(*chosen).c_str(),
                                         ImGuiComboFlags_HeightLargest);
-    ui.mark(anchor);
+    ui.record_widget_rect(anchor);
     tooltip(help, source);
     if (!open) return;
     for (const Technique& row : techniques()) {
@@ -20,7 +20,7 @@ void draw_technique_combo(const Ui& ui, const std::string& anchor, OrderedAccess
         ImGui::BeginDisabled(!why_not.empty());
         if (ImGui::Selectable(technique_label(row).c_str(), &row == chosen)) chosen = &row;
         ImGui::EndDisabled();
-        ui.mark(fmt::format("{}.{}", anchor, row.id));
+        ui.record_widget_rect(fmt::format("{}.{}", anchor, row.id));
         tooltip(why_not.empty() ? row.description : fmt::format("Not available here. {}", why_not),
                 row.source);
     }

@@ -32,7 +32,7 @@ void draw_technique_panel(const Ui& ui, const Measurement& m, const ExplorerStat
     ImGui::PushFont(bold_font());
     ImGui::TextUnformatted(technique.name);
     ImGui::PopFont();
-    ui.mark("technique.name");
+    ui.record_widget_rect("technique.name");
     ImGui::TextWrapped("%s", technique.description);
     ImGui::Spacing();
     if (!ImGui::BeginTable("properties", 2, ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings)) return;

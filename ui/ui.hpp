@@ -17,15 +17,15 @@ struct Rect {
 
 /// Where named controls were drawn in the last frame, so that event files and tests can point at them without
 /// knowing the layout.
-using Anchors = std::map<std::string, Rect>;
+using WidgetRects = std::map<std::string, Rect>;
 
 struct Ui {
     const Palette& colors;
-    Anchors& anchors;
+    WidgetRects& widget_rects;
 
     /// Names the control that was drawn last.
-    void mark(const std::string& name) const {
-        anchors[name] = {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
+    void record_widget_rect(const std::string& name) const {
+        widget_rects[name] = {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
     }
 };
 

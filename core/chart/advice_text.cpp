@@ -11,7 +11,7 @@ namespace momentscope {
 
 namespace {
 
-constexpr std::size_t MOST_EVIDENCE = 9;
+constexpr std::size_t MAX_EVIDENCE = 9;
 
 const char* symbol_of(Metric metric) {
     return metrics()[static_cast<std::size_t>(metric)].symbol;
@@ -48,7 +48,7 @@ std::string named(std::span<const ChartRow> rows, const AdviceBounds& bounds, co
 
 std::string evidence_table(std::span<const ChartRow> rows, const AdviceBounds& bounds,
                            const HeldOutErrors& held_out, const Advice& advice) {
-    const auto evidence = evidence_of(rows, bounds, held_out, advice, MOST_EVIDENCE);
+    const auto evidence = evidence_of(rows, bounds, held_out, advice, MAX_EVIDENCE);
     std::size_t width = 13;
     for (const std::size_t i : evidence) width = std::max(width, rows[i].configuration.size());
     std::string text = fmt::format("{:<{}}  {:>8}  {:>6}  {:>5}  {:>9}  {:>9}\n", "configuration", width,

@@ -13,15 +13,15 @@ namespace momentscope {
 
 namespace {
 
-const glm::vec2 LEAST_SIZE(300, 180);
+const glm::vec2 MIN_SIZE(300, 180);
 constexpr float LEFT = 76, RIGHT = 16, BOTTOM = 56;  // about the plot
 constexpr float CLOSE_BOTTOM = 42;                   // without a title
 constexpr float LEGEND_LINE = 20, LEGEND_TOP = 14;   // without a title
 constexpr float STRIP = 30;                          // at the bottom, for errors too small for the axis
 constexpr float RADIUS = 5;
 constexpr float FONT = 11, AXIS_FONT = 12, TITLE_FONT = 17;
-constexpr double MOST_ERROR = 1e30;   // of an axis, whose ticks go up to it
-constexpr double LEAST_SHARE = 4e-3;  // of the greatest error, that still has a place of its own
+constexpr double MAX_ERROR = 1e30;  // of an axis, whose ticks go up to it
+constexpr double MIN_SHARE = 4e-3;  // of the greatest error, that still has a place of its own
 const glm::vec3 TEXT(0.13f, 0.15f, 0.18f), WEAK(0.42f, 0.45f, 0.50f), GRID(0.90f, 0.91f, 0.93f),
     AXIS(0.55f, 0.58f, 0.62f), FRONT(0.13f, 0.15f, 0.18f);
 
@@ -78,20 +78,20 @@ const Family& family_of_row(const ChartRow& row) {
 class Plot {
 public:
     Plot(std::span<const ChartRow> rows, Metric metric, const ChartLayout& layout)
-        : rows_(rows), metric_(metric), title_(layout.title), size_(glm::max(layout.size, LEAST_SIZE)) {
+        : rows_(rows), metric_(metric), title_(layout.title), size_(glm::max(layout.size, MIN_SIZE)) {
         plot_ = {{LEFT, 0}, {size_.x - RIGHT, size_.y - (title_ ? BOTTOM : CLOSE_BOTTOM)}};
         std::vector<double> times, errors;
         for (const ChartRow& row : rows) {
             if (!is_drawn(row, metric)) continue;
             times.push_back(drawn_time(row));
-            errors.push_back(std::min(error_of(*row.numbers, metric), MOST_ERROR));
+            errors.push_back(std::min(error_of(*row.numbers, metric), MAX_ERROR));
         }
         if (times.empty()) return;
         double most = 1e-6;
         for (const double error : errors) most = std::max(most, error);
         double least = most;
         for (const double error : errors)
-            if (error >= most * LEAST_SHARE) least = std::min(least, error);
+            if (error >= most * MIN_SHARE) least = std::min(least, error);
         const auto [shortest, longest] = std::ranges::minmax(times);
         plot_.low.y = (layout.legend ? draw_legend() : LEGEND_TOP - LEGEND_LINE) + 36;
         time_ = {0.8 * shortest, 1.3 * longest, plot_.low.x, plot_.high.x};

@@ -24,7 +24,7 @@ const Family ROWS[] = {
      [](const Technique& t) { return t.on_chebyshev(); }},
     {"Moment Transparency", rgb(0xA84C80), MarkShape::triangle_up,
      [](const Technique& t) {
-         return t.pixel_state != nullptr && t.pixel_state->with_fragment_again != nullptr;
+         return t.pixel_state != nullptr && t.pixel_state->accumulate_second_pass != nullptr;
      }},
     {"ground truth", rgb(0x16181C), MarkShape::cross, [](const Technique& t) { return t.is_truth(); }},
     {"in order, bounded memory", rgb(0x8A6D00), MarkShape::triangle_down,

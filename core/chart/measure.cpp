@@ -59,8 +59,8 @@ ChartBench::~ChartBench() = default;
 ChartBench::ChartBench(Scene scene, const ChartSettings& settings)
     : scene_(std::move(scene)), settings_(settings) {
     const Configuration unsorted = {&require_technique("unsorted"), settings_.values};
-    yardstick_ = new_renderer();
-    yardstick_->render(view_of(unsorted));
+    baseline_renderer_ = new_renderer();
+    baseline_renderer_->render(view_of(unsorted));
 }
 
 View ChartBench::view_of(const Configuration& configuration) const {
@@ -115,7 +115,8 @@ void ChartBench::prepare(Candidate& candidate, const std::stop_token& stop) {
     draw_references(stop);
     if (stop.stop_requested()) return;
     if (!no_reference_.empty()) return candidate.refuse(no_reference_);
-    candidate.unavailable = why_unavailable(*candidate.configuration.technique, yardstick_->ordered_access());
+    candidate.unavailable =
+        why_unavailable(*candidate.configuration.technique, baseline_renderer_->ordered_access());
     if (!candidate.unavailable.empty()) return;
     candidate.renderer = new_renderer();
     compare(candidate, stop);  // which also compiles its shaders
@@ -123,8 +124,8 @@ void ChartBench::prepare(Candidate& candidate, const std::stop_token& stop) {
 
 void ChartBench::time(std::size_t place) {
     if (place == 0) {
-        yardstick_->redraw();
-        unsorted_ = sum_of(yardstick_->pass_times());
+        baseline_renderer_->redraw();
+        unsorted_ = sum_of(baseline_renderer_->pass_times());
     }
     Candidate& candidate = candidates_[place];
     if (candidate.renderer == nullptr) return;

@@ -64,7 +64,7 @@ private:
     Scene scene_;
     ChartSettings settings_;
     std::shared_ptr<ProgramCache> programs_ = std::make_shared<ProgramCache>();
-    std::unique_ptr<Renderer> yardstick_;  // `unsorted`
+    std::unique_ptr<Renderer> baseline_renderer_;  // `unsorted`
     Image reference_;
     std::vector<Image> path_references_;
     std::string no_reference_;           // why pictures cannot be compared with the references

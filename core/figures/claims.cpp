@@ -53,19 +53,19 @@ struct Ranked {
 };
 
 // Do the values fall from each to the next?
-Finding falling(std::string claim, const std::vector<Ranked>& values, std::string remark = "") {
-    Finding finding = {std::move(claim), true, "", std::move(remark)};
+ClaimResult falling(std::string claim, const std::vector<Ranked>& values, std::string remark = "") {
+    ClaimResult result = {std::move(claim), true, "", std::move(remark)};
     for (std::size_t i = 0; i < values.size(); ++i) {
-        finding.agrees &= i == 0 || values[i].value < values[i - 1].value;
-        finding.numbers += fmt::format("{}{} {:.3g}", i == 0 ? "" : ", ", values[i].name, values[i].value);
+        result.agrees &= i == 0 || values[i].value < values[i - 1].value;
+        result.numbers += fmt::format("{}{} {:.3g}", i == 0 ? "" : ", ", values[i].name, values[i].value);
     }
-    return finding;
+    return result;
 }
 
 }  // namespace
 
-std::vector<Finding> measure_overestimation(ShotSource& shots) {
-    const ViewRay ray = shots.picked_ray({"cloud", "power6-32"});
+std::vector<ClaimResult> measure_overestimation(RenderSource& setups) {
+    const ViewRay ray = setups.picked_ray({"cloud", "power6-32"});
     const Curve curve = sample_curve(ray, require_technique("power6-32"), {}, even_depths(DEPTHS));
     int outside = 0;
     for (std::size_t i = 0; i < curve.depth.size(); ++i) {
@@ -83,7 +83,7 @@ std::vector<Finding> measure_overestimation(ShotSource& shots) {
                      {"β = 0.25:", curve_error(ray, "power6-32", {{beta, 0.25f}})}})};
 }
 
-std::vector<Finding> measure_ideal(ShotSource&) {
+std::vector<ClaimResult> measure_ideal(RenderSource&) {
     const ViewRay two = even_sheets(2), three = even_sheets(3), four = even_sheets(4);
     const auto pair = [](const char* count, const ViewRay& ray, const char* power, const char* trig) {
         return falling(
@@ -98,7 +98,7 @@ std::vector<Finding> measure_ideal(ShotSource&) {
             pair("four", four, "power8-32", "trig4-32")};
 }
 
-std::vector<Finding> measure_wrapping(ShotSource&) {
+std::vector<ClaimResult> measure_wrapping(RenderSource&) {
     const ViewRay ray = uneven_sheets();
     const auto steepest = [&](float angle) {
         const Curve curve = sample_curve(ray, require_technique("trig3-32"), values_with({{theta, angle}}),
@@ -114,9 +114,9 @@ std::vector<Finding> measure_wrapping(ShotSource&) {
                      {"θ = .4π:", steepest(0.4f * std::numbers::pi_v<float>)}})};
 }
 
-std::vector<Finding> measure_ship(ShotSource& shots) {
+std::vector<ClaimResult> measure_ship(RenderSource& setups) {
     const auto error = [&](const char* technique, ParameterSettings settings = {}) {
-        return shots.error({"ship", technique, std::move(settings)});
+        return setups.error({"ship", technique, std::move(settings)});
     };
     const double wboit = error("wboit"), power4 = error("power4-16"), power6 = error("power6-32"),
                  trig3 = error("trig3-32"), mlab = error("mlab"), mlab6 = error("mlab", {{layers, 6}}),
@@ -138,8 +138,8 @@ std::vector<Finding> measure_ship(ShotSource& shots) {
                 {{"at, 4 nodes", at}, {"mlab", mlab}})};
 }
 
-std::vector<Finding> measure_teapots(ShotSource& shots) {
-    const auto error = [&](const char* technique) { return shots.error({"teapots", technique}); };
+std::vector<ClaimResult> measure_teapots(RenderSource& setups) {
+    const auto error = [&](const char* technique) { return setups.error({"teapots", technique}); };
     const double wboit = error("wboit"), power4 = error("power4-32"), power6 = error("power6-32");
     return {falling("weighted blending is worst, four power moments are plausible, six improve on them",
                     {{"wboit", wboit}, {"power4-32", power4}, {"power6-32", power6}}),
@@ -152,9 +152,9 @@ std::vector<Finding> measure_teapots(ShotSource& shots) {
 namespace {
 
 // Mean of the picture minus that of the truth.
-double brightness(ShotSource& shots, const Shot& shot) {
-    const Image truth = shots.picture({shot.scene, "sorted"});
-    const Image& shown = shots.picture(shot);
+double brightness(RenderSource& setups, const RenderSetup& setup) {
+    const Image truth = setups.picture({setup.scene, "sorted"});
+    const Image& shown = setups.picture(setup);
     double sum = 0;
     for (std::size_t i = 0; i < truth.pixels.size(); ++i)
         for (int c = 0; c < 3; ++c) sum += static_cast<double>(shown.pixels[i][c] - truth.pixels[i][c]) / 3;
@@ -163,16 +163,16 @@ double brightness(ShotSource& shots, const Shot& shot) {
 
 }  // namespace
 
-std::vector<Finding> measure_foliage(ShotSource& shots) {
-    const Shot without = {"foliage", "power6-32", {{renormalize, 0}}}, with = {"foliage", "power6-32"};
-    const double dark = brightness(shots, without), mended = brightness(shots, with);
+std::vector<ClaimResult> measure_foliage(RenderSource& setups) {
+    const RenderSetup without = {"foliage", "power6-32", {{renormalize, 0}}}, with = {"foliage", "power6-32"};
+    const double dark = brightness(setups, without), mended = brightness(setups, with);
     return {{"without renormalisation the picture is too dark", dark < 0,
              fmt::format("mean difference of brightness {:+.4f}", dark)},
             {"renormalisation removes that", std::abs(mended) < std::abs(dark),
              fmt::format("{:+.4f} with it", mended)},
             falling("hashed alpha testing suits this case: its brightness comes nearer the truth",
                     {{"distance of brightness: power6-32, without renormalisation", std::abs(dark)},
-                     {"hashed", std::abs(brightness(shots, {"foliage", "hashed"}))}},
+                     {"hashed", std::abs(brightness(setups, {"foliage", "hashed"}))}},
                     "Its noise in a single frame is another matter")};
 }
 
@@ -182,10 +182,10 @@ constexpr double PERFECT = 1e-3;  // root mean square
 
 }  // namespace
 
-std::vector<Finding> measure_spheres(ShotSource& shots) {
+std::vector<ClaimResult> measure_spheres(RenderSource& setups) {
     const glm::vec4 around(0.3f, 0.2f, 0.7f, 0.8f);
     const auto error = [&](const char* technique, ParameterSettings settings = {}) {
-        return shots.error({"spheres", technique, std::move(settings)}, Metric::rmse, around);
+        return setups.error({"spheres", technique, std::move(settings)}, Metric::rmse, around);
     };
     const ParameterSettings two_layers = {{layers, 2}};
     return {falling("blur at the intersections falls in this order (errors around them)",
@@ -201,36 +201,36 @@ std::vector<Finding> measure_spheres(ShotSource& shots) {
              fmt::format("{:.3g}", error("mlab", two_layers)), "For the same reason"}};
 }
 
-std::vector<Finding> measure_eight(ShotSource& shots) {
-    std::vector<Finding> findings;
+std::vector<ClaimResult> measure_eight(RenderSource& setups) {
+    std::vector<ClaimResult> results;
     for (const char* scene : {"cloud", "smoke", "teapots"})
-        findings.push_back(falling(fmt::format("on `{}` eight power moments come closer than six", scene),
-                                   {{"power6-32", shots.error({scene, "power6-32"})},
-                                    {"power8-32", shots.error({scene, "power8-32"})}}));
-    findings.push_back(falling("but they cannot deal with intersections, as trigonometric moments can",
-                               {{"spheres: power8-32", shots.error({"spheres", "power8-32"})},
-                                {"trig4-32", shots.error({"spheres", "trig4-32"})}}));
-    return findings;
+        results.push_back(falling(fmt::format("on `{}` eight power moments come closer than six", scene),
+                                  {{"power6-32", setups.error({scene, "power6-32"})},
+                                   {"power8-32", setups.error({scene, "power8-32"})}}));
+    results.push_back(falling("but they cannot deal with intersections, as trigonometric moments can",
+                              {{"spheres: power8-32", setups.error({"spheres", "power8-32"})},
+                               {"trig4-32", setups.error({"spheres", "trig4-32"})}}));
+    return results;
 }
 
-std::vector<Finding> measure_variants(ShotSource& shots) {
-    const auto error = [&](const char* technique) { return shots.error({"ship", technique}); };
+std::vector<ClaimResult> measure_variants(RenderSource& setups) {
+    const auto error = [&](const char* technique) { return setups.error({"ship", technique}); };
     return {
         falling("eight power moments improve slightly on six",
                 {{"power6-32", error("power6-32")}, {"power8-32", error("power8-32")}},
                 fmt::format("It is not the bias: with a fiftieth of it (--preset robust) eight have {:.3g}",
-                            shots.error({"ship", "power8-32", {{preset, 1}}}))),
+                            setups.error({"ship", "power8-32", {{preset, 1}}}))),
         falling("and are worse than three trigonometric ones",
                 {{"power8-32", error("power8-32")}, {"trig3-32", error("trig3-32")}})};
 }
 
-std::vector<Finding> measure_smoke(ShotSource& shots) {
-    const double wboit = shots.error({"smoke", "wboit"}), mt = shots.error({"smoke", "mt"}),
-                 two = shots.error({"smoke", "mt", {{beta, 0}, {moment_passes, TWO_PASSES}}});
+std::vector<ClaimResult> measure_smoke(RenderSource& setups) {
+    const double wboit = setups.error({"smoke", "wboit"}), mt = setups.error({"smoke", "mt"}),
+                 two = setups.error({"smoke", "mt", {{beta, 0}, {moment_passes, TWO_PASSES}}});
     return {
         falling("Moment Transparency improves on weighted blending", {{"wboit", wboit}, {"mt, β = .25", mt}}),
         falling("two moment passes improve on one",
-                {{"mt, β = 0", shots.error({"smoke", "mt", {{beta, 0}}})}, {"two passes, β = 0", two}})};
+                {{"mt, β = 0", setups.error({"smoke", "mt", {{beta, 0}}})}, {"two passes, β = 0", two}})};
 }
 
 namespace {
@@ -256,7 +256,7 @@ double mean_error(int fragments, const ParameterSettings& settings) {
 
 }  // namespace
 
-std::vector<Finding> measure_samples(ShotSource&) {
+std::vector<ClaimResult> measure_samples(RenderSource&) {
     const ParameterSettings plain = {{beta, 0}}, over = {{beta, 0.25f}},
                             two = {{beta, 0}, {moment_passes, TWO_PASSES}};
     return {falling("Moment Transparency is good for two and three fragments only",
@@ -271,12 +271,12 @@ std::vector<Finding> measure_samples(ShotSource&) {
                     {{"8 fragments: one pass", mean_error(8, plain)}, {"two", mean_error(8, two)}})};
 }
 
-std::vector<Finding> measure_low(ShotSource& shots) {
-    const double full = shots.error({"smoke", "mt"}),
-                 eighth = shots.error({"smoke", "mt", {{resolution, 3}}});
+std::vector<ClaimResult> measure_low(RenderSource& setups) {
+    const double full = setups.error({"smoke", "mt"}),
+                 eighth = setups.error({"smoke", "mt", {{resolution, 3}}});
     return {falling("moments at an eighth of the resolution cost quality", {{"1/8", eighth}, {"full", full}}),
             falling("and still improve on weighted blending",
-                    {{"wboit", shots.error({"smoke", "wboit"})}, {"1/8", eighth}})};
+                    {{"wboit", setups.error({"smoke", "wboit"})}, {"1/8", eighth}})};
 }
 
 }  // namespace momentscope

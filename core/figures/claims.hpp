@@ -15,21 +15,21 @@ ViewRay even_sheets(int count);
 ViewRay uneven_sheets();
 
 /// The cloud with shadows of transparent casters: a choice of ParameterId::shadow_technique, with that beta.
-Shot shadow_shot(const char* casters, float shadow_weight);
+RenderSetup shadow_setup(const char* casters, float shadow_weight);
 
 // One for each figure.
-std::vector<Finding> measure_overestimation(ShotSource& shots);
-std::vector<Finding> measure_ideal(ShotSource& shots);
-std::vector<Finding> measure_wrapping(ShotSource& shots);
-std::vector<Finding> measure_ship(ShotSource& shots);
-std::vector<Finding> measure_teapots(ShotSource& shots);
-std::vector<Finding> measure_foliage(ShotSource& shots);
-std::vector<Finding> measure_spheres(ShotSource& shots);
-std::vector<Finding> measure_eight(ShotSource& shots);
-std::vector<Finding> measure_variants(ShotSource& shots);
-std::vector<Finding> measure_smoke(ShotSource& shots);
-std::vector<Finding> measure_samples(ShotSource& shots);
-std::vector<Finding> measure_low(ShotSource& shots);
-std::vector<Finding> measure_cloud_shadows(ShotSource& shots);
+std::vector<ClaimResult> measure_overestimation(RenderSource& setups);
+std::vector<ClaimResult> measure_ideal(RenderSource& setups);
+std::vector<ClaimResult> measure_wrapping(RenderSource& setups);
+std::vector<ClaimResult> measure_ship(RenderSource& setups);
+std::vector<ClaimResult> measure_teapots(RenderSource& setups);
+std::vector<ClaimResult> measure_foliage(RenderSource& setups);
+std::vector<ClaimResult> measure_spheres(RenderSource& setups);
+std::vector<ClaimResult> measure_eight(RenderSource& setups);
+std::vector<ClaimResult> measure_variants(RenderSource& setups);
+std::vector<ClaimResult> measure_smoke(RenderSource& setups);
+std::vector<ClaimResult> measure_samples(RenderSource& setups);
+std::vector<ClaimResult> measure_low(RenderSource& setups);
+std::vector<ClaimResult> measure_cloud_shadows(RenderSource& setups);
 
 }  // namespace momentscope

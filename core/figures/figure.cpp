@@ -10,9 +10,9 @@
 
 namespace momentscope {
 
-double ShotSource::error(const Shot& shot, Metric metric, glm::vec4 part) {
-    const Image truth = picture({shot.scene, "sorted"});
-    const Image& shown = picture(shot);
+double RenderSource::error(const RenderSetup& setup, Metric metric, glm::vec4 part) {
+    const Image truth = picture({setup.scene, "sorted"});
+    const Image& shown = picture(setup);
     const auto at = [](float fraction, int extent) {
         return static_cast<int>(std::lround(fraction * static_cast<float>(extent)));
     };
@@ -31,15 +31,15 @@ const Figure& require_figure(std::string_view id) {
     throw Error(fmt::format("There is no figure '{}'; use all or one of {}.", id, ids));
 }
 
-std::string figure_section(const Figure& figure, const std::vector<Finding>& findings,
+std::string figure_section(const Figure& figure, const std::vector<ClaimResult>& results,
                            const std::string& picture) {
     std::string text = fmt::format("## `{}`: {}\n\nAfter {}.\n\n![{}]({})\n\n", figure.id, figure.title,
                                    figure.source, figure.title, picture);
     text += "| what the paper says | ours | measured |\n|---|---|---|\n";
-    for (const Finding& finding : findings)
-        fmt::format_to(std::back_inserter(text), "| {} | {} | {}{}{} |\n", finding.claim,
-                       finding.agrees ? "agree" : "**do not agree**", finding.numbers,
-                       finding.remark.empty() ? "" : ". ", finding.remark);
+    for (const ClaimResult& result : results)
+        fmt::format_to(std::back_inserter(text), "| {} | {} | {}{}{} |\n", result.claim,
+                       result.agrees ? "agree" : "**do not agree**", result.numbers,
+                       result.remark.empty() ? "" : ". ", result.remark);
     return text;
 }
 

@@ -15,7 +15,7 @@
 namespace momentscope {
 
 /// A technique with parameters, on a scene.
-struct Shot {
+struct RenderSetup {
     const char* scene;
     const char* technique;
     ParameterSettings settings = {};
@@ -24,7 +24,7 @@ struct Shot {
 /// One part of a figure: a picture, or the functions along a ray.
 struct FigurePanel {
     std::string caption;
-    Shot shot;
+    RenderSetup setup;
     std::optional<ViewRay> ray = {};  // of a plot; nullopt: of the shot's scene at its picked pixel
     bool plot = false;
     bool transmittance = false;              // what a plot shows instead of absorbance
@@ -38,22 +38,22 @@ struct CasterRay {
 };
 
 /// Pictures and pixels of shots; implemented by who has a GL.
-class ShotSource {
+class RenderSource {
 public:
-    virtual ~ShotSource() = default;
-    virtual const Image& picture(const Shot& shot) = 0;
-    virtual ViewRay picked_ray(const Shot& shot) = 0;
+    virtual ~RenderSource() = default;
+    virtual const Image& picture(const RenderSetup& setup) = 0;
+    virtual ViewRay picked_ray(const RenderSetup& setup) = 0;
 
     /// Around the scene's picked pixel, the light's rays through fragments of at least half opacity. Never
     /// empty. The shot has shadows.
-    virtual std::vector<CasterRay> caster_rays(const Shot& shot) = 0;
+    virtual std::vector<CasterRay> caster_rays(const RenderSetup& setup) = 0;
 
     /// Against `sorted`, of the picture or a part of it given by fractions from its upper left corner.
-    double error(const Shot& shot, Metric metric = Metric::rmse, glm::vec4 part = {0, 0, 1, 1});
+    double error(const RenderSetup& setup, Metric metric = Metric::rmse, glm::vec4 part = {0, 0, 1, 1});
 };
 
 /// What was measured of a claim.
-struct Finding {
+struct ClaimResult {
     std::string claim;    // of the paper, in our words
     bool agrees = false;  // do ours show it?
     std::string numbers;
@@ -65,7 +65,7 @@ struct Figure {
     const char* source;  // paper and figure
     const char* title;
     std::vector<FigurePanel> panels;
-    std::vector<Finding> (*measure)(ShotSource&);
+    std::vector<ClaimResult> (*measure)(RenderSource&);
 };
 
 /// All figures, in the order of the papers; ids are unique.
@@ -75,7 +75,7 @@ std::span<const Figure> figures();
 const Figure& require_figure(std::string_view id);
 
 /// A figure's section of docs/figures.md. picture: the file beside it.
-std::string figure_section(const Figure& figure, const std::vector<Finding>& findings,
+std::string figure_section(const Figure& figure, const std::vector<ClaimResult>& results,
                            const std::string& picture);
 
 }  // namespace momentscope

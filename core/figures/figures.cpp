@@ -10,19 +10,19 @@ namespace {
 
 using enum ParameterId;
 
-FigurePanel picture(std::string caption, Shot shot) {
-    return {.caption = std::move(caption), .shot = std::move(shot)};
+FigurePanel picture(std::string caption, RenderSetup setup) {
+    return {.caption = std::move(caption), .setup = std::move(setup)};
 }
 
 constexpr glm::vec4 MIDDLE(0.35f, 0.15f, 0.65f, 0.45f);  // where the spheres meet
 
-FigurePanel detail(std::string caption, Shot shot, const glm::vec4& part) {
-    return {.caption = std::move(caption), .shot = std::move(shot), .part = part};
+FigurePanel detail(std::string caption, RenderSetup setup, const glm::vec4& part) {
+    return {.caption = std::move(caption), .setup = std::move(setup), .part = part};
 }
 
-FigurePanel plot(std::string caption, Shot shot, std::optional<ViewRay> ray = {},
+FigurePanel plot(std::string caption, RenderSetup setup, std::optional<ViewRay> ray = {},
                  bool transmittance = false) {
-    return {std::move(caption), std::move(shot), std::move(ray), true, transmittance};
+    return {std::move(caption), std::move(setup), std::move(ray), true, transmittance};
 }
 
 std::vector<Figure> make_figures() {
@@ -86,12 +86,12 @@ std::vector<Figure> make_figures() {
         {"fig9",
          "Münstermann et al. 2018, Fig. 9",
          "Shadows in a cloud",
-         {picture("Fourier, 7 coefficients", shadow_shot("fourier-7", 0)),
-          picture("Fourier, 15 coefficients", shadow_shot("fourier-15", 0)),
-          picture("deep shadow map (truth)", shadow_shot("deep", 0)),
-          picture("4 power moments, β = 0.5", shadow_shot("power4-32", 0.5f)),
-          picture("6 power moments, β = 0.5", shadow_shot("power6-32", 0.5f)),
-          picture("6 power moments, β = 0", shadow_shot("power6-32", 0))},
+         {picture("Fourier, 7 coefficients", shadow_setup("fourier-7", 0)),
+          picture("Fourier, 15 coefficients", shadow_setup("fourier-15", 0)),
+          picture("deep shadow map (truth)", shadow_setup("deep", 0)),
+          picture("4 power moments, β = 0.5", shadow_setup("power4-32", 0.5f)),
+          picture("6 power moments, β = 0.5", shadow_setup("power6-32", 0.5f)),
+          picture("6 power moments, β = 0", shadow_setup("power6-32", 0))},
          measure_cloud_shadows},
         {"supp1",
          "Münstermann et al. 2018, supplementary, Fig. 1",

@@ -26,8 +26,8 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-MedianOnset onset_of(const std::vector<CasterRay>& rays, const Shot& shot, bool truth = false) {
-    Configuration configuration = light_configuration(values_with(shot.settings));
+MedianOnset onset_of(const std::vector<CasterRay>& rays, const RenderSetup& setup, bool truth = false) {
+    Configuration configuration = light_configuration(values_with(setup.settings));
     if (truth) configuration.technique = &require_technique("sorted");
     std::vector<double> begins, lengths;
     for (const CasterRay& of : rays) {
@@ -45,7 +45,7 @@ std::string text_of(const char* name, const MedianOnset& onset) {
 
 }  // namespace
 
-Shot shadow_shot(const char* casters, float shadow_weight) {
+RenderSetup shadow_setup(const char* casters, float shadow_weight) {
     return {"cloud",
             VIEWED_BY,
             {{shadows, 1.0f},
@@ -53,19 +53,19 @@ Shot shadow_shot(const char* casters, float shadow_weight) {
              {shadow_beta, shadow_weight}}};
 }
 
-std::vector<Finding> measure_cloud_shadows(ShotSource& shots) {
-    const Shot of_moments = shadow_shot("power6-32", 0);
-    const std::vector<CasterRay> rays = shots.caster_rays(of_moments);
+std::vector<ClaimResult> measure_cloud_shadows(RenderSource& setups) {
+    const RenderSetup of_moments = shadow_setup("power6-32", 0);
+    const std::vector<CasterRay> rays = setups.caster_rays(of_moments);
     const MedianOnset truth = onset_of(rays, of_moments, true);
-    const MedianOnset fourier_7 = onset_of(rays, shadow_shot("fourier-7", 0));
-    const MedianOnset fourier_15 = onset_of(rays, shadow_shot("fourier-15", 0));
-    const MedianOnset power_4 = onset_of(rays, shadow_shot("power4-32", 0));
+    const MedianOnset fourier_7 = onset_of(rays, shadow_setup("fourier-7", 0));
+    const MedianOnset fourier_15 = onset_of(rays, shadow_setup("fourier-15", 0));
+    const MedianOnset power_4 = onset_of(rays, shadow_setup("power4-32", 0));
     const MedianOnset power_6 = onset_of(rays, of_moments);
-    const MedianOnset heavy_4 = onset_of(rays, shadow_shot("power4-32", 0.5f));
-    const MedianOnset heavy_6 = onset_of(rays, shadow_shot("power6-32", 0.5f));
-    const Image deep = shots.picture(shadow_shot("deep", 0));
+    const MedianOnset heavy_4 = onset_of(rays, shadow_setup("power4-32", 0.5f));
+    const MedianOnset heavy_6 = onset_of(rays, shadow_setup("power6-32", 0.5f));
+    const Image deep = setups.picture(shadow_setup("deep", 0));
     const auto error = [&](const char* casters, float weight) {
-        return mean_difference(deep, shots.picture(shadow_shot(casters, weight)), Metric::rmse);
+        return mean_difference(deep, setups.picture(shadow_setup(casters, weight)), Metric::rmse);
     };
     const double of_fourier_7 = error("fourier-7", 0), of_fourier_15 = error("fourier-15", 0);
     const double of_power_4 = error("power4-32", 0.5f), of_power_6 = error("power6-32", 0.5f);

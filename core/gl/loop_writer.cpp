@@ -14,7 +14,7 @@ namespace {
 using Kind = ShaderToken::Kind;
 using Tokens = std::vector<ShaderToken>;
 
-constexpr int MOST_TURNS = 256;  // of one loop; more are a loop for a reason
+constexpr int MAX_TURNS = 256;  // of one loop; more are a loop for a reason
 
 /// Places in the tokens: [begin, end).
 struct Part {
@@ -121,7 +121,7 @@ private:
         const auto step = step_of(loop);
         if (!first || !step) return std::nullopt;
         std::vector<int> turns;
-        for (int i = *first; turns.size() <= MOST_TURNS; i += *step) {
+        for (int i = *first; turns.size() <= MAX_TURNS; i += *step) {
             constants_.set(loop.variable, i);
             const auto goes_on = constants_.value_of(part(loop.condition));
             constants_.forget(loop.variable);

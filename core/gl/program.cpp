@@ -15,7 +15,7 @@ namespace momentscope {
 
 namespace {
 
-constexpr std::size_t MOST_WRITTEN_OUT = 1 << 20;  // bytes of a shader
+constexpr std::size_t MAX_WRITTEN_OUT = 1 << 20;  // bytes of a shader
 
 std::string_view source_of(std::string_view path) {
     const auto& sources = shader_sources();
@@ -104,7 +104,7 @@ GlShader compile(GLenum kind, std::string_view path, const ShaderVariant& varian
     const std::string text = expand_shader(path, variant, &files);
     GlShader shader(glCreateShader(kind));
     const WrittenOut written = with_loops_written_out(text);
-    const bool fits = written.text.size() <= MOST_WRITTEN_OUT;
+    const bool fits = written.text.size() <= MAX_WRITTEN_OUT;
     if (fits && compiles(shader, written.text)) return shader;
     if (written.loops > 0)
         notes.push_back(

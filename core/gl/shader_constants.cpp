@@ -6,7 +6,7 @@ namespace momentscope {
 
 namespace {
 
-constexpr int MOST_EXPANSIONS = 32;  // of macros in macros
+constexpr int MAX_EXPANSIONS = 32;  // of macros in macros
 
 /// Whole numbers, names, ( ), + - ! and the binary operators of C, of which a lower level binds less.
 class Expression {
@@ -105,7 +105,7 @@ std::optional<int> ShaderConstants::value_of(std::span<const ShaderToken> expres
     const Expression::Lookup lookup = [&](std::string_view name, int expansions) -> std::optional<int> {
         if (const auto value = values_.find(name); value != values_.end()) return value->second;
         const auto macro = macros_.find(name);
-        if (macro == macros_.end() || expansions == MOST_EXPANSIONS) return std::nullopt;
+        if (macro == macros_.end() || expansions == MAX_EXPANSIONS) return std::nullopt;
         const std::vector<ShaderToken> tokens = shader_tokens(macro->second);
         return Expression(tokens, lookup, expansions + 1).value();
     };

@@ -56,8 +56,8 @@ Channels channels_of(const PictureHeader& header) {
     return channels;
 }
 
-constexpr int MOST_SIDE = 16384;
-constexpr std::size_t MOST_PIXELS = std::size_t{1} << 26;  // 67 million, twice as many as 8K has
+constexpr int MAX_SIDE = 16384;
+constexpr std::size_t MAX_PIXELS = std::size_t{1} << 26;  // 67 million, twice as many as 8K has
 
 }  // namespace
 
@@ -88,7 +88,7 @@ Image read_image(const std::filesystem::path& path) {
     const auto [least, most] = std::ranges::minmax(where.color);
     const std::size_t first = std::min(least, where.alpha.value_or(least));
     const std::size_t channels = std::max(most, where.alpha.value_or(most)) - first + 1;
-    file.require_size(MOST_SIDE, MOST_PIXELS, sizeof(glm::vec4) + channels * sizeof(float));
+    file.require_size(MAX_SIDE, MAX_PIXELS, sizeof(glm::vec4) + channels * sizeof(float));
     Image image(header.width, header.height);
     std::vector<float> values(image.pixels.size() * channels);
     file.read(static_cast<int>(first), static_cast<int>(channels), PictureNumbers::floats, values.data());

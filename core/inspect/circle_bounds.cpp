@@ -17,8 +17,8 @@ constexpr int FIRST_STEP = 32;      // every so many of them are there from the 
 constexpr std::size_t MANY = 500;   // more fragments are moved to the nearest point of the grid
 constexpr double TOLERANCE = 1e-9;  // of moments in [-1, 1]; CLP's own 1e-7 would act like a bias
 constexpr double PRICE = 1e-7;      // by how much a mass at another depth must improve the bound to be tried
-constexpr int MOST_ROUNDS = 20;
-constexpr int MOST_PIVOTS = 500;     // tens are usual; CLP may cycle where moments leave almost no freedom
+constexpr int MAX_ROUNDS = 20;
+constexpr int MAX_PIVOTS = 500;      // tens are usual; CLP may cycle where moments leave almost no freedom
 constexpr double APART = 1e-5;       // masses that are closer are one: their columns would be the same
 constexpr std::size_t QUERIES = 16;  // of one program, which grows with each of them
 
@@ -53,7 +53,7 @@ void demand(ClpSimplex& solver, const Eigen::VectorXd& moments) {
     for (int i = 0; i < static_cast<int>(moments.size()); ++i) solver.setRowBounds(i, moments[i], moments[i]);
     solver.setPrimalTolerance(TOLERANCE);
     solver.setDualTolerance(TOLERANCE);
-    solver.setMaximumIterations(MOST_PIVOTS);
+    solver.setMaximumIterations(MAX_PIVOTS);
 }
 
 /// What all programs of a ray share.
@@ -127,7 +127,7 @@ public:
         if (is_new(at)) add(at);
         for (std::size_t k = 0; k < depths_.size(); ++k)
             solver_.setObjectiveCoefficient(static_cast<int>(k), cost(depths_[k]));
-        for (int round = 0; round < MOST_ROUNDS; ++round) {
+        for (int round = 0; round < MAX_ROUNDS; ++round) {
             if (!solve()) return std::nullopt;
             if (!add_what_helps(cost)) break;
         }

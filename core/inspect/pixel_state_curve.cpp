@@ -46,9 +46,9 @@ PixelState state_of(const std::vector<Fragment>& fragments, const ViewRay& ray,
     for (const Fragment& fragment : fragments)
         state = kernel.with_fragment(state, pixel_state_fragment(ray, fragment), settings);
     const PixelState read = kernel.readable(state, settings);
-    if (kernel.with_fragment_again == nullptr) return read;
+    if (kernel.accumulate_second_pass == nullptr) return read;
     for (const Fragment& fragment : fragments)
-        state = kernel.with_fragment_again(state, read, pixel_state_fragment(ray, fragment), settings);
+        state = kernel.accumulate_second_pass(state, read, pixel_state_fragment(ray, fragment), settings);
     return kernel.readable(state, settings);
 }
 
@@ -65,8 +65,8 @@ PixelState pixel_state(const ViewRay& ray, const Technique& technique, const Pix
             for (std::size_t i = 0; i < part.f.size(); ++i) state.f[i] += share.weight * part.f[i];
         }
     }
-    if (kernel.own_absorbance >= 0) {
-        float& own = state.f[static_cast<std::size_t>(kernel.own_absorbance)];
+    if (kernel.exact_absorbance_slot >= 0) {
+        float& own = state.f[static_cast<std::size_t>(kernel.exact_absorbance_slot)];
         own = 0;
         for (const Fragment& fragment : ray.fragments) own += fragment_absorbance(fragment.opacity);
     }

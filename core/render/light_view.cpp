@@ -44,7 +44,7 @@ std::optional<LightView> view_from_light(Renderer& renderer, glm::ivec2 pixel, c
     view.ray = mixed_ray(view.bundle);
     view.opaque = opaque_ray(view.bundle);
     view.configuration = settings.transparent;
-    view.verdict = light_verdict(view.bundle, settings.transparent, *settings.opaque);
+    view.breakdown = light_breakdown(view.bundle, settings.transparent, *settings.opaque);
     view.visibility = view.fragment ? static_cast<double>(renderer.fragment_lights(pixel)[*view.fragment])
                                     : static_cast<double>((1 - surface->shadowed) * surface->transmittance);
     return view;

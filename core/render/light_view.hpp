@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/render/renderer.hpp"
-#include "core/shadow/light_verdict.hpp"
+#include "core/shadow/light_breakdown.hpp"
 
 namespace momentscope {
 
@@ -18,11 +18,11 @@ struct LightView {
         fragment;          // of the eye's ray, that receives; nullopt: the pixel's opaque surface
     std::string receiver;  // the same in words
     glm::vec3 world{0};    // where it is
-    LightBundle bundle;
+    ShadowFilterSamples bundle;
     ViewRay ray;                  // transparent casters: the mixture of all texels of the filter region
     ViewRay opaque;               // opaque casters: A(z) is the share of the region in front of z
     Configuration configuration;  // of the transparent casters' map; beta is the light's
-    LightVerdict verdict;
+    LightBreakdown breakdown;
     double visibility = 1;  // the share of the light that the shading lets reach it, as the GL computes it
 };
 

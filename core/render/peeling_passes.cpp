@@ -11,7 +11,7 @@ namespace {
 
 // Ends the loop on a GL that stores depth with fewer digits than it compares: there a layer would come again
 // for ever.
-constexpr int MOST_LAYERS = 4096;
+constexpr int MAX_LAYERS = 4096;
 
 }  // namespace
 
@@ -64,9 +64,9 @@ void PeelingPasses::draw_color(const PassInput& input) {
     const float nothing[4] = {0, 0, 0, 1};
     glClearNamedFramebufferfv(sum_target_, GL_COLOR, 0, nothing);
     for (int layer = 0; draw_layer(input, layer); ++layer) {
-        if (layer == MOST_LAYERS)
+        if (layer == MAX_LAYERS)
             throw Error(fmt::format(
-                "The picture has more than {} layers of transparent surfaces; use sorted.", MOST_LAYERS));
+                "The picture has more than {} layers of transparent surfaces; use sorted.", MAX_LAYERS));
         add_layer(input);
     }
 }

@@ -72,7 +72,7 @@ public:
 
     /// Everything that lights a point which a pixel of the last picture shows, at a view depth. The picture
     /// must have shadows.
-    LightBundle capture_light(glm::ivec2 pixel, float view_depth);
+    ShadowFilterSamples capture_light(glm::ivec2 pixel, float view_depth);
 
     /// Where in the world the middle of a pixel of the last picture is at a view depth.
     glm::vec3 world_place(glm::ivec2 pixel, float view_depth) const;

@@ -19,9 +19,9 @@ glm::vec3 Renderer::world_place(glm::ivec2 pixel, float view_depth) const {
     return {glm::inverse(glm::dmat4(view_matrix(view_.camera))) * eye};
 }
 
-LightBundle Renderer::capture_light(glm::ivec2 pixel, float view_depth) {
+ShadowFilterSamples Renderer::capture_light(glm::ivec2 pixel, float view_depth) {
     assert(lit() && "the picture has no shadows");
-    const LightPlace place =
+    const ShadowMapPosition place =
         light_place(shadow_maps_->frame(), shadow_maps_->settings().size, world_place(pixel, view_depth));
     return shadow_maps_->capture(*buffers_, place);
 }

@@ -27,7 +27,7 @@ std::optional<std::vector<FragmentNode>> ShadowMaps::capture_texels(const SceneB
 }
 
 // What each texel of the region has.
-void ShadowMaps::capture_region(const SceneBuffers& scene, LightBundle& bundle) {
+void ShadowMaps::capture_region(const SceneBuffers& scene, ShadowFilterSamples& bundle) {
     const ShadowFootprint region = shadow_footprint(bundle.place.texel, settings_->size, settings_->radius);
     for (const float weight : region.weights) bundle.texels.push_back({weight, {}});
     auto nodes = settings_->casters ? capture_texels(scene, region.corner, region.extent)
@@ -51,7 +51,7 @@ void ShadowMaps::capture_region(const SceneBuffers& scene, LightBundle& bundle) 
 }
 
 // What the map has: the four texels that are interpolated, as a filter of no radius reads them.
-void ShadowMaps::read_filtered(LightBundle& bundle) const {
+void ShadowMaps::read_filtered(ShadowFilterSamples& bundle) const {
     const ShadowFootprint corners = shadow_footprint(bundle.place.texel, settings_->size, 0);
     bundle.sums.assign(4 * filtered_targets_.size(), 0.0f);
     for (std::size_t i = 0; i < corners.weights.size(); ++i) {
@@ -71,8 +71,8 @@ void ShadowMaps::read_filtered(LightBundle& bundle) const {
         bundle.sums.resize(static_cast<std::size_t>(texel_numbers(settings_->transparent)));
 }
 
-LightBundle ShadowMaps::capture(const SceneBuffers& scene, const LightPlace& place) {
-    LightBundle bundle;
+ShadowFilterSamples ShadowMaps::capture(const SceneBuffers& scene, const ShadowMapPosition& place) {
+    ShadowFilterSamples bundle;
     bundle.place = place;
     bundle.warp = frame_.warp;
     bundle.near_plane = frame_.near_plane;

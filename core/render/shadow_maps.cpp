@@ -20,7 +20,7 @@ constexpr const char* FILTER = "passes/shadow_filter.frag";
 constexpr GLuint LIGHT_BLOCK = 2;  // passes/light_block.glsl, light.glsl
 constexpr GLuint OPAQUE_UNIT = 12, TRANSPARENT_UNIT = 13, DEEP_STEPS = 1;
 constexpr GLint DIRECTION = 0, LAYER = 1;  // shadow_filter.frag
-constexpr std::size_t MOST_BYTES = std::size_t{1} << 30;
+constexpr std::size_t MAX_BYTES = std::size_t{1} << 30;
 
 GlBuffer make_uniform_buffer(std::size_t bytes) {
     GLuint name = 0;
@@ -46,11 +46,11 @@ void require_fitting(const ShadowSettings& settings) {
             settings.size, most));
     const auto texels = static_cast<std::size_t>(settings.size) * static_cast<std::size_t>(settings.size);
     const std::size_t bytes = texels * (64 + 32 * static_cast<std::size_t>(caster_layers(settings)));
-    if (bytes > MOST_BYTES)
+    if (bytes > MAX_BYTES)
         throw Error(fmt::format(
             "Shadow maps of {0}x{0} texels take {1} MB, more than the {2} MB that are spent on them; give a smaller "
             "--shadow-size.",
-            settings.size, bytes >> 20U, MOST_BYTES >> 20U));
+            settings.size, bytes >> 20U, MAX_BYTES >> 20U));
 }
 
 bool same_place(const ShadowSettings& a, const ShadowSettings& b) {
@@ -90,7 +90,7 @@ void ShadowMaps::run(ShadowStage& stage, const Draw& draw) {
 }
 
 void ShadowMaps::update(const SceneBuffers& scene, const Sphere& casters, const ShadowSettings& settings) {
-    const LightFrame frame = light_frame(settings, casters);
+    const LightCamera frame = light_frame(settings, casters);
     require_fitting(settings);
     const std::optional<ShadowSettings> last = std::exchange(settings_, std::nullopt);  // until all went well
     const bool size = !last || last->size != settings.size;

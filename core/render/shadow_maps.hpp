@@ -38,11 +38,11 @@ public:
 
     const ShaderLighting& lighting() const { return lighting_; }
     const ShadowStages& stages() const { return stages_; }
-    const LightFrame& frame() const { return frame_; }
+    const LightCamera& frame() const { return frame_; }
     const ShadowSettings& settings() const { return *settings_; }
 
     /// What the filter region of a place is made of, and what the map holds of it.
-    LightBundle capture(const SceneBuffers& scene, const LightPlace& place);
+    ShadowFilterSamples capture(const SceneBuffers& scene, const ShadowMapPosition& place);
 
 private:
     struct DeepMap {
@@ -61,8 +61,8 @@ private:
     void write_blocks(const glm::mat4& eye_view) const;
     std::optional<std::vector<FragmentNode>> capture_texels(const SceneBuffers& scene, glm::ivec2 corner,
                                                             glm::ivec2 extent);
-    void capture_region(const SceneBuffers& scene, LightBundle& bundle);
-    void read_filtered(LightBundle& bundle) const;
+    void capture_region(const SceneBuffers& scene, ShadowFilterSamples& bundle);
+    void read_filtered(ShadowFilterSamples& bundle) const;
 
     template <typename Draw>
     void run(ShadowStage& stage, const Draw& draw);
@@ -71,7 +71,7 @@ private:
     GlQuery timer_;
     GlBuffer frame_block_, light_block_;
     std::optional<ShadowSettings> settings_;  // of what the maps hold
-    LightFrame frame_;
+    LightCamera frame_;
     ShaderLighting lighting_;
     ShadowStages stages_;
     std::shared_ptr<ProgramCache> programs_;

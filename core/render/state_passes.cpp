@@ -15,7 +15,7 @@ namespace {
 
 // passes/stored_state.glsl and state_composite.frag
 constexpr GLuint SAMPLES_UNIT = 3;
-constexpr GLuint OWN_ABSORBANCE_UNIT = 10;
+constexpr GLuint EXACT_ABSORBANCE_UNIT = 10;
 constexpr GLuint OPAQUE_DEPTH_UNIT = 11;  // state.frag
 
 // Samples are taken beside the absorbance, which is blended.
@@ -58,11 +58,11 @@ StatePasses::StatePasses(const Technique& technique, glm::ivec2 size, GLuint dep
     depth_target_ = make_framebuffer({}, depth);
     if (technique.pixel_state->holds_colors) return;
     weighted_color_ = make_texture(GL_RGBA32F, size);
-    if (technique.pixel_state->own_absorbance < 0) {
+    if (technique.pixel_state->exact_absorbance_slot < 0) {
         color_target_ = make_framebuffer({weighted_color_}, depth);
     } else {
-        own_absorbance_ = make_texture(GL_RGBA32F, size);
-        color_target_ = make_framebuffer({weighted_color_, own_absorbance_}, depth);
+        exact_absorbance_ = make_texture(GL_RGBA32F, size);
+        color_target_ = make_framebuffer({weighted_color_, exact_absorbance_}, depth);
     }
 }
 
@@ -133,7 +133,7 @@ void StatePasses::draw_states(const PassInput& input) const {
 void StatePasses::draw_color(const PassInput& input) {
     settings_ = input.parameters.pixel_state;  // an option may have changed that stores nothing
     if (technique_.pixel_state->holds_colors) return;
-    clear_colors(color_target_, own_absorbance_ != 0 ? 2 : 1);
+    clear_colors(color_target_, exact_absorbance_ != 0 ? 2 : 1);
     glUseProgram(input.programs.get("passes/scene.vert", "passes/state_color.frag",
                                     input.lean(input.lit(state_variant(technique_, settings_)))));
     bind_states();
@@ -146,7 +146,7 @@ void StatePasses::draw_composite(const PassInput& input) {
                                     state_variant(technique_, settings_)));
     glBindTextureUnit(0, input.opaque_color);
     glBindTextureUnit(1, weighted_color_);
-    glBindTextureUnit(OWN_ABSORBANCE_UNIT, own_absorbance_);
+    glBindTextureUnit(EXACT_ABSORBANCE_UNIT, exact_absorbance_);
     bind_states();
     draw_fullscreen();
 }

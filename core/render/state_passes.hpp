@@ -47,7 +47,7 @@ private:
     int sample_count_ = 0;
     GlTexture nearest_depth_;  // where the nearest fragment counts
     GlFramebuffer state_target_, depth_target_;
-    GlTexture weighted_color_, own_absorbance_;
+    GlTexture weighted_color_, exact_absorbance_;
     GlFramebuffer color_target_;
 };
 

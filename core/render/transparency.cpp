@@ -17,7 +17,7 @@ std::unique_ptr<Transparency> make_transparency(const Technique& technique, glm:
         case RenderPath::peeling:
             return std::make_unique<PeelingPasses>(size, depth);
         case RenderPath::states:
-            if (technique.pixel_state->with_fragment_again != nullptr)
+            if (technique.pixel_state->accumulate_second_pass != nullptr)
                 return std::make_unique<LowResolutionPasses>(technique, size, depth, access);
             return std::make_unique<StatePasses>(technique, size, depth, access);
         case RenderPath::moments:

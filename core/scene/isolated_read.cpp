@@ -30,7 +30,7 @@ constexpr char IS_REPORT = 'R';
 constexpr char IS_MESH = 'M';
 constexpr char IS_ERROR = 'E';
 constexpr std::uintmax_t MEMORY_LIMIT = std::uintmax_t{8} << 30;  // bytes; 20 million triangles fit
-constexpr std::size_t MOST_TEXT = std::size_t{1} << 20;           // bytes of a text, of all warnings
+constexpr std::size_t MAX_TEXT = std::size_t{1} << 20;            // bytes of a text, of all warnings
 
 struct Header {
     std::size_t vertex_count;
@@ -55,7 +55,7 @@ public:
         }
     }
     void write_text(char kind, const std::string& text) const {
-        const std::size_t size = std::min(text.size(), MOST_TEXT);
+        const std::size_t size = std::min(text.size(), MAX_TEXT);
         write(&kind, 1);
         write(&size, sizeof size);
         write(text.data(), size);
@@ -65,7 +65,7 @@ public:
         if (mesh.normals.size() != mesh.positions.size()) ::_exit(1);
         std::string warnings;
         for (const std::string& warning : loaded.warnings) warnings += warning + '\n';
-        const Header header{mesh.positions.size(), mesh.indices.size(), std::min(warnings.size(), MOST_TEXT)};
+        const Header header{mesh.positions.size(), mesh.indices.size(), std::min(warnings.size(), MAX_TEXT)};
         write(&IS_MESH, 1);
         write(&header, sizeof header);
         write(mesh.positions.data(), mesh.positions.size() * sizeof(glm::vec3));
@@ -101,7 +101,7 @@ public:
     }
     std::optional<std::string> read_text() const {
         std::size_t size = 0;
-        if (!read(&size, sizeof size) || size > MOST_TEXT) return std::nullopt;
+        if (!read(&size, sizeof size) || size > MAX_TEXT) return std::nullopt;
         return read_bytes(size);
     }
     std::optional<LoadedMesh> read_mesh(const ReadReport& report) const;
@@ -128,7 +128,7 @@ std::optional<LoadedMesh> Receiver::read_mesh(const ReadReport& report) const {
     Header header{};
     constexpr std::size_t MOST = 3 * MAX_MESH_TRIANGLES;
     if (!read(&header, sizeof header) || header.vertex_count > MOST || header.index_count > MOST ||
-        header.warning_bytes > MOST_TEXT || header.index_count % 3 != 0)
+        header.warning_bytes > MAX_TEXT || header.index_count % 3 != 0)
         return std::nullopt;
     const std::string triangles = std::to_string(header.index_count / 3) + " triangles";
     const std::size_t bytes =

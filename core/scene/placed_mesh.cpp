@@ -17,10 +17,10 @@ namespace {
 
 constexpr std::uint32_t UNUSED = std::numeric_limits<std::uint32_t>::max();
 constexpr double HALF_STEP = 0x1p-24;      // of floats, relative
-constexpr double LEAST_NORMAL = 0x1p-126;  // smaller floats lie as far apart as this one's neighbours
+constexpr double MIN_NORMAL = 0x1p-126;    // smaller floats lie as far apart as this one's neighbours
 constexpr double ALLOWED_ROUNDING = 1e-4;  // of the half diagonal: a tenth of a pixel of a large picture
-constexpr double LEAST_AREA = 1e-4;        // of the half diagonal squared: some ten pixels of a large picture
-constexpr float LEAST_CORE = 1e-4f;        // of the half diagonal: smaller than a pixel
+constexpr double MIN_AREA = 1e-4;          // of the half diagonal squared: some ten pixels of a large picture
+constexpr float MIN_CORE = 1e-4f;          // of the half diagonal: smaller than a pixel
 
 /// Finds vertices whose position and normal are the same to the last bit, by a table of open addresses.
 class EqualVertices {
@@ -86,7 +86,7 @@ struct Transforms {
 void note_rounding(PlacedMesh& placed, const glm::dvec3& local, const glm::dmat3& magnitude,
                    const Placement& placement) {
     const glm::dvec3 size = placement.unit * glm::abs(local);
-    const glm::dvec3 errors = magnitude * (glm::max(size, glm::dvec3(LEAST_NORMAL)) * HALF_STEP);
+    const glm::dvec3 errors = magnitude * (glm::max(size, glm::dvec3(MIN_NORMAL)) * HALF_STEP);
     const double error = placement.rounding + std::max({errors.x, errors.y, errors.z});
     if (!(error > placed.rounding)) return;
     placed.rounding = error;
@@ -136,14 +136,14 @@ bool is_mostly_a_speck(const Mesh& mesh) {
         std::ranges::nth_element(values, low);
         const float lowest = *low;
         std::ranges::nth_element(values, high);
-        if (*high - lowest > LEAST_CORE) return false;
+        if (*high - lowest > MIN_CORE) return false;
     }
     return true;
 }
 
 void warn_of_nothing(std::vector<std::string>& warnings, const Mesh& mesh,
                      const std::filesystem::path& path) {
-    if (area_of(mesh) < LEAST_AREA)
+    if (area_of(mesh) < MIN_AREA)
         warnings.push_back(mesh_sentence(
             path,
             "leaves next to nothing to see, since all its triangles are thin or small compared with its extent; "

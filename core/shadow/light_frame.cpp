@@ -18,8 +18,8 @@ namespace glsl::light {
 
 namespace {
 
-constexpr float STANDARD_DISTANCE = 4;   // radii
-constexpr float LEAST_DISTANCE = 1.05f;  // radii; closer the frustum is wider than 144 degrees
+constexpr float STANDARD_DISTANCE = 4;  // radii
+constexpr float MIN_DISTANCE = 1.05f;   // radii; closer the frustum is wider than 144 degrees
 
 }  // namespace
 
@@ -27,17 +27,17 @@ float standard_light_distance(const Sphere& casters) {
     return STANDARD_DISTANCE * std::max(casters.radius, 1e-3f);  // nothing casts: any frame will do
 }
 
-LightFrame light_frame(const ShadowSettings& settings, const Sphere& casters) {
+LightCamera light_frame(const ShadowSettings& settings, const Sphere& casters) {
     const float radius = std::max(casters.radius, 1e-3f);
     const float distance = settings.distance.value_or(standard_light_distance(casters));
-    if (!(distance >= LEAST_DISTANCE * radius))
+    if (!(distance >= MIN_DISTANCE * radius))
         throw Error(fmt::format(
             "The light stands {:.2f} from the centre of what casts shadows, too close to the sphere of radius {:.2f} around it; "
             "give a --light-distance of {:.2f} or more.",
-            distance, radius, std::ceil(100 * LEAST_DISTANCE * radius + 0.5f) / 100));
+            distance, radius, std::ceil(100 * MIN_DISTANCE * radius + 0.5f) / 100));
     const Light& light = settings.light;
     const glm::vec3 direction = orbit_direction(light.azimuth, light.elevation);
-    LightFrame frame;
+    LightCamera frame;
     frame.position = casters.center + distance * direction;
     const bool overhead = light.elevation > 1.5f;
     frame.view =
@@ -51,7 +51,7 @@ LightFrame light_frame(const ShadowSettings& settings, const Sphere& casters) {
     return frame;
 }
 
-LightPlace light_place(const LightFrame& frame, int map_size, const glm::vec3& world) {
+ShadowMapPosition light_place(const LightCamera& frame, int map_size, const glm::vec3& world) {
     const glm::vec4 in_light = frame.view * glm::vec4(world, 1);
     const glm::vec4 clip = frame.projection * in_light;
     if (!(-in_light.z > frame.near_plane)) return {};

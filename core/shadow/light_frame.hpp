@@ -7,7 +7,7 @@
 
 namespace momentscope {
 
-struct LightFrame {
+struct LightCamera {
     glm::vec3 position{0};  // in the world
     glm::mat4 view{1};      // world to the light's space, which looks along -z
     glm::mat4 projection{1};
@@ -16,7 +16,7 @@ struct LightFrame {
 };
 
 /// A point as the light sees it.
-struct LightPlace {
+struct ShadowMapPosition {
     glm::vec2 texel{0};   // in texels of the map, from its lower left corner
     float depth = 0;      // in [-1, 1] between the ends of the sphere around the casters; beyond it cut
     bool within = false;  // does the map know what shadows it?
@@ -27,9 +27,9 @@ float standard_light_distance(const Sphere& casters);
 
 /// The frustum around a sphere. Throws Error when the light stands inside of it, or almost. Around nothing,
 /// any frustum.
-LightFrame light_frame(const ShadowSettings& settings, const Sphere& casters);
+LightCamera light_frame(const ShadowSettings& settings, const Sphere& casters);
 
 /// As shaders/passes/light.glsl computes it. world: a point in the world.
-LightPlace light_place(const LightFrame& frame, int map_size, const glm::vec3& world);
+ShadowMapPosition light_place(const LightCamera& frame, int map_size, const glm::vec3& world);
 
 }  // namespace momentscope

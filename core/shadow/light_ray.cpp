@@ -31,7 +31,7 @@ PixelStateFragment receiver_fragment(float depth) {
 
 }  // namespace
 
-ViewRay mixed_ray(const LightBundle& bundle) {
+ViewRay mixed_ray(const ShadowFilterSamples& bundle) {
     ViewRay ray;
     ray.warp = bundle.warp;
     ray.near_plane = bundle.near_plane;
@@ -44,7 +44,7 @@ ViewRay mixed_ray(const LightBundle& bundle) {
     return ray;
 }
 
-ViewRay opaque_ray(const LightBundle& bundle) {
+ViewRay opaque_ray(const ShadowFilterSamples& bundle) {
     ViewRay ray;
     ray.warp = bundle.warp;
     for (const OpaqueShare& share : bundle.opaque) {
@@ -57,21 +57,21 @@ ViewRay opaque_ray(const LightBundle& bundle) {
     return ray;
 }
 
-double deep_transmittance(const LightBundle& bundle, float depth) {
+double deep_transmittance(const ShadowFilterSamples& bundle, float depth) {
     double sum = 0;
     for (const LightTexel& texel : bundle.texels)
         sum += static_cast<double>(texel.weight) * std::exp(-absorbance_in_front(texel, depth));
     return bundle.texels.empty() ? 1 : sum;
 }
 
-double mixed_transmittance(const LightBundle& bundle, float depth) {
+double mixed_transmittance(const ShadowFilterSamples& bundle, float depth) {
     double absorbance = 0;
     for (const LightTexel& texel : bundle.texels)
         absorbance += static_cast<double>(texel.weight) * absorbance_in_front(texel, depth);
     return std::exp(-absorbance);
 }
 
-float light_transmittance(const LightBundle& bundle, const Configuration& transparent, float depth) {
+float light_transmittance(const ShadowFilterSamples& bundle, const Configuration& transparent, float depth) {
     if (bundle.texels.empty()) return 1;
     const Technique& technique = *transparent.technique;
     if (technique.is_truth()) return static_cast<float>(deep_transmittance(bundle, depth));
@@ -94,7 +94,7 @@ float light_transmittance(const LightBundle& bundle, const Configuration& transp
     return transmittance(reconstructed);
 }
 
-float light_shadowed(const LightBundle& bundle, const OpaqueShadow& opaque, float depth) {
+float light_shadowed(const ShadowFilterSamples& bundle, const OpaqueShadow& opaque, float depth) {
     if (bundle.texels.empty()) return 0;
     if (!opaque.unfiltered) return opaque.shadowed(bundle.texel, depth);
     double sum = 0;

@@ -24,8 +24,8 @@ struct LightTexel {
 };
 
 /// All that lights a receiver.
-struct LightBundle {
-    LightPlace place;                 // of the receiver
+struct ShadowFilterSamples {
+    ShadowMapPosition place;          // of the receiver
     std::vector<LightTexel> texels;   // the filter region; empty where the map knows nothing
     std::vector<OpaqueShare> opaque;  // the same texels
     DepthWarp warp;                   // linear
@@ -37,24 +37,24 @@ struct LightBundle {
 };
 
 /// The mixture of all texels as one ray: the absorbance of each fragment times its texel's weight.
-ViewRay mixed_ray(const LightBundle& bundle);
+ViewRay mixed_ray(const ShadowFilterSamples& bundle);
 
 /// Depths of opaque casters as one ray, whose total absorbance is 1 and whose A(z) is the share in front of
 /// z.
-ViewRay opaque_ray(const LightBundle& bundle);
+ViewRay opaque_ray(const ShadowFilterSamples& bundle);
 
 /// T in front of the receiver's depth: the mean over the texels of what each lets through, as a deep shadow
 /// map has it.
-double deep_transmittance(const LightBundle& bundle, float depth);
+double deep_transmittance(const ShadowFilterSamples& bundle, float depth);
 
 /// exp of minus the mean of the texels' absorbances: what moments could know at best.
-double mixed_transmittance(const LightBundle& bundle, float depth);
+double mixed_transmittance(const ShadowFilterSamples& bundle, float depth);
 
 /// What shading computes of the receiver: the share of light that transparent casters let through, from the
 /// map's numbers.
-float light_transmittance(const LightBundle& bundle, const Configuration& transparent, float depth);
+float light_transmittance(const ShadowFilterSamples& bundle, const Configuration& transparent, float depth);
 
 /// The same of opaque casters: the share of the region in front.
-float light_shadowed(const LightBundle& bundle, const OpaqueShadow& opaque, float depth);
+float light_shadowed(const ShadowFilterSamples& bundle, const OpaqueShadow& opaque, float depth);
 
 }  // namespace momentscope

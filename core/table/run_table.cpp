@@ -15,14 +15,14 @@ namespace momentscope {
 
 namespace {
 
-constexpr int MOST_SHARDS = 10'000;
+constexpr int MAX_SHARDS = 10'000;
 // A chart has some hundred rows of 300 bytes, a stress run a thousand of 15 KB. What is larger would take
 // more memory than a table is worth.
-constexpr std::uintmax_t MOST_BYTES = std::uintmax_t{64} << 20;
-constexpr std::size_t MOST_ROWS = 100'000;
-constexpr std::size_t MOST_SETTINGS = 1000;
+constexpr std::uintmax_t MAX_BYTES = std::uintmax_t{64} << 20;
+constexpr std::size_t MAX_ROWS = 100'000;
+constexpr std::size_t MAX_SETTINGS = 1000;
 // The longest is a command with all its words, some thousand letters.
-constexpr std::size_t MOST_SETTING_BYTES = std::size_t{4} << 20;
+constexpr std::size_t MAX_SETTING_BYTES = std::size_t{4} << 20;
 constexpr std::size_t SHORT_VALUE = 60;  // letters that a sentence bears
 
 // A value takes one line, even when it names a file whose name has several.
@@ -90,7 +90,7 @@ Shard parse_shard(std::string_view text) {
     const auto index = parse_number<int>(text.substr(0, slash));
     const auto count =
         slash == std::string_view::npos ? std::nullopt : parse_number<int>(text.substr(slash + 1));
-    if (!index || !count || *count < 1 || *count > MOST_SHARDS || *index < 1 || *index > *count)
+    if (!index || !count || *count < 1 || *count > MAX_SHARDS || *index < 1 || *index > *count)
         throw Error(fmt::format(
             "'{}' is not a shard; give its number and how many there are, as --shard 2/4.", text));
     return {*index, *count};
@@ -125,7 +125,7 @@ std::string run_table_text(const RunTable& table) {
 }
 
 RunTable read_run_table(const std::filesystem::path& path) {
-    const std::string text = read_input_file(path, MOST_BYTES, "CSV");
+    const std::string text = read_input_file(path, MAX_BYTES, "CSV");
     RunTable table;
     for (std::size_t begin = 0; begin < text.size();) {
         const std::string_view rest = std::string_view(text).substr(begin);
@@ -139,12 +139,12 @@ RunTable read_run_table(const std::filesystem::path& path) {
             table.columns = line;
         else
             table.rows.push_back(line);
-        if (table.rows.size() > MOST_ROWS || table.settings.size() > MOST_SETTINGS ||
-            (!has_columns && line.size() > MOST_SETTING_BYTES))
+        if (table.rows.size() > MAX_ROWS || table.settings.size() > MAX_SETTINGS ||
+            (!has_columns && line.size() > MAX_SETTING_BYTES))
             throw Error(fmt::format(
                 "'{}' has more than {} rows or {} settings, or a setting of more than {} MiB; give a CSV file that chart "
                 "or stress wrote.",
-                path.string(), MOST_ROWS, MOST_SETTINGS, MOST_SETTING_BYTES >> 20));
+                path.string(), MAX_ROWS, MAX_SETTINGS, MAX_SETTING_BYTES >> 20));
     }
     for (const char* name :
          {run_setting::COMMAND, run_setting::SCHEMA, run_setting::ROWS, run_setting::SHARD})
@@ -168,10 +168,10 @@ RunTable merge_shards(const std::vector<std::filesystem::path>& paths) {
     std::size_t bytes = 0;
     for (const auto& path : paths) {
         bytes += bytes_of(tables.emplace_back(read_run_table(path)));
-        if (bytes > MOST_BYTES)
+        if (bytes > MAX_BYTES)
             throw Error(fmt::format(
                 "The files are larger than {} MiB together, the most that a table may have; merge fewer.",
-                MOST_BYTES >> 20));
+                MAX_BYTES >> 20));
     }
     const RunTable& first = tables.front();
     const int count = parse_shard(setting(first.settings, run_setting::SHARD)).count;

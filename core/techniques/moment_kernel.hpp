@@ -49,7 +49,7 @@ struct ReconstructionSteps {
     float absorbance = 0;
 };
 
-/// The functions of one technique. moments of a b0 below LEAST_ABSORBANCE reconstruct to absorbance 0.
+/// The functions of one technique. moments of a b0 below MIN_ABSORBANCE reconstruct to absorbance 0.
 struct MomentKernel {
     int moment_floats;
     int node_count;

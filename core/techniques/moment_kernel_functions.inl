@@ -176,7 +176,7 @@ ReconstructionSteps steps(const MomentVector& vector, const ReconstructionSettin
     const g::Reconstruction at_depth = g::reconstruct(factor, basis, depth);
     result.biased.b0 = 1;
     for (std::size_t i = 0; i < MOMENT_FLOATS; ++i)
-        result.biased.b[i] = (biased.b[i] + biased.pull[i]) / biased.b0;
+        result.biased.b[i] = (biased.b[i] + biased.bias_delta[i]) / biased.b0;
     for (std::size_t k = 0; k < ORDER; ++k) result.pivots[k] = 1.0f / factor.inverse_h[k];
     result.floored_pivots = factor.floored;
     result.query_weight = at_depth.query_weight;

@@ -59,14 +59,15 @@ struct PixelStateKernel {
 
     /// Where a second geometry pass adds to the state what it makes of the first one's; else null. `read` is
     /// what the first one stored, filterable.
-    PixelState (*with_fragment_again)(const PixelState& state, const PixelState& read,
-                                      const PixelStateFragment& fragment, const PixelStateSettings& settings);
+    PixelState (*accumulate_second_pass)(const PixelState& state, const PixelState& read,
+                                         const PixelStateFragment& fragment,
+                                         const PixelStateSettings& settings);
 
     /// The state as later passes read it, in the numbers that may be mixed with those of other pixels.
     PixelState (*readable)(const PixelState& state, const PixelStateSettings& settings);
 
     /// Which number the second pass replaces by the pixel's own total absorbance; -1 for none.
-    int own_absorbance;
+    int exact_absorbance_slot;
 
     bool has_depths() const { return transmittance_at != nullptr; }
 

@@ -86,7 +86,7 @@ PixelState with_fragment(const PixelState& state, const PixelStateFragment& frag
 }
 
 #ifdef SECOND_STATE
-PixelState with_fragment_again(const PixelState& state, const PixelState& read,
+PixelState accumulate_second_pass(const PixelState& state, const PixelState& read,
                                const PixelStateFragment& fragment, const PixelStateSettings& settings) {
     return blended(
         state,
@@ -99,17 +99,17 @@ PixelState readable(const PixelState& state, const PixelStateSettings& settings)
         g::filterable(g::converted(to_shared(state), to_shared(settings)), to_shared(settings)));
 }
 #else
-constexpr auto with_fragment_again = nullptr;
+constexpr auto accumulate_second_pass = nullptr;
 
 PixelState readable(const PixelState& state, const PixelStateSettings&) {
     return state;
 }
 #endif
 
-#ifdef OWN_ABSORBANCE
-constexpr int OWN = OWN_ABSORBANCE;
+#ifdef EXACT_ABSORBANCE_SLOT
+constexpr int SLOT = EXACT_ABSORBANCE_SLOT;
 #else
-constexpr int OWN = -1;
+constexpr int SLOT = -1;
 #endif
 
 Composited composited(const PixelState& state, const PixelStateSettings& settings) {
@@ -152,9 +152,9 @@ const PixelStateKernel& pixel_state_kernel(PixelStateKernelTag<PixelStateTechniq
                                             .empty_state = empty_state,
                                             .with_fragment = with_fragment,
                                             .transmittance_at = transmittance_at,
-                                            .with_fragment_again = with_fragment_again,
+                                            .accumulate_second_pass = accumulate_second_pass,
                                             .readable = readable,
-                                            .own_absorbance = OWN,
+                                            .exact_absorbance_slot = SLOT,
                                             .composited = composited};
     return kernel;
 }

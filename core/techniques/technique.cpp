@@ -161,7 +161,7 @@ float automatic_bias(const ParameterValues& values, const Technique& technique) 
 ResolvedParameters resolve(const ParameterValues& values, const Technique& technique) {
     const auto on = [&](ParameterId id) { return technique.uses(id) && values[id].value_or(0.0f) >= 0.5f; };
     return {.beta = values[ParameterId::beta].value_or(0.0f),
-            .theta = std::max(values[ParameterId::theta].value_or(0.0f), LEAST_WRAPPING_ZONE),
+            .theta = std::max(values[ParameterId::theta].value_or(0.0f), MIN_WRAPPING_ZONE),
             .alpha = values[ParameterId::alpha].value_or(automatic_bias(values, technique)),
             .textbook = on(ParameterId::solver),
             .factored_once = technique.uses(ParameterId::factorisation) && !on(ParameterId::factorisation) &&

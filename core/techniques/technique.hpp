@@ -59,7 +59,7 @@ const Technique& require_technique(std::string_view id);
 
 /// The least wrapping zone, in radians; 1/125 of the circle. Without a zone depths -1 and 1 are one point,
 /// and rounding alone decides at which of them a surface is (docs/stability.md).
-constexpr float LEAST_WRAPPING_ZONE = 0.05f;
+constexpr float MIN_WRAPPING_ZONE = 0.05f;
 
 /// The values that a technique computes with: `auto` replaced by its recommendation, theta at least the
 /// least.

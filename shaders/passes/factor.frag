@@ -18,7 +18,7 @@ layout(location = 2) out vec4 factor_3;
 void main()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    if (!(texelFetch(total_absorbance_texture, pixel, 0).x >= LEAST_ABSORBANCE)) discard;   // before the rest is fetched
+    if (!(texelFetch(total_absorbance_texture, pixel, 0).x >= MIN_ABSORBANCE)) discard;   // before the rest is fetched
     Moments moments = stored_moments(pixel);
     StoredFactor stored = packed_factor(factor_moments(biased_moments(moments, frame.parameters.y)));
     factor_1 = factor_texel(stored, 0);

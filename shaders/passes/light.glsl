@@ -28,7 +28,7 @@ layout(binding = 13) uniform sampler2DArray transparent_map;   // filtered sums
 #endif
 #endnamespace
 
-LightPlace light_place(vec3 eye_space)
+ShadowMapPosition light_place(vec3 eye_space)
 {
     vec4 in_light = light.view_from_eye * vec4(eye_space, 1.0);
     return light_place_of(in_light, light.projection * in_light, light.range.xyz);
@@ -85,7 +85,7 @@ float region_weight(Region region, ivec2 offset)
 }
 
 /// The share of the filter region whose opaque surface lies in front of the place.
-float opaque_shadow(LightPlace place)
+float opaque_shadow(ShadowMapPosition place)
 {
 #ifdef opaque_UNFILTERED
     Region region = region_at(place.texel);
@@ -123,7 +123,7 @@ float deep_transmittance(uvec2 list, float depth)
 #endif
 
 /// What transparent casters in front of the place let through.
-float transparent_light(LightPlace place)
+float transparent_light(ShadowMapPosition place)
 {
 #if defined(NO_TRANSPARENT_CASTERS)
     return 1.0;
@@ -155,7 +155,7 @@ float transparent_light(LightPlace place)
 /// The share of the light that reaches a point of the eye's space; all of it where the map knows nothing.
 float light_visibility(vec3 eye_space)
 {
-    LightPlace place = light_place(eye_space);
+    ShadowMapPosition place = light_place(eye_space);
     if (!place.within) return 1.0;
     return (1.0 - opaque_shadow(place)) * transparent_light(place);
 }

@@ -7,7 +7,7 @@ layout(location = 0) out vec4 probe;
 
 void main()
 {
-    LightPlace place = light_place(eye_position);
+    ShadowMapPosition place = light_place(eye_position);
     probe = place.within ? vec4(opaque_shadow(place), transparent_light(place), place.depth, -eye_position.z)
                          : vec4(0.0, 1.0, 2.0, -eye_position.z);
 }

@@ -9,15 +9,15 @@
 layout(early_fragment_tests) in;
 
 layout(location = 0) out vec4 weighted_color;
-#ifdef OWN_ABSORBANCE
-layout(location = 1) out vec4 own_absorbance;   // of the pixel itself, whatever its state is mixed of
+#ifdef EXACT_ABSORBANCE_SLOT
+layout(location = 1) out vec4 exact_absorbance;   // of the pixel itself, whatever its state is mixed of
 #endif
 
 void main()
 {
     float weight = fragment_opacity() * fragment_transmittance();
     weighted_color = vec4(shaded(object.color_opacity.rgb) * weight, weight);
-#ifdef OWN_ABSORBANCE
-    own_absorbance = vec4(fragment_absorbance(), 0.0, 0.0, 0.0);
+#ifdef EXACT_ABSORBANCE_SLOT
+    exact_absorbance = vec4(fragment_absorbance(), 0.0, 0.0, 0.0);
 #endif
 }

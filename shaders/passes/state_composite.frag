@@ -8,8 +8,8 @@
 
 layout(binding = 0) uniform sampler2D opaque_texture;
 layout(binding = 1) uniform sampler2D weighted_color_texture;
-#ifdef OWN_ABSORBANCE
-layout(binding = 10) uniform sampler2D own_absorbance_texture;
+#ifdef EXACT_ABSORBANCE_SLOT
+layout(binding = 10) uniform sampler2D exact_absorbance_texture;
 #endif
 
 layout(location = 0) out vec4 color;
@@ -19,8 +19,8 @@ void main()
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec3 opaque = texelFetch(opaque_texture, pixel, 0).rgb;
     PixelState state = stored_state(pixel);
-#ifdef OWN_ABSORBANCE
-    state.f[OWN_ABSORBANCE] = texelFetch(own_absorbance_texture, pixel, 0).x;
+#ifdef EXACT_ABSORBANCE_SLOT
+    state.f[EXACT_ABSORBANCE_SLOT] = texelFetch(exact_absorbance_texture, pixel, 0).x;
 #endif
     Composited all = composited(state, pixel_state_settings());
 #ifdef HOLDS_COLORS

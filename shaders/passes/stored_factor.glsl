@@ -6,7 +6,7 @@ layout(binding = 3) uniform sampler2D factor_1_texture;
 layout(binding = 4) uniform sampler2D factor_2_texture;
 layout(binding = 5) uniform sampler2D factor_3_texture;
 
-/// Of a pixel with less than LEAST_ABSORBANCE all but b0 is undefined.
+/// Of a pixel with less than MIN_ABSORBANCE all but b0 is undefined.
 Factor stored_factor(ivec2 pixel)
 {
     float b0 = texelFetch(total_absorbance_texture, pixel, 0).x;

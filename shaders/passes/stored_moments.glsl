@@ -39,7 +39,7 @@ float fragment_transmittance()
 {
 #ifdef STORED_FACTOR
     Factor pixel = stored_factor(ivec2(gl_FragCoord.xy));
-    if (!(pixel.b0 >= LEAST_ABSORBANCE)) return 1.0;
+    if (!(pixel.b0 >= MIN_ABSORBANCE)) return 1.0;
 #else
     Moments pixel = stored_moments(ivec2(gl_FragCoord.xy));
     if (is_empty(pixel)) return 1.0;

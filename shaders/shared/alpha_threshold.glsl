@@ -3,7 +3,7 @@
 // pixels, made uniform again after the interpolation between both.
 
 const float TWO_PI = 2.0f * PI;
-const float LEAST_THRESHOLD = 1.0e-6f;
+const float MIN_THRESHOLD = 1.0e-6f;
 
 FN float fraction_of(float x)
 {
@@ -49,5 +49,5 @@ FN float alpha_threshold(float x, float y, float z, float width)
     float power = 1.0f / inverse_power_of_two(scale);                       // 2^floor(log2 scale)
     float between = portable_log(scale / power) * 1.44269504f;
     PRECISE float mean = (1.0f - between) * hash_of_place(x, y, z, power) + between * hash_of_place(x, y, z, 2.0f * power);
-    return clamp(distribution_of_mean(mean, min(between, 1.0f - between)), LEAST_THRESHOLD, 1.0f);
+    return clamp(distribution_of_mean(mean, min(between, 1.0f - between)), MIN_THRESHOLD, 1.0f);
 }

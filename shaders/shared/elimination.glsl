@@ -7,10 +7,10 @@
 /// A pivot below this is rounding noise (1 ulp of a normalised moment) and counts as this.
 const float PIVOT_FLOOR = 6.0e-8f;
 
-/// b[i] + pull[i] times a power of two, without rounding.
+/// b[i] + bias_delta[i] times a power of two, without rounding.
 FN FloatPair biased_moment(IN(BiasedMoments) biased, int i, float power_of_two)
 {
-    return exact_sum(biased.b[i] * power_of_two, biased.pull[i] * power_of_two);
+    return exact_sum(biased.b[i] * power_of_two, biased.bias_delta[i] * power_of_two);
 }
 
 struct Pivot

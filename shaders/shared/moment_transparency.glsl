@@ -5,7 +5,7 @@
 #define MAX_STATE_FLOATS 16
 #define STATE_SUMS
 #define SECOND_STATE         // second_fragment_state
-#define OWN_ABSORBANCE 5     // where the absorbance of the very pixel stands, which the second pass adds up
+#define EXACT_ABSORBANCE_SLOT 5     // where the absorbance of the very pixel stands, which the second pass adds up
 #include "pixel_state.glsl"
 #define MOMENT_COUNT 4
 #define MOMENT_BITS 32
@@ -75,8 +75,8 @@ FN BiasedMoments biased_for(IN(Moments) moments, IN(PixelStateSettings) settings
     for (int i = 0; i < 4; ++i)
     {
         biased.b[i] = moments.b[i];
-        PRECISE float pull = settings.bias * (moments.b0 * (i % 2 == 0 ? 0.0f : target) - moments.b[i]);
-        biased.pull[i] = pull;
+        PRECISE float bias_delta = settings.bias * (moments.b0 * (i % 2 == 0 ? 0.0f : target) - moments.b[i]);
+        biased.bias_delta[i] = bias_delta;
     }
     return biased;
 }
@@ -100,7 +100,7 @@ FN Moments in_read_format(IN(Moments) moments, IN(PixelStateSettings) settings)
     UNROLL
     for (int i = 0; i < 4; ++i)
     {
-        PRECISE float sum = biased.b[i] + biased.pull[i];
+        PRECISE float sum = biased.b[i] + biased.bias_delta[i];
         b[i] = sum / moments.b0;
     }
     TwoDepths exact = two_depths(b[0], b[1], b[2], b[3]);
@@ -177,5 +177,5 @@ FN float transmittance_at(IN(PixelState) state, IN(PixelStateFragment) fragment,
 
 FN Composited composited(IN(PixelState) state, IN(PixelStateSettings) settings)
 {
-    return transparent(transmittance_of(state.f[OWN_ABSORBANCE]));
+    return transparent(transmittance_of(state.f[EXACT_ABSORBANCE_SLOT]));
 }

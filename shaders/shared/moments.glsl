@@ -4,6 +4,6 @@
 /// Trigonometric: Re b_1, Im b_1, Re b_2, ...
 struct Moments { float b0; float b[MOMENT_FLOATS]; };
 
-/// Moments with what bias adds to them, kept apart: b[i] + pull[i], not normalised. Added up they would lose most digits
-/// of a small pull, which is all that keeps the matrix of a few fragments regular.
-struct BiasedMoments { float b0; float b[MOMENT_FLOATS]; float pull[MOMENT_FLOATS]; };
+/// Moments with what bias adds to them, kept apart: b[i] + bias_delta[i], not normalised. Added up they would lose most digits
+/// of a small bias_delta, which is all that keeps the matrix of a few fragments regular.
+struct BiasedMoments { float b0; float b[MOMENT_FLOATS]; float bias_delta[MOMENT_FLOATS]; };

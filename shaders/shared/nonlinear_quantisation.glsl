@@ -4,7 +4,7 @@
 /// Mass 1 - weight at `near` and weight at `far`; offset is what b_4 has beyond these two. All of moments with b_0 = 1.
 struct TwoDepths { float near; float far; float weight; float offset; };
 
-const float LEAST_OFFSET = 1.2e-7f;
+const float MIN_OFFSET = 1.2e-7f;
 const float OFFSET_UNIT = 1.0e-7f;
 const float WARP_LOW = -1.7019834f;    // ln ln 1.2
 const float WARP_HIGH = 2.6900085f;    // ln ln(.25 / 1e-7)
@@ -31,7 +31,7 @@ FN TwoDepths two_depths(float b1, float b2, float b3, float b4)
 /// Offsets span seven decades, most of them small: ln ln makes a unit range of them.
 FN float warped_offset(float offset)
 {
-    float bounded = clamp(offset, LEAST_OFFSET, 0.25f);
+    float bounded = clamp(offset, MIN_OFFSET, 0.25f);
     return (portable_log(portable_log(bounded / OFFSET_UNIT)) - WARP_LOW) / (WARP_HIGH - WARP_LOW);
 }
 
@@ -89,7 +89,7 @@ FN float fraction_of_two_depths(IN(TwoDepths) quantised, float depth, float over
     PRECISE float scale = 1.0f / (far - quantised.near);
     PRECISE float n = (depth - quantised.near) * scale;
     PRECISE float squared = scale * scale;
-    PRECISE float offset = max(quantised.offset, LEAST_OFFSET) * squared * squared;
+    PRECISE float offset = max(quantised.offset, MIN_OFFSET) * squared * squared;
     float inverse_near = 1.0f / (1.0f - weight);
     float inverse_far = 1.0f / weight;
     float own = mass_at(n, inverse_near, inverse_far, offset);

@@ -87,8 +87,8 @@ FN RootTriple cubic_roots(float e1, float e2, float e3)
 #if ROOT_COUNT == 4
 /// If the squares of a quartic's roots sum to between 2/3 and 4, its root of greatest magnitude is at least .4, and its
 /// coefficients are at most 4, 6, 4 and 1. These limits keep all other quartics finite, whose roots are all but 0 or not real.
-const float LEAST_FAR_ROOT = 0.1f;
-const float MOST_SCALED = 16.0f;
+const float MIN_FAR_ROOT = 0.1f;
+const float MAX_SCALED = 16.0f;
 
 /// The greatest root of a cubic with three real ones.
 FN float greatest_root(float e1, float e2, float e3)
@@ -170,7 +170,7 @@ FN Roots polished_roots(IN(MonicPolynomial) p, IN(Roots) roots)
 FN Roots quartic_roots(IN(MonicPolynomial) p)
 {
     float root = far_root(p);
-    float far = abs(root) < LEAST_FAR_ROOT ? LEAST_FAR_ROOT : root;
+    float far = abs(root) < MIN_FAR_ROOT ? MIN_FAR_ROOT : root;
     // From the constant term up: t^4 + ... = (t - far) (t^3 + d1 t^2 + d2 t + d3).
     PRECISE float s = 1.0f / far;
     PRECISE float d3 = -p.e[3] * s;
@@ -209,7 +209,7 @@ FN Roots real_roots(IN(MonicPolynomial) p)
     UNROLL
     for (int k = 0; k < ROOT_COUNT; ++k)
     {
-        scaled.e[k] = clamp(p.e[k] * power, -MOST_SCALED, MOST_SCALED);
+        scaled.e[k] = clamp(p.e[k] * power, -MAX_SCALED, MAX_SCALED);
         power = power * unit;
     }
     roots = quartic_roots(scaled);

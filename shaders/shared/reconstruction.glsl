@@ -3,11 +3,11 @@
 // intermediate result is a value.
 
 /// A pixel that absorbs less than this counts as empty: its T rounds to 1, and products of its moments could underflow.
-const float LEAST_ABSORBANCE = 1.0e-9f;
+const float MIN_ABSORBANCE = 1.0e-9f;
 
 FN bool is_empty(IN(Moments) moments)
 {
-    return !(moments.b0 >= LEAST_ABSORBANCE);
+    return !(moments.b0 >= MIN_ABSORBANCE);
 }
 
 /// Moments pulled towards b* to make up for rounding: (1 - alpha) b + alpha b0 b* (supplementary, 1). bias alpha in [0, 1].
@@ -19,8 +19,8 @@ FN BiasedMoments biased_moments(IN(Moments) moments, float bias)
     for (int i = 0; i < MOMENT_FLOATS; ++i)
     {
         biased.b[i] = moments.b[i];
-        PRECISE float pull = bias * (moments.b0 * bias_moment(i) - moments.b[i]);
-        biased.pull[i] = pull;
+        PRECISE float bias_delta = bias * (moments.b0 * bias_moment(i) - moments.b[i]);
+        biased.bias_delta[i] = bias_delta;
     }
     return biased;
 }
@@ -43,7 +43,7 @@ struct Masses { float weight[ROOT_COUNT]; };
 #if ROOT_COUNT >= 3
 /// Masses whose sum misses `sum`, which the two closest nodes make up for: where nodes all but coincide, rounding decides
 /// how their common mass is split and even how large it seems, while that of the others is certain.
-FN Masses with_certain_sum(IN(Masses) masses, IN(Roots) roots, float sum)
+FN Masses restore_total_mass(IN(Masses) masses, IN(Roots) roots, float sum)
 {
     PRECISE float total = 0.0f;
     UNROLL
@@ -102,7 +102,7 @@ FN Reconstruction representation(float at_query, IN(Roots) roots, IN(Masses) nod
     float rest = mass_beside_query(at_query);
     Masses masses = node_masses;
 #if ROOT_COUNT >= 3
-    masses = with_certain_sum(masses, roots, rest);
+    masses = restore_total_mass(masses, roots, rest);
 #endif
     PRECISE float weight_sum = 0.0f;
     UNROLL

@@ -16,7 +16,7 @@ FN float rounded_to_unorm8(float x)
 }
 
 const float HALF_MAXIMUM = 65504.0f;
-const float HALF_LEAST_NORMAL = 6.10351562e-5f;   // 2^-14; below it halves are 2^-24 apart
+const float HALF_MIN_NORMAL = 6.10351562e-5f;   // 2^-14; below it halves are 2^-24 apart
 
 /// x in [0, infinity) as the nearest half float, at most HALF_MAXIMUM.
 FN float rounded_to_half(float x)
@@ -25,5 +25,5 @@ FN float rounded_to_half(float x)
     PRECISE float scaled = 8193.0f * bounded;                 // 2^13 + 1 leaves 11 of 24 bits (Dekker)
     PRECISE float normal = scaled - (scaled - bounded);
     PRECISE float subnormal = (bounded + 0.5f) - 0.5f;        // floats in [.5, 1) are 2^-24 apart
-    return bounded < HALF_LEAST_NORMAL ? subnormal : normal;
+    return bounded < HALF_MIN_NORMAL ? subnormal : normal;
 }

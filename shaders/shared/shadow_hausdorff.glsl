@@ -37,10 +37,10 @@ FN float shadowed_fraction(IN(ShadowTexel) texel, float depth)
     Reconstruction at_depth = region_at(biased, depth);
     float on_line = share_in_front(at_depth);
     // Moments of (z + 1) / 2.
-    PRECISE float m1 = biased.b[0] + biased.pull[0];
-    PRECISE float m2 = biased.b[1] + biased.pull[1];
-    PRECISE float m3 = biased.b[2] + biased.pull[2];
-    PRECISE float m4 = biased.b[3] + biased.pull[3];
+    PRECISE float m1 = biased.b[0] + biased.bias_delta[0];
+    PRECISE float m2 = biased.b[1] + biased.bias_delta[1];
+    PRECISE float m3 = biased.b[2] + biased.bias_delta[2];
+    PRECISE float m4 = biased.b[3] + biased.bias_delta[3];
     PRECISE float b1 = 0.5f * (1.0f + m1);
     PRECISE float b2 = 0.25f * (1.0f + 2.0f * m1 + m2);
     PRECISE float b3 = 0.125f * (1.0f + 3.0f * m1 + 3.0f * m2 + m3);

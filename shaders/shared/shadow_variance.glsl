@@ -2,7 +2,7 @@
 #include "shadow_texel.glsl"
 
 /// Of a texel's depths at least: a surface is never as flat as one of its texels. A hundredth of half the depth range, squared.
-const float LEAST_VARIANCE = 1.0e-4f;
+const float MIN_VARIANCE = 1.0e-4f;
 
 FN ShadowTexel shadow_texel(float depth)
 {
@@ -13,7 +13,7 @@ FN ShadowTexel shadow_texel(float depth)
 /// One minus the greatest lit fraction that a mean and a variance allow (Cantelli's inequality): never too dark.
 FN float shadowed_fraction(IN(ShadowTexel) texel, float depth)
 {
-    PRECISE float variance = max(texel.f[1] - texel.f[0] * texel.f[0], LEAST_VARIANCE);
+    PRECISE float variance = max(texel.f[1] - texel.f[0] * texel.f[0], MIN_VARIANCE);
     PRECISE float behind = max(depth - texel.f[0], 0.0f);
     PRECISE float square = behind * behind;
     PRECISE float fraction = square / (variance + square);

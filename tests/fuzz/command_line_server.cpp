@@ -17,7 +17,7 @@
 
 namespace {
 
-constexpr unsigned MOST_SECONDS = 60;
+constexpr unsigned MAX_SECONDS = 60;
 
 void redirect(const char* path, int to) {
     if (*path == '\0') {
@@ -30,7 +30,7 @@ void redirect(const char* path, int to) {
 }
 
 [[noreturn]] void become_program(const std::vector<std::string>& words, char** files) {
-    ::alarm(MOST_SECONDS);
+    ::alarm(MAX_SECONDS);
     const int nothing = ::open("/dev/null", O_RDONLY);
     ::dup2(nothing, STDIN_FILENO);
     redirect(files[2], STDERR_FILENO);

@@ -57,8 +57,8 @@ fs::path kept(const Input& input, const Options& options, std::uint64_t number) 
 }
 
 int run(const Options& options) {
-    constexpr std::uint64_t MOST_FAULTS = 20;
-    constexpr std::size_t MOST_REPORT = 3000;
+    constexpr std::uint64_t MAX_FAULTS = 20;
+    constexpr std::size_t MAX_REPORT = 3000;
     const Clock::time_point begun = Clock::now();
     const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - begun).count(); };
 
@@ -78,10 +78,10 @@ int run(const Options& options) {
         const fs::path file =
             is_file ? files[fault.number] : kept(*source(fault.number), options, fault.number - seeds.size());
         std::printf("%s %s\n  scripts/fuzz --replay %s\n%s", file.c_str(), one_line(fault.what).c_str(),
-                    file.c_str(), plain_lines(fault.report.substr(0, MOST_REPORT)).c_str());
+                    file.c_str(), plain_lines(fault.report.substr(0, MAX_REPORT)).c_str());
         std::fflush(stdout);
     };
-    const Summary summary = run_inputs(source, scratch.path, MOST_FAULTS, tell, replays);
+    const Summary summary = run_inputs(source, scratch.path, MAX_FAULTS, tell, replays);
     const std::uint64_t plain = std::min<std::uint64_t>(seeds.size(), summary.inputs);
     std::printf(
         "%llu files and %llu mutations of them in %.0f s: %llu faults, at most %ld MiB; Assimp fell over %llu\n",

@@ -13,7 +13,7 @@ struct Input {
     std::string bytes;
 };
 
-constexpr std::size_t MOST_BYTES = std::size_t{1} << 18;  // of a mutated input
+constexpr std::size_t MAX_BYTES = std::size_t{1} << 18;  // of a mutated input
 
 /// Throws Error when it cannot be read.
 Input read_input(const std::filesystem::path& path);

@@ -21,7 +21,7 @@ struct InLibrary {
         limit_time(LIBRARY_SECONDS);
     }
     ~InLibrary() {
-        limit_time(MOST_SECONDS);
+        limit_time(MAX_SECONDS);
         noted->memory = most_memory();
         noted->runs = false;
     }

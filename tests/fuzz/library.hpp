@@ -14,7 +14,7 @@ struct Library {
 void note_library_in(Library& library);
 
 constexpr int LIBRARY_SECONDS = 2;  // lest broken files take all the time
-constexpr int MOST_SECONDS = 10;    // for our own code
+constexpr int MAX_SECONDS = 10;     // for our own code
 
 /// SIGPROF ends the process when it has run for so many seconds from now on. Those of the processor, so that
 /// whatever else the machine does does not count.

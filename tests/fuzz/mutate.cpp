@@ -136,7 +136,7 @@ private:
         const std::string once = text_.substr(part.begin, part.length);
         std::string all;
         for (std::size_t left = std::size_t{1} << random_.below(14); left > 0; --left)
-            if (all.size() + once.size() <= MOST_BYTES) all += once;
+            if (all.size() + once.size() <= MAX_BYTES) all += once;
         text_.insert(part.begin, all);
     }
 
@@ -222,7 +222,7 @@ Input mutated_input(const std::vector<Input>& seeds, std::uint64_t random_seed, 
     Mutator mutator(input.bytes, random.one_of(own)->bytes, random);
     for (std::size_t left = 1 + random.below(std::size_t{1} << random.below(5)); left > 0; --left) {
         mutator.change();
-        if (input.bytes.size() > MOST_BYTES) input.bytes.resize(MOST_BYTES);
+        if (input.bytes.size() > MAX_BYTES) input.bytes.resize(MAX_BYTES);
     }
     return input;
 }

@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t MOST_INPUT = std::uintmax_t{1} << 30;
+constexpr std::uintmax_t MAX_INPUT_BYTES = std::uintmax_t{1} << 30;
 
 void promise(bool kept, const char* what) {
     if (!kept) throw BrokenPromise(what);
@@ -64,7 +64,7 @@ void read_chart(const RunTable& table, const std::string& name) {
 /// Several tables may be in a file, with a line of equals signs between them: the shards of a run.
 void read_tables(const fs::path& file) {
     constexpr std::string_view BETWEEN = "=====\n";
-    std::string text = read_input_file(file, MOST_INPUT, "input");
+    std::string text = read_input_file(file, MAX_INPUT_BYTES, "input");
     std::vector<fs::path> shards;
     for (std::size_t end = 0; end != text.npos && shards.size() < 8;) {
         end = text.find(BETWEEN);
@@ -78,7 +78,7 @@ void read_tables(const fs::path& file) {
 }
 
 void read_configurations(const fs::path& file) {
-    const std::string text = read_input_file(file, MOST_INPUT, "input");
+    const std::string text = read_input_file(file, MAX_INPUT_BYTES, "input");
     for (const std::string& one : split_configurations(text)) {
         const Configuration read = parse_configuration(one);
         const std::string again = configuration_text(read);

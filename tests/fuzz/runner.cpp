@@ -73,13 +73,13 @@ void read_here(Shared& shared, const Input& input, const std::filesystem::path& 
     const long memory = most_memory();
     if (memory <= shared.library.memory) return;  // it was not we who took the most
     shared.most_memory = std::max(memory, shared.most_memory.load());
-    if (memory > MOST_MEMORY) end_saying(shared, fmt::format("took {} MiB of memory", memory >> 10));
+    if (memory > MAX_MEMORY) end_saying(shared, fmt::format("took {} MiB of memory", memory >> 10));
 }
 
 std::string end_text(int status) {
     if (WIFEXITED(status)) return fmt::format("ended with exit code {}", WEXITSTATUS(status));
-    if (WTERMSIG(status) == SIGPROF) return fmt::format("took more than {} seconds", MOST_SECONDS);
-    if (WTERMSIG(status) == SIGKILL) return fmt::format("took more than {} MiB of memory", MOST_MEMORY >> 10);
+    if (WTERMSIG(status) == SIGPROF) return fmt::format("took more than {} seconds", MAX_SECONDS);
+    if (WTERMSIG(status) == SIGKILL) return fmt::format("took more than {} MiB of memory", MAX_MEMORY >> 10);
     return fmt::format("was ended by {}", ::strsignal(WTERMSIG(status)));
 }
 
@@ -87,7 +87,7 @@ void read_isolated(Shared& shared, const Input& input, const std::filesystem::pa
     const pid_t child = ::fork();
     if (child < 0) end_saying(shared, "no process could be started");
     if (child == 0) {
-        limit_time(MOST_SECONDS);
+        limit_time(MAX_SECONDS);
         read_here(shared, input, file);
         ::_exit(0);
     }
@@ -114,7 +114,7 @@ void read_isolated(Shared& shared, const Input& input, const std::filesystem::pa
         shared.number = number;
         shared.reader = ::getpid();
         shared.reads = true;
-        limit_time(MOST_SECONDS);
+        limit_time(MAX_SECONDS);
         if (is_isolated(input->reader))
             read_isolated(shared, *input, file);
         else
@@ -135,18 +135,18 @@ long resident_memory(pid_t process) {
 /// ended.
 std::string watched(pid_t worker, Shared& shared) {
     constexpr auto PAUSE = std::chrono::milliseconds(10);
-    constexpr int MOST_PAUSES = 12'000;  // two minutes, counted so that a machine that sleeps is no fault
+    constexpr int MAX_PAUSES = 12'000;  // two minutes, counted so that a machine that sleeps is no fault
     std::string why;
     std::uint64_t number = shared.number;
     int pauses = 0, status = 0;
     for (; ::waitpid(worker, &status, WNOHANG) == 0; std::this_thread::sleep_for(PAUSE)) {
         if (std::exchange(number, shared.number.load()) != number) pauses = 0;
         const pid_t reader = shared.reader;
-        if (shared.reads && ++pauses > MOST_PAUSES) {
+        if (shared.reads && ++pauses > MAX_PAUSES) {
             why = "waited for two minutes";
             ::kill(worker, SIGKILL);
-        } else if (shared.reads && resident_memory(reader) > MOST_MEMORY) {
-            if (reader == worker) why = fmt::format("took more than {} MiB of memory", MOST_MEMORY >> 10);
+        } else if (shared.reads && resident_memory(reader) > MAX_MEMORY) {
+            if (reader == worker) why = fmt::format("took more than {} MiB of memory", MAX_MEMORY >> 10);
             ::kill(reader, SIGKILL);
         }
     }

@@ -10,7 +10,7 @@
 
 namespace momentscope::fuzz {
 
-constexpr long MOST_MEMORY = 1L << 20;  // KiB
+constexpr long MAX_MEMORY = 1L << 20;  // KiB
 
 /// The input of a number, counted from 0; nullopt at the end. Called in several processes.
 using Source = std::function<std::optional<Input>(std::uint64_t number)>;
@@ -29,7 +29,7 @@ struct Summary {
 };
 
 /// Reads one input after another. A fault is a crash, a sanitizer's report, an exception other than Error,
-/// more than MOST_SECONDS of the processor or more than MOST_MEMORY; then the next input is read, until there
+/// more than MAX_SECONDS of the processor or more than MAX_MEMORY; then the next input is read, until there
 /// were `most_faults`. Prints the sentences of refusals if asked to.
 Summary run_inputs(const Source& source, const std::filesystem::path& scratch, std::uint64_t most_faults,
                    const std::function<void(const Fault&)>& on_fault, bool tells_refusals = false);

@@ -81,7 +81,7 @@ TEST_F(ShadowTest, GlIsWhatCppComputesOfTheBundle) {
             std::vector<double> off;
             double darkest = 1;
             for (const LightView& view : views) {
-                const double cpp = (1 - view.verdict.shadowed) * view.verdict.transmittance;
+                const double cpp = (1 - view.breakdown.shadowed) * view.breakdown.transmittance;
                 off.push_back(std::abs(cpp - view.visibility));
                 darkest = std::min(darkest, view.visibility);
             }
@@ -125,9 +125,9 @@ TEST_F(ShadowTest, EveryOpaqueMapIsWhatCppComputes) {
         double worst = 0, most = 0;
         for (const LightView& view : receivers(12)) {
             if (view.fragment) continue;
-            const double cpp = (1 - view.verdict.shadowed) * view.verdict.transmittance;
+            const double cpp = (1 - view.breakdown.shadowed) * view.breakdown.transmittance;
             worst = std::max(worst, std::abs(cpp - view.visibility));
-            most = std::max(most, view.verdict.shadowed);
+            most = std::max(most, view.breakdown.shadowed);
         }
         fmt::print("{}: off by {:.1e} at most, shadowed {:.2f} at most\n", row.id, worst, most);
         EXPECT_LT(worst, row.bits == 16 ? 2e-2 : 5e-3) << row.id;
@@ -143,14 +143,14 @@ TEST_F(ShadowTest, DeepMapsAgreeWithRays) {
                                {ParameterId::shadow_radius, 0},
                                {ParameterId::shadow_size, 1024},
                                {ParameterId::opaque_shadow, choice(ParameterId::opaque_shadow, "pcf")}}));
-        const LightFrame& frame = renderer_->shadow_maps()->frame();
+        const LightCamera& frame = renderer_->shadow_maps()->frame();
         std::vector<double> off;
         RandomNumbers random(4);
         for (int tries = 0; off.size() < RECEIVERS && tries < 4000; ++tries) {
             const glm::ivec2 pixel(random.whole(0, SHADOW_SIZE.x - 1), random.whole(0, SHADOW_SIZE.y - 1));
             const auto surface = renderer_->lit_surface(pixel);
             if (!surface) continue;
-            const LightBundle bundle = renderer_->capture_light(pixel, surface->view_depth);
+            const ShadowFilterSamples bundle = renderer_->capture_light(pixel, surface->view_depth);
             if (!bundle.place.within) continue;
             const CastLight cast = cast_light(scene_, renderer_->world_place(pixel, surface->view_depth),
                                               frame.position, LIGHT_SLACK);

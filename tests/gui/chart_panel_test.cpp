@@ -17,7 +17,7 @@ protected:
     }
     const ui::ChartPanel& panel() { return explorer().chart_panel(); }
     const std::vector<ChartRow>& rows() { return panel().measurement().rows(); }
-    bool shows(const std::string& anchor) { return explorer().anchors().contains(anchor); }
+    bool shows(const std::string& anchor) { return explorer().widget_rects().contains(anchor); }
 
     /// Every technique once, small.
     void measure() {
@@ -105,7 +105,7 @@ TEST_F(ChartPanelTest, MeasuresBetweenFramesAndCanBeEnded) {
     }
     EXPECT_LT(before, all);
     EXPECT_TRUE(shows("chart.cancel"));
-    const ui::Rect rect = explorer().anchors().at("chart.cancel");
+    const ui::Rect rect = explorer().widget_rects().at("chart.cancel");
     ImGui::GetIO().MousePos = {0.5f * (rect.low.x + rect.high.x), 0.5f * (rect.low.y + rect.high.y)};
     draw();
     ImGui::GetIO().MouseDown[0] = true;

@@ -34,7 +34,7 @@ protected:
 
     /// How many pixels of the picture differ within these fractions of its width, below the labels.
     long differing(const Screen& a, const Screen& b, float from, float to) {
-        const ui::Rect rect = explorer().anchors().at("scene");
+        const ui::Rect rect = explorer().widget_rects().at("scene");
         const float width = rect.high.x - rect.low.x;
         long count = 0;
         for (int y = static_cast<int>(rect.low.y) + BELOW_LABELS; y < static_cast<int>(rect.high.y); ++y)
@@ -48,13 +48,13 @@ protected:
         return {screen[at], screen[at + 1], screen[at + 2]};
     }
     std::array<int, 3> color_of_pixel(const Screen& screen, glm::ivec2 pixel) {
-        const ui::Rect rect = explorer().anchors().at("scene");
+        const ui::Rect rect = explorer().widget_rects().at("scene");
         return color(screen, static_cast<int>(rect.low.x) + pixel.x, static_cast<int>(rect.low.y) + pixel.y);
     }
 
     /// A region at the row of labels, and whether it differs.
     bool labels_differ(const Screen& a, const Screen& b, float from, float to) {
-        const ui::Rect rect = explorer().anchors().at("scene");
+        const ui::Rect rect = explorer().widget_rects().at("scene");
         const float width = rect.high.x - rect.low.x;
         for (int y = static_cast<int>(rect.low.y) + 5; y < static_cast<int>(rect.low.y) + 30; ++y)
             for (int x = static_cast<int>(rect.low.x + from * width);
@@ -101,7 +101,7 @@ TEST_F(CompareTest, AWipeShowsTheReferenceOnOneSide) {
     EXPECT_EQ(differing(screen(), reference, 0, 0.73f), 0);
     EXPECT_EQ(differing(screen(), picture, 0.77f, 1), 0);
     play("drag @scene.divider to -500 300\nmove -10 -10");
-    EXPECT_EQ(state().compare.divider, ui::LEAST_DIVIDER) << "the line stays within reach";
+    EXPECT_EQ(state().compare.divider, ui::MIN_DIVIDER) << "the line stays within reach";
     play("key Ctrl+Z");
     EXPECT_NEAR(state().compare.divider, 0.75f, 0.01f) << "a drag is one step";
     play("click @scene.wipe\nmove -10 -10");
@@ -157,7 +157,7 @@ TEST_F(CompareTest, ADifferenceIsThatOfTheLinearChannelsAmplified) {
         }
     EXPECT_GT(bright, 500);
     play("key Ctrl+7\ndrag @comparison.gain 0.3 0.5 to @comparison.gain 1 0.5\nmove -10 -10");
-    EXPECT_EQ(state().compare.gain, ui::MOST_GAIN);
+    EXPECT_EQ(state().compare.gain, ui::MAX_GAIN);
     EXPECT_GT(differing(screen(), shown, 0, 1), 500);
 }
 
@@ -277,12 +277,12 @@ TEST_F(CompareTest, TheVerdictOnTheWorstPixelNamesItsCause) {
     state_at_first.compare.mode = ui::CompareMode::difference;
     open(state_at_first);
     play("key J\nclick @tab.2");
-    ASSERT_GT(explorer().anchors().count("fragments.verdict"), 0U) << "is shown";
-    const Verdict biased = measurement().verdict;
+    ASSERT_GT(explorer().widget_rects().count("fragments.verdict"), 0U) << "is shown";
+    const ErrorBreakdown biased = measurement().breakdown;
     EXPECT_GT(biased.error, 0.005);
     EXPECT_NE(biased.sentence.find("most of all by the moment bias"), std::string::npos) << biased.sentence;
     play("click @tab.1\nclick @parameter.alpha.auto\nclick @tab.2");
-    EXPECT_LT(measurement().verdict.error, 0.5 * biased.error) << measurement().verdict.sentence;
+    EXPECT_LT(measurement().breakdown.error, 0.5 * biased.error) << measurement().breakdown.sentence;
 }
 
 TEST_F(CompareTest, WhereNothingDiffersItSaysSo) {
@@ -353,7 +353,7 @@ TEST_F(CompareTest, TheLensZoomsUntilAllDigitsAreThere) {
     ASSERT_EQ(state().lens_zoom, ui::LensZoom::far);
     const Screen lens_of_difference = screen();
     play("key M\nmove -10 -10");
-    const ui::Rect rect = explorer().anchors().at("scene");
+    const ui::Rect rect = explorer().widget_rects().at("scene");
     const auto in_lens = [&](const Screen& of) {
         return color(of, static_cast<int>(rect.low.x) + 20, static_cast<int>(rect.high.y) - 20);
     };

@@ -16,7 +16,7 @@ protected:
     }
 
     ImVec2 on(const std::string& anchor, float x, float y) {
-        const ui::Rect rect = explorer().anchors().at(anchor);
+        const ui::Rect rect = explorer().widget_rects().at(anchor);
         return {rect.low.x + x * (rect.high.x - rect.low.x), rect.low.y + y * (rect.high.y - rect.low.y)};
     }
 

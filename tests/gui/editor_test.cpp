@@ -114,20 +114,20 @@ TEST_F(EditorTest, StepsFollowTheQueryForEveryBasis) {
     for (const char* id : {"power8-32", "trig3-32", "cheb6-32", "power4-16"}) {
         open("teapots", id);
         play("click @tab.4");
-        EXPECT_TRUE(explorer().anchors().contains("steps.8")) << id;
+        EXPECT_TRUE(explorer().widget_rects().contains("steps.8")) << id;
         const auto before = screen();
         play("click @plot 0.3 0.5\nmove 5 5");
         EXPECT_GT(changed("panel", before, screen()), 50) << id << ": other numbers";
     }
     open("teapots", "sorted");
     play("click @tab.4");
-    EXPECT_FALSE(explorer().anchors().contains("steps.8")) << "the truth has no steps, and says so";
+    EXPECT_FALSE(explorer().widget_rects().contains("steps.8")) << "the truth has no steps, and says so";
 }
 
 TEST_F(EditorTest, StressRunsBesideTheWindowAndOpensAWorstRay) {
     open("planes", "power6-32");
     play("click @tab.6\nclick @stress.run");
-    ASSERT_TRUE(explorer().anchors().contains("stress.power8-32.gap-1e-4"));
+    ASSERT_TRUE(explorer().widget_rects().contains("stress.power8-32.gap-1e-4"));
     play("click @stress.power8-32.gap-1e-4");
     ASSERT_TRUE(state().ray);
     EXPECT_EQ(state().ray->fragments.size(), 2u);

@@ -29,7 +29,7 @@ TEST_F(EscapeTest, ClosesTheListOfADialogBeforeTheDialog) {
     open();
     play("key Ctrl+E\nclick @file.kind\nkey Escape");
     EXPECT_TRUE(explorer().shows_file_dialog());
-    EXPECT_FALSE(explorer().anchors().contains("file.kind.ray_json"));
+    EXPECT_FALSE(explorer().widget_rects().contains("file.kind.ray_json"));
     play("key Escape");
     EXPECT_FALSE(explorer().shows_file_dialog());
 }

@@ -167,11 +167,11 @@ TEST_F(ExplorerTest, AMissingMeshKeepsTheLastGoodScene) {
 TEST_F(ExplorerTest, AnEmptyPixelSaysSo) {
     open("planes", "trig2-32");
     play("key Ctrl+2");
-    EXPECT_FALSE(explorer().anchors().contains("plot.empty") ||
-                 explorer().anchors().contains("fragments.empty"));
+    EXPECT_FALSE(explorer().widget_rects().contains("plot.empty") ||
+                 explorer().widget_rects().contains("fragments.empty"));
     play("click " + on_scene({2, 2}));
-    EXPECT_TRUE(explorer().anchors().contains("plot.empty") &&
-                explorer().anchors().contains("fragments.empty"));
+    EXPECT_TRUE(explorer().widget_rects().contains("plot.empty") &&
+                explorer().widget_rects().contains("fragments.empty"));
     EXPECT_NE(ui::empty_ray_text(measurement()).find("Click one in the scene"), std::string::npos)
         << "what to do";
     EXPECT_TRUE(measurement().capture.ray.fragments.empty());
@@ -224,7 +224,7 @@ TEST_F(ExplorerTest, TheReferenceIsShownWhileHeld) {
     EXPECT_FALSE(explorer().shows_reference());
     // It is what the technique sorted draws.
     open("spheres", "sorted");
-    const ui::Rect rect = explorer().anchors().at("scene");
+    const ui::Rect rect = explorer().widget_rects().at("scene");
     const auto sorted = screen();
     long differing = 0;
     for (int y = static_cast<int>(rect.low.y) + 60; y < static_cast<int>(rect.high.y);

@@ -98,7 +98,7 @@ TEST_F(FilesTest, ARayOfManyFragmentsIsDrawnWhole) {
     play("key Ctrl+J\nclick @file.entry.many.json\nclick @file.accept\nmove -10 -10");
     ASSERT_TRUE(state().ray) << explorer().message();
     // Right of the middle the truth's ramp is above half its height: its light colour must be found there.
-    const ui::Rect plot = explorer().anchors().at("plot");
+    const ui::Rect plot = explorer().widget_rects().at("plot");
     const auto pixels = screen();
     const int x = static_cast<int>(plot.low.x + 0.75f * (plot.high.x - plot.low.x));
     int bright = 0;
@@ -120,7 +120,7 @@ TEST_F(FilesTest, AHugeMeshCanBeCancelled) {
     draw();
     ASSERT_TRUE(explorer().busy());
     draw();
-    const ui::Rect cancel = explorer().anchors().at("loading.cancel");
+    const ui::Rect cancel = explorer().widget_rects().at("loading.cancel");
     ImGui::GetIO().MousePos = {0.5f * (cancel.low.x + cancel.high.x), 0.5f * (cancel.low.y + cancel.high.y)};
     for (const bool down : {false, true, false}) {
         ImGui::GetIO().MouseDown[0] = down;

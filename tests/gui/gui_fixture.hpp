@@ -55,7 +55,7 @@ protected:
 
     /// "X Y" of a pixel of the scene's picture, for events.
     std::string on_scene(glm::ivec2 pixel) {
-        const ui::Rect rect = explorer().anchors().at("scene");
+        const ui::Rect rect = explorer().widget_rects().at("scene");
         return fmt::format("{} {}", rect.low.x + static_cast<float>(pixel.x) + 0.5f,
                            rect.low.y + static_cast<float>(pixel.y) + 0.5f);
     }
@@ -63,7 +63,7 @@ protected:
     /// How many pixels of a control's rectangle differ between two screens.
     long changed(const std::string& anchor, const std::vector<unsigned char>& before,
                  const std::vector<unsigned char>& after) {
-        const ui::Rect rect = explorer().anchors().at(anchor);
+        const ui::Rect rect = explorer().widget_rects().at(anchor);
         long count = 0;
         const int right = std::min(static_cast<int>(rect.high.x), size_.x);
         const int bottom = std::min(static_cast<int>(rect.high.y), size_.y);

@@ -10,7 +10,7 @@ protected:
 
     /// A pixel of the ground in the middle of the disk's shadow.
     std::string shadowed() {
-        const ui::Rect rect = explorer().anchors().at("scene");
+        const ui::Rect rect = explorer().widget_rects().at("scene");
         return fmt::format("{} {}", rect.low.x + 0.557f * (rect.high.x - rect.low.x),
                            rect.low.y + 0.636f * (rect.high.y - rect.low.y));
     }
@@ -26,7 +26,7 @@ TEST_F(LightTest, PickingAShadowedPixelAndDraggingBetaChangesPictureAndCurve) {
     EXPECT_EQ(measurement().curve.truth.size(), measurement().curve.depth.size());
     EXPECT_LT(measurement().light->visibility, 0.5) << "it lies in the disk's shadow";
     EXPECT_NEAR(measurement().light->visibility,
-                (1 - measurement().light->verdict.shadowed) * measurement().light->verdict.transmittance,
+                (1 - measurement().light->breakdown.shadowed) * measurement().light->breakdown.transmittance,
                 1e-3);
     EXPECT_EQ(measurement().canonical.query, measurement().light->bundle.place.depth);
     const std::vector<float> curve = measurement().curve.reconstructed;
@@ -128,7 +128,7 @@ TEST_F(LightTest, OpaqueCastersSumToOne) {
 
 TEST_F(LightTest, TheSkyReceivesNothing) {
     open("cloud", "power6-32");
-    const ui::Rect rect = explorer().anchors().at("scene");
+    const ui::Rect rect = explorer().widget_rects().at("scene");
     play(fmt::format("key V\nclick {} {}\nexpect-message receive", rect.low.x + 5, rect.low.y + 5));
     EXPECT_EQ(state().viewpoint, ui::Viewpoint::eye);
     EXPECT_FALSE(measurement().light.has_value());

@@ -13,7 +13,7 @@ protected:
     ui::PlotAxes axes() {
         ui::PlotAxes a =
             ui::make_axes(measurement().capture.ray, measurement().curve, state().plot, {}, false);
-        a.area = explorer().anchors().at("plot");
+        a.area = explorer().widget_rects().at("plot");
         return a;
     }
 };
@@ -223,7 +223,8 @@ TEST_F(TooltipTest, AppearsOverEveryControl) {
         const std::string anchor = fmt::format("parameter.{}", row.key);
         const bool of_every_picture =
             std::ranges::find(PICTURE_PARAMETERS, row.id) != PICTURE_PARAMETERS.end();
-        ASSERT_EQ(explorer().anchors().contains(anchor), state().technique->uses(row.id) || of_every_picture)
+        ASSERT_EQ(explorer().widget_rects().contains(anchor),
+                  state().technique->uses(row.id) || of_every_picture)
             << row.key;
         if (!state().technique->uses(row.id)) continue;
         play("move 5 790");

@@ -16,9 +16,9 @@ protected:
 
     /// On some control that is there now.
     std::string on_a_control() {
-        const auto& anchors = explorer().anchors();
-        auto anchor = anchors.begin();
-        std::advance(anchor, static_cast<long>(below(anchors.size())));
+        const auto& widget_rects = explorer().widget_rects();
+        auto anchor = widget_rects.begin();
+        std::advance(anchor, static_cast<long>(below(widget_rects.size())));
         return fmt::format("@{} {} {}", anchor->first, share(), share());
     }
     /// Of some command, but not undo itself; "" for one without a key.

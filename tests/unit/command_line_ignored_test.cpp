@@ -90,7 +90,7 @@ TEST_F(CommandLine, ASurfaceAtTheNearEndStays) {
     }
 }
 
-// Two panes in one place and one in front: peeling's picture, curve and verdict agree that one is lost.
+// Two panes in one place and one in front: peeling's picture, curve and breakdown agree that one is lost.
 TEST_F(CommandLine, PeelingTellsWhatItLoses) {
     const std::string pane = "v -1 -0.8 {0}\nv 1 -0.8 {0}\nv 1 0.8 {0}\nv -1 0.8 {0}\n";
     write("same.obj", fmt::format(fmt::runtime(pane), 0) + "f 1 2 3 4\n" +

@@ -12,7 +12,7 @@
 #include "core/render/view.hpp"
 #include "core/scene/scenes.hpp"
 #include "core/shadow/cast_ray.hpp"
-#include "core/shadow/light_verdict.hpp"
+#include "core/shadow/light_breakdown.hpp"
 #include "core/shadow/shadow_filter.hpp"
 #include "core/shadow/shadow_onset.hpp"
 #include "tests/unit/expect_error.hpp"
@@ -73,7 +73,7 @@ TEST(ShadowFilter, FootprintIsFilterAndInterpolationAtOnce) {
     }
 }
 
-TEST(LightFrame, SeesEveryCasterWithinItsDepthRange) {
+TEST(LightCamera, SeesEveryCasterWithinItsDepthRange) {
     for (const SceneEntry& entry : scene_entries()) {
         const Scene scene = entry.build();
         const Sphere casters = caster_bounds(scene);
@@ -81,13 +81,13 @@ TEST(LightFrame, SeesEveryCasterWithinItsDepthRange) {
              {std::optional<float>(), std::optional(1.06f * casters.radius)}) {
             ShadowSettings settings = shadow_settings({}, scene.light);
             settings.distance = distance;
-            const LightFrame frame = light_frame(settings, casters);
+            const LightCamera frame = light_frame(settings, casters);
             for (const Object& object : scene.objects) {
                 if (!object.casts_shadow) continue;
                 const std::vector<glm::vec3>& positions = scene.meshes[object.mesh].positions;
                 for (std::size_t i = 0; i < positions.size(); i += 17) {
                     const glm::vec3 world(object.model * glm::vec4(positions[i], 1));
-                    const LightPlace place = light_place(frame, 1024, world);
+                    const ShadowMapPosition place = light_place(frame, 1024, world);
                     ASSERT_TRUE(place.within) << entry.id;
                     ASSERT_LT(std::abs(place.depth), 1.0f) << entry.id;
                 }
@@ -96,7 +96,7 @@ TEST(LightFrame, SeesEveryCasterWithinItsDepthRange) {
     }
 }
 
-TEST(LightFrame, RefusesALightAmongTheCasters) {
+TEST(LightCamera, RefusesALightAmongTheCasters) {
     ShadowSettings settings = shadow_settings({}, {});
     settings.distance = 1.0f;
     expect_error([&] { light_frame(settings, {glm::vec3(0), 2.0f}); }, "--light-distance of 2.1");
@@ -190,8 +190,8 @@ TEST(FirstStaleStage, OfShadowsIsThatOfColours) {
     EXPECT_EQ(first_stale_stage(lit, both), Stage::opaque) << "new moments, and opaque surfaces shaded anew";
 }
 
-LightBundle two_texels() {
-    LightBundle bundle;
+ShadowFilterSamples two_texels() {
+    ShadowFilterSamples bundle;
     bundle.place = {{0, 0}, 0.5f, true};
     bundle.warp = {DepthWarp::Kind::linear, 1, 3};
     bundle.texels = {{0.75f, {{-0.5f, 1.5f, 0.5f}, {0.7f, 2.7f, 0.9f}}}, {0.25f, {{0.2f, 2.2f, 0.8f}}}};
@@ -199,8 +199,8 @@ LightBundle two_texels() {
     return bundle;
 }
 
-TEST(LightBundle, MixesTexelsAsTheirWeightsSay) {
-    const LightBundle bundle = two_texels();
+TEST(ShadowFilterSamples, MixesTexelsAsTheirWeightsSay) {
+    const ShadowFilterSamples bundle = two_texels();
     EXPECT_NEAR(deep_transmittance(bundle, 0.5f), 0.75 * 0.5 + 0.25 * 0.2, 1e-6);
     EXPECT_NEAR(mixed_transmittance(bundle, 0.5f), std::pow(0.5, 0.75) * std::pow(0.2, 0.25), 1e-6);
     const ViewRay mixed = mixed_ray(bundle);
@@ -213,8 +213,8 @@ TEST(LightBundle, MixesTexelsAsTheirWeightsSay) {
 }
 
 // A bundle of one texel whose sums are those of its fragments.
-LightBundle bundle_of(const ViewRay& ray, const Configuration& configuration, float depth) {
-    LightBundle bundle;
+ShadowFilterSamples bundle_of(const ViewRay& ray, const Configuration& configuration, float depth) {
+    ShadowFilterSamples bundle;
     bundle.place = {{0, 0}, depth, true};
     bundle.warp = {DepthWarp::Kind::linear, 1, 3};
     bundle.texels = {{1.0f, ray.fragments}};
@@ -228,7 +228,7 @@ LightBundle bundle_of(const ViewRay& ray, const Configuration& configuration, fl
     return bundle;
 }
 
-TEST(LightVerdict, NamesLeakingAndSelfShadowing) {
+TEST(LightBreakdown, NamesLeakingAndSelfShadowing) {
     RandomNumbers random(2);
     const OpaqueShadow& opaque = require_opaque_shadow("hamburger-32");
     int leaks = 0, self = 0;
@@ -237,17 +237,18 @@ TEST(LightVerdict, NamesLeakingAndSelfShadowing) {
         for (const float beta : {0.0f, 1.0f}) {
             const Configuration configuration = {&require_technique("power4-32"),
                                                  values_with({{ParameterId::beta, beta}})};
-            const LightBundle bundle = bundle_of(ray, configuration, ray.fragments[4].depth);
-            const LightVerdict verdict = light_verdict(bundle, configuration, opaque);
+            const ShadowFilterSamples bundle = bundle_of(ray, configuration, ray.fragments[4].depth);
+            const LightBreakdown breakdown = light_breakdown(bundle, configuration, opaque);
             double sum = 0;
-            for (const Contribution& one : verdict.contributions) sum += one.share;
-            EXPECT_NEAR(sum, verdict.true_transmittance - verdict.transmittance, 1e-6);
-            EXPECT_NEAR(verdict.shadowed, 0, 1e-6);
+            for (const Contribution& one : breakdown.contributions) sum += one.share;
+            EXPECT_NEAR(sum, breakdown.true_transmittance - breakdown.transmittance, 1e-6);
+            EXPECT_NEAR(breakdown.shadowed, 0, 1e-6);
             if (beta == 0) {
-                EXPECT_GE(verdict.transmittance, verdict.true_transmittance - 1e-3) << "a lower bound of A";
-                leaks += verdict.sentence.find("light leaks") != std::string::npos ? 1 : 0;
+                EXPECT_GE(breakdown.transmittance, breakdown.true_transmittance - 1e-3)
+                    << "a lower bound of A";
+                leaks += breakdown.sentence.find("light leaks") != std::string::npos ? 1 : 0;
             } else {
-                self += verdict.sentence.find("self-shadowing") != std::string::npos ? 1 : 0;
+                self += breakdown.sentence.find("self-shadowing") != std::string::npos ? 1 : 0;
             }
         }
     }
@@ -255,8 +256,8 @@ TEST(LightVerdict, NamesLeakingAndSelfShadowing) {
     EXPECT_GT(self, 20);
 }
 
-TEST(LightVerdict, KnowsTheWholeOfLeakingPastOpaqueCasters) {
-    LightBundle bundle;
+TEST(LightBreakdown, KnowsTheWholeOfLeakingPastOpaqueCasters) {
+    ShadowFilterSamples bundle;
     bundle.place = {{0, 0}, 0.2f, true};
     bundle.texels = {{1.0f, {}}};
     bundle.sums.assign(7, 0.0f);
@@ -265,11 +266,11 @@ TEST(LightVerdict, KnowsTheWholeOfLeakingPastOpaqueCasters) {
         bundle.opaque.push_back({depth, weight});
         for (std::size_t k = 0; k < 4; ++k) bundle.texel[k] += weight * opaque.texel(depth)[k];
     }
-    const LightVerdict verdict = light_verdict(bundle, light_configuration({}), opaque);
-    EXPECT_EQ(verdict.true_shadowed, 1);
-    EXPECT_LT(verdict.shadowed, 0.9);
-    EXPECT_NE(verdict.sentence.find("light leaks past opaque casters"), std::string::npos)
-        << verdict.sentence;
+    const LightBreakdown breakdown = light_breakdown(bundle, light_configuration({}), opaque);
+    EXPECT_EQ(breakdown.true_shadowed, 1);
+    EXPECT_LT(breakdown.shadowed, 0.9);
+    EXPECT_NE(breakdown.sentence.find("light leaks past opaque casters"), std::string::npos)
+        << breakdown.sentence;
 }
 
 TEST(ShadowOnset, OfTheTruthIsAStep) {

@@ -17,11 +17,11 @@ public:
         long frames() const { return 0; }
     };
     struct Explorer {
-        ui::Anchors shown;
+        ui::WidgetRects shown;
         ui::ExplorerState chosen;
         std::string said = "The scene was read.";
 
-        const ui::Anchors& anchors() const { return shown; }
+        const ui::WidgetRects& widget_rects() const { return shown; }
         const ui::ExplorerState& state() const { return chosen; }
         const std::string& message() const { return said; }
     };

@@ -1,4 +1,4 @@
-// verdict.hpp -- why a pixel is wrong: its error taken apart into causes, and the sentence that names the
+// breakdown.hpp -- why a pixel is wrong: its error taken apart into causes, and the sentence that names the
 // greatest.
 #pragma once
 #include <string>
@@ -18,14 +18,14 @@ struct Contribution {
 /// The distance in linear RGB of a technique's colour from the true one, and what it is made of: the colours
 /// of a chain of techniques from the truth to the one in question, each step of which adds one cause,
 /// projected on the error. Shares therefore sum to the error.
-struct Verdict {
+struct ErrorBreakdown {
     double error = 0;
     std::vector<Contribution> contributions;  // in the order of the chain
     std::string sentence;
 };
 
 /// `behind`: linear RGB of what lies behind all fragments.
-Verdict pixel_verdict(const ViewRay& ray, const Technique& technique, const ParameterValues& values,
-                      const glm::vec3& behind);
+ErrorBreakdown pixel_error_breakdown(const ViewRay& ray, const Technique& technique,
+                                     const ParameterValues& values, const glm::vec3& behind);
 
 }  // namespace momentscope

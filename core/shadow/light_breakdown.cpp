@@ -1,4 +1,4 @@
-#include "core/shadow/light_verdict.hpp"
+#include "core/shadow/light_breakdown.hpp"
 
 #include <fmt/format.h>
 
@@ -23,8 +23,8 @@ std::optional<double> exact_transmittance(const ViewRay& ray, const Technique& t
 }
 
 // From the truth to what is shown, one cause at a time.
-std::vector<Contribution> contributions_of(const LightBundle& bundle, const Configuration& transparent,
-                                           double truth, double shown) {
+std::vector<Contribution> contributions_of(const ShadowFilterSamples& bundle,
+                                           const Configuration& transparent, double truth, double shown) {
     const Technique& technique = *transparent.technique;
     if (technique.is_truth() || bundle.texels.empty()) return {};
     const float depth = bundle.place.depth;
@@ -69,40 +69,41 @@ std::string reason(const Contribution& cause, const Configuration& transparent) 
 
 }  // namespace
 
-LightVerdict light_verdict(const LightBundle& bundle, const Configuration& transparent,
-                           const OpaqueShadow& opaque) {
+LightBreakdown light_breakdown(const ShadowFilterSamples& bundle, const Configuration& transparent,
+                               const OpaqueShadow& opaque) {
     const float depth = bundle.place.depth;
-    LightVerdict verdict;
+    LightBreakdown breakdown;
     if (!bundle.place.within) {
-        verdict.sentence = "The light's map knows nothing of this place: all light reaches it.";
-        return verdict;
+        breakdown.sentence = "The light's map knows nothing of this place: all light reaches it.";
+        return breakdown;
     }
-    verdict.true_transmittance = deep_transmittance(bundle, depth);
-    verdict.transmittance = static_cast<double>(light_transmittance(bundle, transparent, depth));
-    verdict.true_shadowed = static_cast<double>(light_shadowed(bundle, require_opaque_shadow("pcf"), depth));
-    verdict.shadowed = static_cast<double>(light_shadowed(bundle, opaque, depth));
-    verdict.contributions =
-        contributions_of(bundle, transparent, verdict.true_transmittance, verdict.transmittance);
-    const double truth = (1 - verdict.true_shadowed) * verdict.true_transmittance;
-    const double shown = (1 - verdict.shadowed) * verdict.transmittance;
-    verdict.sentence =
+    breakdown.true_transmittance = deep_transmittance(bundle, depth);
+    breakdown.transmittance = static_cast<double>(light_transmittance(bundle, transparent, depth));
+    breakdown.true_shadowed =
+        static_cast<double>(light_shadowed(bundle, require_opaque_shadow("pcf"), depth));
+    breakdown.shadowed = static_cast<double>(light_shadowed(bundle, opaque, depth));
+    breakdown.contributions =
+        contributions_of(bundle, transparent, breakdown.true_transmittance, breakdown.transmittance);
+    const double truth = (1 - breakdown.true_shadowed) * breakdown.true_transmittance;
+    const double shown = (1 - breakdown.shadowed) * breakdown.transmittance;
+    breakdown.sentence =
         fmt::format("{:.0f} % of the light should reach it, {:.0f} % does", 100 * truth, 100 * shown);
     const auto by_size = [](const Contribution& a, const Contribution& b) {
         return std::abs(a.share) < std::abs(b.share);
     };
-    const double off_transparent = std::abs(verdict.true_transmittance - verdict.transmittance);
-    const double off_opaque = std::abs(verdict.true_shadowed - verdict.shadowed);
+    const double off_transparent = std::abs(breakdown.true_transmittance - breakdown.transmittance);
+    const double off_opaque = std::abs(breakdown.true_shadowed - breakdown.shadowed);
     if (std::max(off_transparent, off_opaque) < VISIBLE)
-        verdict.sentence += ".";
+        breakdown.sentence += ".";
     else if (off_opaque > off_transparent)
-        verdict.sentence += fmt::format(
+        breakdown.sentence += fmt::format(
             ": {} opaque casters, {:.0f} % of the filter region lie in front, the map says {:.0f} %.",
-            verdict.shadowed < verdict.true_shadowed ? "light leaks past" : "it is too dark below",
-            100 * verdict.true_shadowed, 100 * verdict.shadowed);
+            breakdown.shadowed < breakdown.true_shadowed ? "light leaks past" : "it is too dark below",
+            100 * breakdown.true_shadowed, 100 * breakdown.shadowed);
     else
-        verdict.sentence += fmt::format(
-            ": {}.", reason(*std::ranges::max_element(verdict.contributions, by_size), transparent));
-    return verdict;
+        breakdown.sentence += fmt::format(
+            ": {}.", reason(*std::ranges::max_element(breakdown.contributions, by_size), transparent));
+    return breakdown;
 }
 
 }  // namespace momentscope

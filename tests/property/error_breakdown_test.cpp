@@ -1,13 +1,13 @@
-// verdict_test.cpp -- shares of a verdict sum to the error, and on rays with one known fault it is the one
-// that is named.
+// error_breakdown_test.cpp -- shares of a breakdown sum to the error, and on rays with one known fault it is
+// the one that is named.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/inspect/drawn_fragments.hpp"
+#include "core/inspect/error_breakdown.hpp"
 #include "core/inspect/pixel_color.hpp"
-#include "core/inspect/verdict.hpp"
 #include "core/ray/random_ray.hpp"
 
 namespace momentscope::test {
@@ -15,8 +15,8 @@ namespace {
 
 const glm::vec3 BEHIND(0.3f, 0.4f, 0.5f);
 
-std::string named(const Verdict& verdict) {
-    return std::ranges::max_element(verdict.contributions, {}, &Contribution::share)->cause;
+std::string named(const ErrorBreakdown& breakdown) {
+    return std::ranges::max_element(breakdown.contributions, {}, &Contribution::share)->cause;
 }
 
 ViewRay sheets(std::initializer_list<float> depths, float opacity = 0.5f) {
@@ -26,7 +26,7 @@ ViewRay sheets(std::initializer_list<float> depths, float opacity = 0.5f) {
     return ray;
 }
 
-TEST(VerdictTest, SharesSumToTheError) {
+TEST(ErrorBreakdownTest, SharesSumToTheError) {
     RandomNumbers random(41);
     int blamed = 0;
     for (const Technique& technique : techniques()) {
@@ -34,22 +34,22 @@ TEST(VerdictTest, SharesSumToTheError) {
         SCOPED_TRACE(technique.id);
         for (int i = 0; i < 20; ++i) {
             const ViewRay ray = random_ray(random, 1 + i % 9);
-            const Verdict verdict = pixel_verdict(ray, technique, {}, BEHIND);
+            const ErrorBreakdown breakdown = pixel_error_breakdown(ray, technique, {}, BEHIND);
             double sum = 0;
-            for (const Contribution& one : verdict.contributions) sum += one.share;
-            EXPECT_NEAR(sum, verdict.error,
+            for (const Contribution& one : breakdown.contributions) sum += one.share;
+            EXPECT_NEAR(sum, breakdown.error,
                         2e-5);  // the last colour of the chain is computed apart from the shown one
-            blamed += verdict.contributions.back().cause == "renormalisation" ? 1 : 0;
-            EXPECT_FALSE(verdict.sentence.empty());
+            blamed += breakdown.contributions.back().cause == "renormalisation" ? 1 : 0;
+            EXPECT_FALSE(breakdown.sentence.empty());
         }
     }
     EXPECT_GT(blamed, 5) << "sometimes a pixel is better without";
     EXPECT_LT(blamed, 200) << "but not often";
 }
 
-TEST(VerdictTest, NamesTheFault) {
+TEST(ErrorBreakdownTest, NamesTheFault) {
     const auto of = [](const ViewRay& ray, const char* technique, const ParameterValues& values = {}) {
-        return named(pixel_verdict(ray, require_technique(technique), values, BEHIND));
+        return named(pixel_error_breakdown(ray, require_technique(technique), values, BEHIND));
     };
     using enum ParameterId;
     const ViewRay two = sheets({-0.5f, 0.5f}), five = sheets({-0.8f, -0.4f, 0.0f, 0.4f, 0.8f});
@@ -71,34 +71,34 @@ TEST(VerdictTest, NamesTheFault) {
 }
 
 // Two coincident panes of one ray: no technique with moments knows which lies in front.
-TEST(VerdictTest, TiesAreBlamedOnTies) {
+TEST(ErrorBreakdownTest, TiesAreBlamedOnTies) {
     ViewRay ray = sheets({0.2f, 0.2f});
     ray.fragments[0].color = {1, 0, 0};
     ray.fragments[1].color = {0, 0, 1};
     for (const char* technique : {"power8-32", "cheb8-32", "trig4-32", "wavelet", "mt"})
-        EXPECT_EQ(named(pixel_verdict(ray, require_technique(technique), {}, BEHIND)),
+        EXPECT_EQ(named(pixel_error_breakdown(ray, require_technique(technique), {}, BEHIND)),
                   "surfaces at the same depth")
             << technique;
     const ViewRay five = sheets({-0.8f, -0.4f, 0.0f, 0.4f, 0.8f});
-    EXPECT_EQ(named(pixel_verdict(five, require_technique("cheb4-32"), values_with({{ParameterId::beta, 0}}),
-                                  BEHIND)),
+    EXPECT_EQ(named(pixel_error_breakdown(five, require_technique("cheb4-32"),
+                                          values_with({{ParameterId::beta, 0}}), BEHIND)),
               "the moment count (4 Chebyshev moments for 5 fragments)");
 }
 
 // A surface at an end of the depth range is known exactly, and a fragment behind it is not blamed on
 // rounding.
-TEST(VerdictTest, AnEdgeIsNoFault) {
+TEST(ErrorBreakdownTest, AnEdgeIsNoFault) {
     const ViewRay ray = sheets({-1.0f, 0.3f});
     for (const char* technique : {"trig2-32", "trig3-32", "trig4-32"})
-        EXPECT_LT(
-            pixel_verdict(ray, require_technique(technique), values_with({{ParameterId::beta, 0}}), BEHIND)
-                .error,
-            0.02)
+        EXPECT_LT(pixel_error_breakdown(ray, require_technique(technique),
+                                        values_with({{ParameterId::beta, 0}}), BEHIND)
+                      .error,
+                  0.02)
             << technique;
 }
 
 // What is lost is missing from the picture, the curve, the history and in the words.
-TEST(VerdictTest, PeelingLosesTies) {
+TEST(ErrorBreakdownTest, PeelingLosesTies) {
     ViewRay ray = sheets({0.2f, 0.2f, -0.4f});
     ray.fragments[1].color = {0, 0, 1};
     const Technique& peeling = require_technique("peeling");
@@ -112,13 +112,13 @@ TEST(VerdictTest, PeelingLosesTies) {
     ViewRay first = ray;
     first.fragments.erase(first.fragments.begin() + 1);
     EXPECT_EQ(colors.technique, pixel_colors(first, {}, peeling, {}, BEHIND).truth);
-    const Verdict verdict = pixel_verdict(ray, peeling, {}, BEHIND);
-    EXPECT_NEAR(verdict.error, glm::length(glm::dvec3(colors.technique - colors.truth)), 1e-6);
-    EXPECT_NE(verdict.sentence.find("1 of 3 fragments is lost"), std::string::npos) << verdict.sentence;
+    const ErrorBreakdown breakdown = pixel_error_breakdown(ray, peeling, {}, BEHIND);
+    EXPECT_NEAR(breakdown.error, glm::length(glm::dvec3(colors.technique - colors.truth)), 1e-6);
+    EXPECT_NE(breakdown.sentence.find("1 of 3 fragments is lost"), std::string::npos) << breakdown.sentence;
 }
 
 // Far away the depth buffer has one number for two view depths.
-TEST(VerdictTest, PeelingComparesWindowDepths) {
+TEST(ErrorBreakdownTest, PeelingComparesWindowDepths) {
     ViewRay ray;
     ray.warp = {DepthWarp::Kind::logarithmic, 1, 1000};
     for (const float view_depth : {900.0f, 900.1f})
@@ -134,11 +134,11 @@ TEST(VerdictTest, PeelingComparesWindowDepths) {
 }
 
 // Half floats from 2048 on are 2 apart, so that nothing is left of 0.7 that is added.
-TEST(VerdictTest, SaysWhatSixteenBitsLose) {
+TEST(ErrorBreakdownTest, SaysWhatSixteenBitsLose) {
     ViewRay ray;
     for (int i = 0; i < 50; ++i) ray.fragments.push_back(plain_fragment(0.1f, 0.99995f, 0));
     const auto sentence = [&](const char* technique) {
-        return pixel_verdict(ray, require_technique(technique), {}, BEHIND).sentence;
+        return pixel_error_breakdown(ray, require_technique(technique), {}, BEHIND).sentence;
     };
     EXPECT_EQ(sentence("power4-16").find("b₀ ="), std::string::npos) << "500 in steps of 10 is fine";
     for (int i = 0; i < 5000; ++i) ray.fragments.push_back(plain_fragment(0.1f, 0.5f, 0));
@@ -146,9 +146,9 @@ TEST(VerdictTest, SaysWhatSixteenBitsLose) {
     EXPECT_EQ(sentence("power4-32").find("b₀ ="), std::string::npos);
 }
 
-TEST(VerdictTest, SaysWhenThereIsNothingToSay) {
+TEST(ErrorBreakdownTest, SaysWhenThereIsNothingToSay) {
     const auto sentence = [](const ViewRay& ray, const char* technique) {
-        return pixel_verdict(ray, require_technique(technique), {}, BEHIND).sentence;
+        return pixel_error_breakdown(ray, require_technique(technique), {}, BEHIND).sentence;
     };
     EXPECT_NE(sentence(sheets({0.1f}), "wboit").find("Right to"), std::string::npos);
     EXPECT_NE(sentence({}, "wboit").find("Nothing transparent"), std::string::npos);

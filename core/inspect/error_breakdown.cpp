@@ -1,4 +1,4 @@
-#include "core/inspect/verdict.hpp"
+#include "core/inspect/error_breakdown.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ namespace {
 
 constexpr double LITTLE = 1e-3;  // an error that needs no cause
 
-constexpr std::size_t MOST_FRAGMENTS = 1000;  // exact arithmetic takes its time
+constexpr std::size_t MAX_FRAGMENTS = 1000;  // exact arithmetic takes its time
 
 /// A colour on the way from the truth to the technique, and what the step to it adds.
 struct Step {
@@ -77,7 +77,7 @@ std::vector<Step> moment_steps(const ViewRay& ray, const Technique& technique, c
     add_step_of_ties(steps, ray, parameters.renormalize, behind);
     steps.push_back({fmt::format("the moment count ({} {} moments for {})", technique.moment_count,
                                  basis_name(technique), fragment_count_text(ray.fragments.size())),
-                     exact_color(technique.on_circle() ? LEAST_WRAPPING_ZONE : parameters.theta, 0, 0)});
+                     exact_color(technique.on_circle() ? MIN_WRAPPING_ZONE : parameters.theta, 0, 0)});
     if (technique.on_circle()) steps.push_back({"the wrapping zone", exact_color(parameters.theta, 0, 0)});
     steps.push_back({"the overestimation weight", exact_color(parameters.theta, parameters.beta, 0)});
     if (&reference == &technique)
@@ -137,7 +137,7 @@ std::vector<Step> pixel_state_steps(const ViewRay& ray, const Technique& techniq
     return steps;
 }
 
-Verdict verdict_of_truth(const ViewRay& ray, const Technique& technique, const glm::vec3& behind) {
+ErrorBreakdown breakdown_of_truth(const ViewRay& ray, const Technique& technique, const glm::vec3& behind) {
     const std::size_t lost = ray.fragments.size() - drawn_fragments(ray, technique).fragments.size();
     if (lost == 0) return {.error = 0, .contributions = {}, .sentence = "This technique is the truth."};
     const PixelColors colors = pixel_colors(ray, {}, technique, {}, behind);
@@ -163,13 +163,13 @@ std::string drift_text(const ViewRay& ray, const Technique& technique, const Par
         stored, total);
 }
 
-std::string sentence_of(const Verdict& verdict) {
-    if (verdict.error < LITTLE) return fmt::format("Right to {:.4f} in linear colour.", verdict.error);
-    const auto greatest = std::ranges::max_element(verdict.contributions, {}, &Contribution::share);
+std::string sentence_of(const ErrorBreakdown& breakdown) {
+    if (breakdown.error < LITTLE) return fmt::format("Right to {:.4f} in linear colour.", breakdown.error);
+    const auto greatest = std::ranges::max_element(breakdown.contributions, {}, &Contribution::share);
     std::string text = fmt::format("Off by {:.3f} in linear colour, most of all by {}: {:+.3f}",
-                                   verdict.error, greatest->cause, greatest->share);
-    for (const Contribution& other : verdict.contributions)
-        if (&other != &*greatest && std::abs(other.share) >= 0.02 * verdict.error)
+                                   breakdown.error, greatest->cause, greatest->share);
+    for (const Contribution& other : breakdown.contributions)
+        if (&other != &*greatest && std::abs(other.share) >= 0.02 * breakdown.error)
             text += fmt::format("; {} {:+.3f}", other.cause, other.share);
     return text + ".";
 }
@@ -193,37 +193,37 @@ bool harmful_renormalization(const ViewRay& ray, const Technique& technique, con
 
 }  // namespace
 
-Verdict pixel_verdict(const ViewRay& ray, const Technique& technique, const ParameterValues& values,
-                      const glm::vec3& behind) {
-    if (technique.is_truth()) return verdict_of_truth(ray, technique, behind);
-    if (ray.fragments.size() > MOST_FRAGMENTS)
+ErrorBreakdown pixel_error_breakdown(const ViewRay& ray, const Technique& technique,
+                                     const ParameterValues& values, const glm::vec3& behind) {
+    if (technique.is_truth()) return breakdown_of_truth(ray, technique, behind);
+    if (ray.fragments.size() > MAX_FRAGMENTS)
         return {.error = 0,
                 .contributions = {},
-                .sentence = fmt::format("More than {} fragments are too many for a verdict.{}",
-                                        MOST_FRAGMENTS, drift_text(ray, technique, values))};
+                .sentence = fmt::format("More than {} fragments are too many for a verdict.{}", MAX_FRAGMENTS,
+                                        drift_text(ray, technique, values))};
     const PixelColors colors = colors_of(ray, technique, values, behind);
-    Verdict verdict;
+    ErrorBreakdown breakdown;
     if (ray.fragments.empty()) {
-        verdict.sentence = "Nothing transparent here, nothing wrong.";
-        return verdict;
+        breakdown.sentence = "Nothing transparent here, nothing wrong.";
+        return breakdown;
     }
     const glm::dvec3 truth(colors.truth), shown(colors.technique);
-    verdict.error = glm::length(shown - truth);
+    breakdown.error = glm::length(shown - truth);
     ParameterValues chained = values;
-    if (harmful_renormalization(ray, technique, values, behind, verdict.error))
+    if (harmful_renormalization(ray, technique, values, behind, breakdown.error))
         chained.set(ParameterId::renormalize, 0.0f);  // and it is the last step
     std::vector<Step> steps = technique.pixel_state != nullptr
                                   ? pixel_state_steps(ray, technique, chained, behind)
                                   : moment_steps(ray, technique, chained, behind);
     if (chained != values) steps.push_back({"renormalisation", shown});
-    const glm::dvec3 direction = verdict.error > 0 ? (shown - truth) / verdict.error : glm::dvec3(0);
+    const glm::dvec3 direction = breakdown.error > 0 ? (shown - truth) / breakdown.error : glm::dvec3(0);
     glm::dvec3 before = truth;
     for (const Step& step : steps) {
-        verdict.contributions.push_back({step.cause, glm::dot(step.color - before, direction)});
+        breakdown.contributions.push_back({step.cause, glm::dot(step.color - before, direction)});
         before = step.color;
     }
-    verdict.sentence = sentence_of(verdict) + drift_text(ray, technique, values);
-    return verdict;
+    breakdown.sentence = sentence_of(breakdown) + drift_text(ray, technique, values);
+    return breakdown;
 }
 
 }  // namespace momentscope

@@ -1,15 +1,15 @@
-// light_verdict.hpp -- why a receiver is lit wrongly: leaking, wrong self-shadowing, filtering or bias.
+// light_breakdown.hpp -- why a receiver is lit wrongly: leaking, wrong self-shadowing, filtering or bias.
 #pragma once
 #include <string>
 #include <vector>
 
-#include "core/inspect/verdict.hpp"
+#include "core/inspect/error_breakdown.hpp"
 #include "core/shadow/light_ray.hpp"
 
 namespace momentscope {
 
 /// Shares of the light that reach a receiver.
-struct LightVerdict {
+struct LightBreakdown {
     double true_transmittance =
         1;                     // of transparent casters, as a deep shadow map with the same filter has it
     double transmittance = 1;  // as the map's numbers give it
@@ -23,7 +23,7 @@ struct LightVerdict {
     std::string sentence;
 };
 
-LightVerdict light_verdict(const LightBundle& bundle, const Configuration& transparent,
-                           const OpaqueShadow& opaque);
+LightBreakdown light_breakdown(const ShadowFilterSamples& bundle, const Configuration& transparent,
+                               const OpaqueShadow& opaque);
 
 }  // namespace momentscope
