@@ -118,7 +118,7 @@ private:
     void take_events() {
         if (!is_visible() || !need_.due(explorer_))
             glfwWaitEvents();
-        else if (!need_.settling() && (explorer_.busy() || explorer_.works()))
+        else if (!need_.settling() && (explorer_.is_loading_scene() || explorer_.has_background_work()))
             glfwWaitEventsTimeout(0.05);
         else
             glfwPollEvents();
@@ -134,7 +134,7 @@ private:
         log_.frame(explorer_);
         for (const std::string& note : renderer_.programs()->take_notes()) log_.line(note);
         need_.drawn();
-        if (!picked_ && !explorer_.busy()) {
+        if (!picked_ && !explorer_.is_loading_scene()) {
             pick_option(options_, explorer_);
             picked_ = true;
         }

@@ -73,7 +73,7 @@ public:
 private:
     void draw(const RenderSetup& setup) {
         if (scene_.id != setup.scene) {
-            scene_ = load_scene(setup.scene, *parameter(ParameterId::opacity).standard);
+            scene_ = load_scene(setup.scene, *parameter(ParameterId::opacity).default_value);
             renderer_.set_scene(scene_);
         }
         renderer_.render(

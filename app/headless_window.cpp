@@ -55,7 +55,8 @@ void HeadlessWindow::settle() {
 void HeadlessWindow::idle() {
     while (need_.due(explorer_)) {
         draw();
-        if (explorer_.busy() || explorer_.works()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        if (explorer_.is_loading_scene() || explorer_.has_background_work())
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
 }
 

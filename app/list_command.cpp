@@ -53,17 +53,18 @@ json list_scenes() {
 json list_parameters() {
     json rows = json::array();
     for (const Parameter& p : parameters())
-        rows.push_back({{"key", p.key},
-                        {"symbol", p.symbol},
-                        {"name", p.name},
-                        {"unit", p.unit},
-                        {"minimum", p.minimum},
-                        {"maximum", p.maximum},
-                        {"choices", p.choices},
-                        {"default", p.standard && p.choices.empty() ? json(*p.standard)
-                                                                    : json(parameter_text(p, p.standard))},
-                        {"help", p.help},
-                        {"source", p.source}});
+        rows.push_back(
+            {{"key", p.key},
+             {"symbol", p.symbol},
+             {"name", p.name},
+             {"unit", p.unit},
+             {"minimum", p.minimum},
+             {"maximum", p.maximum},
+             {"choices", p.choices},
+             {"default", p.default_value && p.choices.empty() ? json(*p.default_value)
+                                                              : json(parameter_text(p, p.default_value))},
+             {"help", p.help},
+             {"source", p.source}});
     return rows;
 }
 

@@ -38,7 +38,7 @@ void add_parameter_options(CLI::App& command, Options& options) {
         CLI::Option* option =
             command.add_option(fmt::format("--{}", row.key), options.parameters[row.key],
                                fmt::format("{} {}: {} [{}]", row.name, row.symbol, parameter_values_text(row),
-                                           parameter_text(row, row.standard)));
+                                           parameter_text(row, row.default_value)));
         if (row.scale == Scale::toggle) option->expected(0, 1)->default_str("on")->type_name("[on|off]");
     }
 }
@@ -129,20 +129,20 @@ std::vector<std::string> split_list(const std::vector<std::string>& values) {
     return parts;
 }
 
-std::vector<const Technique*> parse_techniques(const Options& options, const char* standard) {
+std::vector<const Technique*> parse_techniques(const Options& options, const char* default_value) {
     std::vector<const Technique*> techniques;
     for (const std::string& id : split_list(options.techniques)) techniques.push_back(&require_technique(id));
-    if (techniques.empty()) techniques.push_back(&require_technique(standard));
+    if (techniques.empty()) techniques.push_back(&require_technique(default_value));
     return techniques;
 }
 
-std::vector<Configuration> parse_configurations(const Options& options, const char* standard) {
+std::vector<Configuration> parse_configurations(const Options& options, const char* default_value) {
     const ParameterValues values = parse_parameters(options);
     std::vector<Configuration> configurations;
     for (const std::string& list : options.techniques)
         for (const std::string& text : split_configurations(list))
             configurations.push_back(parse_configuration(text, values));
-    if (configurations.empty()) configurations.push_back(parse_configuration(standard, values));
+    if (configurations.empty()) configurations.push_back(parse_configuration(default_value, values));
     return configurations;
 }
 

@@ -92,11 +92,11 @@ std::uint32_t parse_seed(const std::string& text);
 double parse_bound(const std::string& text, const char* what);
 
 /// The parameters that were typed, over `standard`.
-ParameterValues parse_parameters(const Options& options, ParameterValues standard = {});
-std::vector<const Technique*> parse_techniques(const Options& options, const char* standard);
+ParameterValues parse_parameters(const Options& options, ParameterValues default_value = {});
+std::vector<const Technique*> parse_techniques(const Options& options, const char* default_value);
 
 /// Ids of techniques, or configurations such as at:nodes=8, over the parameters that were typed.
-std::vector<Configuration> parse_configurations(const Options& options, const char* standard);
+std::vector<Configuration> parse_configurations(const Options& options, const char* default_value);
 
 /// Size, rounds and the pictures' parameters; `standard_size` as "WxH".
 ChartSettings parse_chart_settings(const Options& options, const char* standard_size);

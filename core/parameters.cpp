@@ -212,13 +212,14 @@ const Parameter* find_parameter(std::string_view key) {
 }
 
 ParameterValues::ParameterValues() {
-    for (const Parameter& row : ROWS) values_[static_cast<std::size_t>(row.id)] = row.standard;
+    for (const Parameter& row : ROWS) values_[static_cast<std::size_t>(row.id)] = row.default_value;
 }
 
 void ParameterValues::set(ParameterId id, std::optional<float> value) {
     const Parameter& row = parameter(id);
     const bool in_range = value && *value >= row.minimum && *value <= row.maximum;  // false for NaN
-    const bool allowed = value ? in_range && (!is_whole(row) || *value == std::floor(*value)) : !row.standard;
+    const bool allowed =
+        value ? in_range && (!is_whole(row) || *value == std::floor(*value)) : !row.default_value;
     if (!allowed)
         throw Error(fmt::format("The {} --{} cannot be {}; give {}.", row.name, row.key,
                                 value ? fmt::format("{}", *value) : "auto", parameter_values_text(row)));
@@ -256,7 +257,7 @@ std::string parameter_values_text(const Parameter& row) {
     if (row.choices.empty())
         return fmt::format("a {}number from {:g} to {:.4g}{}{}{}", is_whole(row) ? "whole " : "", row.minimum,
                            row.maximum, *row.unit != '\0' ? " " : "", row.unit,
-                           row.standard ? "" : ", or auto");
+                           row.default_value ? "" : ", or auto");
     std::string list;
     for (std::size_t i = 0; i < row.choices.size(); ++i)
         list += fmt::format("{}{}",

@@ -65,7 +65,7 @@ struct Parameter {
     const char* unit;  // "" for a plain number
     float minimum;
     float maximum;
-    std::optional<float> standard;  // nullopt: `auto`, the technique recommends a value
+    std::optional<float> default_value;  // nullopt: `auto`, the technique recommends a value
     Scale scale;
     Stage invalidates;                          // the first stage that a change makes stale
     const char* help;                           // one or two sentences: what it does and when to change it

@@ -63,7 +63,8 @@ bool is_enabled(const Command& command, const Explorer& explorer) {
 
 void run_pressed_commands(Explorer& explorer) {
     // A dialog keeps the keyboard to itself; of the commands, Escape alone reaches through.
-    const bool dialog = explorer.shows_file_dialog() || explorer.shows_palette() || explorer.busy();
+    const bool dialog =
+        explorer.shows_file_dialog() || explorer.shows_palette() || explorer.is_loading_scene();
     const bool typing = ImGui::GetIO().WantTextInput;  // Ctrl+Z then belongs to the text
     for (const Command& command : commands()) {
         if (!command.run || !is_enabled(command, explorer)) continue;

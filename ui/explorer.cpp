@@ -159,12 +159,12 @@ void Explorer::update(glm::ivec2 size) {
     report_ = {};
     try {
         poll_loader();
-        if (busy()) return;  // what is shown stays until the scene is there
+        if (is_loading_scene()) return;  // what is shown stays until the scene is there
         if (state_.ray)
             update_ray();
         else
             update_picture(size);
-        if (busy()) return;
+        if (is_loading_scene()) return;
         shown_state_ = state_;
         update_sharp_bounds();
     } catch (const Error& error) {
@@ -196,7 +196,7 @@ void Explorer::update_picture(glm::ivec2 size) {
     if (builds_scene)
         announce(picture_kind({camera(), size, state_.technique, state_.parameters}, Stage::opaque), size);
     load_scene_if_changed();
-    if (busy()) return;
+    if (is_loading_scene()) return;
     const View view = {camera(), size, state_.technique, state_.parameters};
     const Stage stage = first_stale_stage(shown_view_, view);
     const PassCounts before = renderer_.pass_counts();

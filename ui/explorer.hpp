@@ -70,20 +70,20 @@ public:
 
     /// Does what is shown lag behind the state, so that another frame is needed without any input?
     bool wants_frame() const {
-        return !(state_ == shown_state_) || busy() || works() || worst_wanted_ || shows_draft() ||
-               chart_panel_.busy();
+        return !(state_ == shown_state_) || is_loading_scene() || has_background_work() || worst_wanted_ ||
+               shows_draft() || chart_panel_.busy();
     }
 
     /// Is the picture one of reduced resolution, which the full one replaces as soon as the mouse rests?
     bool shows_draft() const { return draft_view_.technique != nullptr; }
 
     /// Does work go on beside the window? Frames are then needed to show how far it is.
-    bool works() const {
+    bool has_background_work() const {
         return stress_panel_.busy() || tuning_.busy() || sharp_bounds_.busy() || comparison_.busy();
     }
 
     /// Is a scene being read? Frames are then only needed to show how long.
-    bool busy() const { return loader_.busy(); }
+    bool is_loading_scene() const { return loader_.busy(); }
 
     // What commands, event files and tests act on.
     ExplorerState& state() { return state_; }

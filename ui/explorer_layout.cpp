@@ -23,7 +23,7 @@ ImVec4 color_of(ImU32 tint) {
 }
 
 // A bar that is dragged to divide room; double-click puts it back. Changes the share of what lies before it.
-void splitter(const Ui& ui, const char* name, bool vertical, ImVec2 size, float room, float standard,
+void splitter(const Ui& ui, const char* name, bool vertical, ImVec2 size, float room, float default_value,
               float& share) {
     ImGui::InvisibleButton(name, {std::max(size.x, 1.0f), std::max(size.y, 1.0f)});
     ui.record_widget_rect(name);
@@ -32,7 +32,7 @@ void splitter(const Ui& ui, const char* name, bool vertical, ImVec2 size, float 
     if (hot) ImGui::SetMouseCursor(vertical ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
     const float moved = vertical ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y;
     if (ImGui::IsItemActive() && room > 1) share = std::clamp(share + moved / room, MIN_SHARE, MAX_SHARE);
-    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) share = standard;
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) share = default_value;
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
     const ImVec2 middle = {0.5f * (low.x + high.x), 0.5f * (low.y + high.y)};
@@ -66,7 +66,7 @@ void Explorer::frame() {
     stress_panel_.poll();
     poll_tuning();
     comparison_.poll();
-    if (!busy()) chart_panel_.work(state_, message_);
+    if (!is_loading_scene()) chart_panel_.work(state_, message_);
     const Ui ui = {palette(state_.theme), widget_rects_};
     const ImGuiViewport& viewport = *ImGui::GetMainViewport();
     ImGui::SetNextWindowPos(viewport.Pos);
@@ -76,7 +76,7 @@ void Explorer::frame() {
                      ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse |
                      ImGuiWindowFlags_NoSavedSettings);
     const bool dialog = files_.is_open() || palette_.is_open();
-    const bool reading = busy();  // may change within the frame
+    const bool reading = is_loading_scene();  // may change within the frame
     escape_is_taken_ = close_popup_on_escape() || dialog || reading || ImGui::GetIO().WantTextInput;
     ImGui::BeginDisabled(reading);  // what is shown and what is chosen must not part
     flipped_ = !state_.ray && !dialog && (held({.key = 'G'}) || flip_button_held_);
@@ -260,7 +260,7 @@ void Explorer::draw_status(const Ui& ui) {
 }
 
 void Explorer::draw_loading(const Ui& ui) {
-    if (!busy()) return;
+    if (!is_loading_scene()) return;
     const ImVec2 room = ImGui::GetMainViewport()->Size;
     ImGui::SetNextWindowPos({0.5f * room.x, 0.4f * room.y}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSize({std::min(26 * em(), room.x), 0});

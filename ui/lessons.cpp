@@ -27,7 +27,7 @@ void prepare_four_surfaces(ExplorerState& state) {
     state.technique = &require_technique("power8-32");
     state.picked = FOUR_SHEETS;
     state.pins = {THREE_SHEETS};
-    show(state.plot, {Series::truth, Series::reconstruction, Series::bounds, Series::ghost});
+    show(state.plot, {Series::truth, Series::reconstruction, Series::bounds, Series::unbiased_exact});
 }
 
 void prepare_wrapping_zone(ExplorerState& state) {
@@ -43,7 +43,7 @@ void prepare_bias(ExplorerState& state) {
     state.technique = &require_technique("power8-32");
     state.parameters.set(ParameterId::alpha, 0.0f);
     state.failures = true;
-    show(state.plot, {Series::truth, Series::reconstruction, Series::bounds, Series::ghost});
+    show(state.plot, {Series::truth, Series::reconstruction, Series::bounds, Series::unbiased_exact});
 }
 
 void prepare_more_moments(ExplorerState& state) {

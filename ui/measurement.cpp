@@ -36,8 +36,8 @@ const ViewRay& ray_of(const LightView& light, Viewpoint viewpoint) {
 std::vector<float> plot_depths(const ViewRay& ray, std::size_t samples, Range range) {
     std::vector<float> depths = even_depths(samples);
     for (float& depth : depths) depth = range.low + 0.5f * (depth + 1) * (range.high - range.low);
-    constexpr std::size_t MANY = 1000;  // more lie closer together than the samples
-    if (ray.fragments.size() > MANY) return depths;
+    constexpr std::size_t MAX_SAMPLED_FRAGMENTS = 1000;  // more lie closer together than the samples
+    if (ray.fragments.size() > MAX_SAMPLED_FRAGMENTS) return depths;
     const float beside = 1e-3f * (range.high - range.low);  // below one pixel of any plot
     for (const Fragment& fragment : ray.fragments)
         for (const float offset : {-beside, 0.0f, beside})
@@ -105,7 +105,8 @@ bool same_curves(const ExplorerState& a, const ExplorerState& b) {
             return false;
     return a.technique == b.technique && seen_from_light(a) == seen_from_light(b) &&
            a.viewpoint == b.viewpoint && a.compared == b.compared && a.plot.depth == b.plot.depth &&
-           a.plot.axis == b.plot.axis && a.plot.shows(Series::ghost) == b.plot.shows(Series::ghost);
+           a.plot.axis == b.plot.axis &&
+           a.plot.shows(Series::unbiased_exact) == b.plot.shows(Series::unbiased_exact);
 }
 
 void measure_curves(Measurement& m, const ExplorerState& state) {
@@ -118,9 +119,9 @@ void measure_curves(Measurement& m, const ExplorerState& state) {
     m.compared.clear();
     for (const Technique* other : state.compared)
         if (other != technique) m.compared.push_back(sample_curve(ray, *other, values, depths));
-    m.ghost = state.plot.shows(Series::ghost)
-                  ? unbiased_absorbance(ray, *technique, m.curve.parameters, depths)
-                  : std::vector<float>();
+    m.unbiased_exact = state.plot.shows(Series::unbiased_exact)
+                           ? unbiased_absorbance(ray, *technique, m.curve.parameters, depths)
+                           : std::vector<float>();
     m.history = pixel_history(ray, m.capture.transmittance, *technique, values);
     for (Pinned& pin : m.pins)
         pin.curve =

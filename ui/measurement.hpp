@@ -39,12 +39,12 @@ struct Pinned {
 struct Measurement {
     glm::ivec2 pixel{0};
     glm::ivec2 picture_size{0};
-    PixelCapture capture;            // its transmittance is of the second pass when it was last asked for
-    Curve curve;                     // as the plot draws it; depths ascend
-    std::vector<Curve> compared;     // at the same depths
-    std::vector<float> ghost;        // the same; empty while it is not shown
-    SharpBounds sharp;               // at depths of its own; empty until it is computed beside the window
-    std::optional<LightView> light;  // when the capture's ray is the light's
+    PixelCapture capture;               // its transmittance is of the second pass when it was last asked for
+    Curve curve;                        // as the plot draws it; depths ascend
+    std::vector<Curve> compared;        // at the same depths
+    std::vector<float> unbiased_exact;  // the same; empty while it is not shown
+    SharpBounds sharp;                  // at depths of its own; empty until it is computed beside the window
+    std::optional<LightView> light;     // when the capture's ray is the light's
     CanonicalRepresentation canonical;
     Steps steps;                           // at the same query depth
     std::vector<PixelHistoryRow> history;  // front to back

@@ -102,8 +102,9 @@ void draw_typed(const Parameter& row, ParameterValues& values, std::string& mess
     int& state = typing_state();
     if (state == begin_typing) ImGui::SetKeyboardFocusHere();
     std::string typed;  // ImGui keeps what is typed until Enter
-    const bool entered = ImGui::InputTextWithHint("##typed", row.standard ? "a number" : "a number, or auto",
-                                                  &typed, ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool entered =
+        ImGui::InputTextWithHint("##typed", row.default_value ? "a number" : "a number, or auto", &typed,
+                                 ImGuiInputTextFlags_EnterReturnsTrue);
     if (entered && !typed.empty()) {
         try {
             values.set(row.id, parse_parameter(row, typed));
@@ -133,9 +134,9 @@ bool double_clicked() {
 }  // namespace
 
 std::string parameter_help(const Parameter& row) {
-    const std::string unit = row.standard && *row.unit != '\0' ? fmt::format(" {}", row.unit) : "";
+    const std::string unit = row.default_value && *row.unit != '\0' ? fmt::format(" {}", row.unit) : "";
     return fmt::format("{}. {}\n--{}, {}; normally {}{}. Source: {}.", shown_name(row), row.help, row.key,
-                       parameter_values_text(row), parameter_text(row, row.standard), unit, row.source);
+                       parameter_values_text(row), parameter_text(row, row.default_value), unit, row.source);
 }
 
 void draw_parameter_control(const Ui& ui, const Parameter& row, const Technique& technique, float label_width,
@@ -149,7 +150,7 @@ void draw_parameter_control(const Ui& ui, const Parameter& row, const Technique&
     draw_tooltip(row);
     bool reset = double_clicked();
     ImGui::SameLine(label_width);
-    ImGui::SetNextItemWidth(row.standard ? -1.0f : -4.3f * em());
+    ImGui::SetNextItemWidth(row.default_value ? -1.0f : -4.3f * em());
     if (type_now) typing_state() = begin_typing;
     if (typing_state() != not_typing) {
         draw_typed(row, values, message);
@@ -163,10 +164,10 @@ void draw_parameter_control(const Ui& ui, const Parameter& row, const Technique&
     ui.record_widget_rect(fmt::format("parameter.{}", row.key));
     draw_tooltip(row);
     if (reset) {
-        values.set(row.id, row.standard);
+        values.set(row.id, row.default_value);
         ImGui::ClearActiveID();  // the button is still down; without this the slider would follow it again
     }
-    if (!row.standard) {
+    if (!row.default_value) {
         ImGui::SameLine();
         bool on = !values[row.id].has_value();
         if (ImGui::Checkbox("auto", &on)) values.set(row.id, on ? std::nullopt : std::optional(value));

@@ -105,8 +105,8 @@ void draw_failure(ImDrawList& list, const PlotAxes& axes, const Palette& colors,
 
 // From the truth to the reconstruction at every fragment's own depth: the error that the picture has.
 void draw_errors(ImDrawList& list, const PlotAxes& axes, const Palette& colors, const PlotInput& input) {
-    constexpr std::size_t MANY = 300;  // their marks would hide the curves
-    if (input.measurement.history.size() > MANY) return;
+    constexpr std::size_t MAX_MARKED_FRAGMENTS = 300;  // their marks would hide the curves
+    if (input.measurement.history.size() > MAX_MARKED_FRAGMENTS) return;
     const ImU32 tint = tint_of(input, Series::errors, colors.errors);
     const float scale = em() / 15;
     for (const PixelHistoryRow& row : input.measurement.history) {
@@ -249,9 +249,10 @@ void draw_layers(ImDrawList& list, const PlotAxes& axes, const Palette& colors, 
     for (const auto* bound : {&m.sharp.lower, &m.sharp.upper})
         draw_dashed(list, points_of(axes, m.sharp.depth, *bound), tint_of(input, Series::sharp, colors.sharp),
                     width_of(input, Series::sharp, 1.6f), SHARP_DASH);
-    if (!m.ghost.empty())
-        draw_dashed(list, points_of(axes, curve.depth, m.ghost), tint_of(input, Series::ghost, colors.ghost),
-                    width_of(input, Series::ghost, 1.8f), GHOST_DASH);
+    if (!m.unbiased_exact.empty())
+        draw_dashed(list, points_of(axes, curve.depth, m.unbiased_exact),
+                    tint_of(input, Series::unbiased_exact, colors.unbiased_exact),
+                    width_of(input, Series::unbiased_exact, 1.8f), GHOST_DASH);
     if (has_function(*curve.technique) && shows(input, Series::reconstruction))
         draw_line(list, points_of(axes, curve.depth, curve.reconstructed),
                   tint_of(input, Series::reconstruction, colors.reconstruction),

@@ -134,9 +134,11 @@ void draw_crosshair(const Ui& ui, const PlotAxes& axes, const Measurement& m, co
         value_line(curve.technique->has_bounds ? "upper bound of A" : "β = 1", ui.colors.bounds,
                    curve.beta1[0], axes);
     }
-    const auto ghost = m.ghost.empty() ? std::vector<float>()
-                                       : unbiased_absorbance(ray, *m.curve.technique, curve.parameters, at);
-    if (!ghost.empty()) value_line("exact, no bias", ui.colors.ghost, ghost[0], axes);
+    const auto unbiased_exact = m.unbiased_exact.empty()
+                                    ? std::vector<float>()
+                                    : unbiased_absorbance(ray, *m.curve.technique, curve.parameters, at);
+    if (!unbiased_exact.empty())
+        value_line("exact, no bias", ui.colors.unbiased_exact, unbiased_exact[0], axes);
     for (std::size_t i = 0; i < m.compared.size(); ++i)
         value_line(m.compared[i].technique->id, ui.colors.compared[i % ui.colors.compared.size()],
                    sample_curve(ray, *m.compared[i].technique, m.compared[i].values, at).reconstructed[0],

@@ -21,10 +21,10 @@ constexpr SeriesRow ROWS[] = {
      "The least and the greatest absorbance that any distribution on the depth range with the exact moments, without "
      "bias, has in front of z. The truth is never outside; how far they are apart is what the moments do not say.",
      nullptr, &Palette::sharp},
-    {Series::ghost, "ghost", "X", "exact, no bias", nullptr,
+    {Series::unbiased_exact, "ghost", "X", "exact, no bias", nullptr,
      "The reconstruction in exact arithmetic without moment bias, in long double. What lies between it and the orange "
      "curve is the price of bias and rounding.",
-     nullptr, &Palette::ghost},
+     nullptr, &Palette::unbiased_exact},
     {Series::stems, "stems", "C", "canonical masses", nullptr,
      "The canonical representation: masses that have the biased moments, one of them at the query depth (diamond). "
      "Full heads count as in front of it. In a plot of T a stem's height is its share of b₀.",

@@ -20,7 +20,16 @@ enum class Quantity { absorbance, transmittance };
 enum class DepthAxis { warped, view };
 
 /// What the plot can draw. The legend's entries, in its order.
-enum class Series : std::size_t { truth, reconstruction, bounds, sharp, ghost, stems, errors, wrapping_zone };
+enum class Series : std::size_t {
+    truth,
+    reconstruction,
+    bounds,
+    sharp,
+    unbiased_exact,
+    stems,
+    errors,
+    wrapping_zone
+};
 constexpr std::size_t SERIES_COUNT = 8;
 
 /// An interval of an axis; low < high.

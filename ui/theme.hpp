@@ -13,8 +13,8 @@ namespace momentscope::ui {
 struct Palette {
     ImU32 text, warning;
     ImU32 plot_background, grid, axis;
-    ImU32 truth, reconstruction, bounds, band, sharp, ghost, stems, errors, wrapping_zone, wrapping_zone_fill,
-        exit;
+    ImU32 truth, reconstruction, bounds, band, sharp, unbiased_exact, stems, errors, wrapping_zone,
+        wrapping_zone_fill, exit;
     std::array<ImU32, 4> compared;  // in turn, with a dash pattern each
     ImU32 mark, mark_edge, pin;
 };

@@ -91,7 +91,7 @@ double worst_error(const ChartRow& row, Metric metric, const std::optional<doubl
     return std::max(error_of(*row.numbers, metric), elsewhere);
 }
 
-Judgement judge(const ChartRow& row, const AdviceBounds& bounds, const std::optional<double>& held_out) {
+Judgement classify(const ChartRow& row, const AdviceBounds& bounds, const std::optional<double>& held_out) {
     const Technique* technique = technique_of(row);
     if (technique == nullptr || !row.numbers) return Judgement::unavailable;
     if (technique->is_truth()) return Judgement::ground_truth;
@@ -115,14 +115,14 @@ Advice advise(std::span<const ChartRow> rows, const AdviceBounds& bounds, const 
     Advice advice;
     Indices candidates, meeting;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const Judgement judgement = judge(rows[i], bounds, held_out[i]);
+        const Judgement judgement = classify(rows[i], bounds, held_out[i]);
         if (may_be_advised(judgement)) candidates.push_back(i);
         if (judgement == Judgement::meets) meeting.push_back(i);
     }
     advice.winner = cheapest(rows, meeting);
     if (!advice.winner) {
         for (std::size_t i = 0; i < rows.size(); ++i)
-            if (judge(rows[i], bounds, held_out[i]) == Judgement::ground_truth &&
+            if (classify(rows[i], bounds, held_out[i]) == Judgement::ground_truth &&
                 fits(rows[i], bounds, error(i)))
                 advice.ground_truths.push_back(i);
         if (!candidates.empty())

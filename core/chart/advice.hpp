@@ -57,7 +57,7 @@ const Technique* technique_of(const ChartRow& row);
 /// The error of a row with numbers: of its own view or of those held out, whichever is greater.
 double worst_error(const ChartRow& row, Metric metric, const std::optional<double>& held_out);
 
-Judgement judge(const ChartRow& row, const AdviceBounds& bounds, const std::optional<double>& held_out);
+Judgement classify(const ChartRow& row, const AdviceBounds& bounds, const std::optional<double>& held_out);
 
 /// The winner has the least total time of the rows that meet the bounds. Times whose quartiles overlap are
 /// equal; then the fewest bits win, then the least time. `rows` are those of one scene, `held_out` is as

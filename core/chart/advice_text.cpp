@@ -59,7 +59,7 @@ std::string evidence_table(std::span<const ChartRow> rows, const AdviceBounds& b
         fmt::format_to(std::back_inserter(text), "{:<{}}  {:>8.1f}  {:>6.1f}  {:>5}  {:>9.3g}  {:>9}  {}\n",
                        rows[i].configuration, width, n.total.median, n.total.range, bits_text(rows[i]),
                        error_of(n, bounds.metric), held_out[i] ? error_text(*held_out[i]) : "",
-                       role.empty() ? judgement_text(judge(rows[i], bounds, held_out[i])) : role);
+                       role.empty() ? judgement_text(classify(rows[i], bounds, held_out[i])) : role);
     }
     return text;
 }
@@ -137,7 +137,7 @@ std::vector<std::size_t> evidence_of(std::span<const ChartRow> rows, const Advic
     const auto add = [&](Judgement judgement, std::size_t count) {
         for (const std::size_t i : by_time) {
             if (shown.size() >= all || count == 0) return;
-            if (judge(rows[i], bounds, held_out[i]) != judgement ||
+            if (classify(rows[i], bounds, held_out[i]) != judgement ||
                 std::ranges::find(shown, i) != shown.end())
                 continue;
             shown.push_back(i);

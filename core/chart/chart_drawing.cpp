@@ -39,7 +39,7 @@ struct Point {
     std::size_t row;
     glm::vec2 at;
     const Family* family;
-    bool standard;  // no parameter was changed
+    bool all_default;  // no parameter was changed
 };
 
 /// 1, 2 and 5 times powers of ten within a range; of more than three decades powers alone. None where an end
@@ -235,7 +235,7 @@ private:
         for (int rank = 0; rank < 3; ++rank)
             for (const Point& point : points_) {
                 const bool on_front = std::ranges::find(front, point.row) != front.end();
-                if (rank == (on_front ? 0 : point.standard ? 1 : 2))
+                if (rank == (on_front ? 0 : point.all_default ? 1 : 2))
                     labels.push_back({point.at, short_name(rows_[point.row].configuration),
                                       0.85f * point.family->color, on_front});
             }

@@ -133,7 +133,7 @@ std::string explore_command(const Chart& chart, const ChartRow& row) {
         const std::size_t equals = one.find('=');
         const Parameter* known =
             equals == std::string::npos ? nullptr : find_parameter(one.substr(0, equals));
-        if (known != nullptr && one.substr(equals + 1) != parameter_text(*known, known->standard))
+        if (known != nullptr && one.substr(equals + 1) != parameter_text(*known, known->default_value))
             command += fmt::format(" --{} {}", known->key, shell_quoted(one.substr(equals + 1)));
     }
     return command;

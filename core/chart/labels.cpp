@@ -10,8 +10,8 @@ namespace momentscope {
 
 namespace {
 
-constexpr float GAP = 13;  // between a point and the label beside it
-constexpr float OWN = 16;  // about a point, where its own mark may be
+constexpr float GAP = 13;        // between a point and the label beside it
+constexpr float MARK_SIZE = 16;  // about a point, where its own mark may be
 constexpr std::array DISTANCES = {GAP, 20.0f, 30.0f, 44.0f, 62.0f, 84.0f, 110.0f};
 constexpr int DIRECTIONS = 16;
 const glm::vec3 LEADER(0.62f, 0.65f, 0.69f);
@@ -24,9 +24,9 @@ bool is_free(const Box& box, const std::vector<Box>& taken) {
 bool is_free_line(glm::vec2 from, glm::vec2 to, const std::vector<Box>& taken) {
     const float length = glm::length(to - from);
     constexpr float STEP = 3;
-    const int steps = static_cast<int>(std::ceil((length - OWN) / STEP));
+    const int steps = static_cast<int>(std::ceil((length - MARK_SIZE) / STEP));
     for (int i = 0; i < steps; ++i) {
-        const glm::vec2 at = glm::mix(from, to, (OWN + STEP * static_cast<float>(i)) / length);
+        const glm::vec2 at = glm::mix(from, to, (MARK_SIZE + STEP * static_cast<float>(i)) / length);
         if (!is_free({at - 0.5f, at + 0.5f}, taken)) return false;
     }
     return true;

@@ -12,15 +12,16 @@ namespace momentscope {
 
 namespace {
 
-constexpr int GRID = 2049;          // depths at which masses may lie, beside those of the fragments
-constexpr int FIRST_STEP = 32;      // every so many of them are there from the beginning
-constexpr std::size_t MANY = 500;   // more fragments are moved to the nearest point of the grid
+constexpr int GRID = 2049;      // depths at which masses may lie, beside those of the fragments
+constexpr int FIRST_STEP = 32;  // every so many of them are there from the beginning
+constexpr std::size_t MAX_EXACT_FRAGMENTS = 500;  // more fragments are moved to the nearest point of the grid
 constexpr double TOLERANCE = 1e-9;  // of moments in [-1, 1]; CLP's own 1e-7 would act like a bias
-constexpr double PRICE = 1e-7;      // by how much a mass at another depth must improve the bound to be tried
+constexpr double MIN_IMPROVEMENT =
+    1e-7;  // by how much a mass at another depth must improve the bound to be tried
 constexpr int MAX_ROUNDS = 20;
-constexpr int MAX_PIVOTS = 500;      // tens are usual; CLP may cycle where moments leave almost no freedom
-constexpr double APART = 1e-5;       // masses that are closer are one: their columns would be the same
-constexpr std::size_t QUERIES = 16;  // of one program, which grows with each of them
+constexpr int MAX_PIVOTS = 500;  // tens are usual; CLP may cycle where moments leave almost no freedom
+constexpr double MIN_SEPARATION = 1e-5;  // masses that are closer are one: their columns would be the same
+constexpr std::size_t QUERIES = 16;      // of one program, which grows with each of them
 
 double grid_depth(int k) {
     return -1 + 2.0 * k / (GRID - 1);
@@ -84,7 +85,7 @@ std::vector<double> support_of(const std::vector<double>& own, const Candidates&
 Candidates candidates_of(const ViewRay& ray, int count, double theta) {
     Candidates result{count, theta, {}, {}, {}, Eigen::VectorXd::Zero(2 * count + 1)};
     std::vector<double> own;
-    const bool many = ray.fragments.size() > MANY;
+    const bool many = ray.fragments.size() > MAX_EXACT_FRAGMENTS;
     for (const Fragment& fragment : ray.fragments) {
         const double exactly = fragment.depth;
         const double depth =
@@ -148,7 +149,8 @@ private:
     }
 
     bool is_new(double depth) const {
-        return std::ranges::none_of(depths_, [&](double other) { return std::abs(other - depth) < APART; });
+        return std::ranges::none_of(depths_,
+                                    [&](double other) { return std::abs(other - depth) < MIN_SEPARATION; });
     }
 
     void add(double depth, double cost = 0) {
@@ -168,7 +170,7 @@ private:
         bool added = false;
         for (std::size_t k = 0; k < depths.size(); ++k) {
             const double here = reduced(k);
-            if (here > -PRICE) continue;
+            if (here > -MIN_IMPROVEMENT) continue;
             const bool least =
                 (k == 0 || here <= reduced(k - 1)) && (k + 1 == depths.size() || here < reduced(k + 1));
             if (!least) continue;

@@ -42,7 +42,9 @@ Curve sample_curve(const ViewRay& ray, const Technique& technique, const Paramet
         if (!technique.pixel_state->has_depths() || why_refused(technique, values) != nullptr) return curve;
         // A pixel of a scene without its neighbours' fragments: captured for a technique without low
         // resolution.
-        if (curve.parameters.pixel_state.divisor > 1 && ray.shares.empty() && ray.far_plane > 0) return curve;
+        if (curve.parameters.pixel_state.divisor > 1 && ray.low_resolution_sources.empty() &&
+            ray.far_plane > 0)
+            return curve;
         for (const float t : pixel_state_transmittance(ray, technique, curve.parameters.pixel_state, depths))
             curve.reconstructed.push_back(
                 static_cast<float>(shown_absorbance(static_cast<double>(t), curve.total_absorbance)));

@@ -15,7 +15,7 @@ namespace momentscope {
 
 namespace {
 
-constexpr double LITTLE = 1e-3;  // an error that needs no cause
+constexpr double MIN_ERROR_TO_EXPLAIN = 1e-3;  // an error that needs no cause
 
 constexpr std::size_t MAX_FRAGMENTS = 1000;  // exact arithmetic takes its time
 
@@ -164,7 +164,8 @@ std::string drift_text(const ViewRay& ray, const Technique& technique, const Par
 }
 
 std::string sentence_of(const ErrorBreakdown& breakdown) {
-    if (breakdown.error < LITTLE) return fmt::format("Right to {:.4f} in linear colour.", breakdown.error);
+    if (breakdown.error < MIN_ERROR_TO_EXPLAIN)
+        return fmt::format("Right to {:.4f} in linear colour.", breakdown.error);
     const auto greatest = std::ranges::max_element(breakdown.contributions, {}, &Contribution::share);
     std::string text = fmt::format("Off by {:.3f} in linear colour, most of all by {}: {:+.3f}",
                                    breakdown.error, greatest->cause, greatest->share);

@@ -57,10 +57,10 @@ PixelState state_of(const std::vector<Fragment>& fragments, const ViewRay& ray,
 PixelState pixel_state(const ViewRay& ray, const Technique& technique, const PixelStateSettings& settings) {
     const PixelStateKernel& kernel = *technique.pixel_state;
     PixelState state;
-    if (settings.divisor == 1 || ray.shares.empty()) {
+    if (settings.divisor == 1 || ray.low_resolution_sources.empty()) {
         state = state_of(ray.fragments, ray, kernel, settings);
     } else {
-        for (const FragmentShare& share : ray.shares) {
+        for (const LowResolutionSource& share : ray.low_resolution_sources) {
             const PixelState part = state_of(share.fragments, ray, kernel, settings);
             for (std::size_t i = 0; i < part.f.size(); ++i) state.f[i] += share.weight * part.f[i];
         }

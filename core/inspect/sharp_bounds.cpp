@@ -12,14 +12,14 @@ namespace momentscope {
 namespace {
 
 // Depths that are closer are one to the linear program of the circle.
-constexpr float APART = 1e-5f;
+constexpr float MIN_SEPARATION = 1e-5f;
 
 // So few surfaces on the circle are the only distribution with their moments (Section 4.1).
 bool determined_on_circle(const ViewRay& ray, int moment_count) {
     std::vector<float> surfaces;
     for (const Fragment& fragment : ray.fragments) {
         const bool is_new = std::ranges::none_of(
-            surfaces, [&](float other) { return std::abs(other - fragment.depth) < APART; });
+            surfaces, [&](float other) { return std::abs(other - fragment.depth) < MIN_SEPARATION; });
         if (fragment.opacity > 0 && is_new) surfaces.push_back(fragment.depth);
         if (surfaces.size() > static_cast<std::size_t>(moment_count)) return false;
     }

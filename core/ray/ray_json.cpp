@@ -91,9 +91,9 @@ glm::vec3 color_from(const json& entry, const std::string& where) {
     return color;
 }
 
-std::uint32_t seed_from(const json& entry, std::uint32_t standard, const std::string& where) {
+std::uint32_t seed_from(const json& entry, std::uint32_t default_value, const std::string& where) {
     const auto found = entry.find("seed");
-    if (found == entry.end()) return standard;
+    if (found == entry.end()) return default_value;
     if (!found->is_number_unsigned() || found->get<std::uint64_t>() > 0xffffffffU)
         throw Error(
             fmt::format("The view ray's {} needs a \"seed\" that is a whole number below 2^32.", where));
@@ -142,7 +142,7 @@ std::vector<Fragment> fragments_from(const json& entries, const DepthWarp& warp)
 
 constexpr std::size_t MAX_SHARES = 16;
 
-std::vector<FragmentShare> shares_from(const json& root, const DepthWarp& warp) {
+std::vector<LowResolutionSource> shares_from(const json& root, const DepthWarp& warp) {
     const auto found = root.find("shares");
     if (found == root.end()) return {};
     const auto good = [](const json& entry) {
@@ -153,7 +153,7 @@ std::vector<FragmentShare> shares_from(const json& root, const DepthWarp& warp) 
             "The view ray's \"shares\" must be a list of at most {} objects, each with a \"weight\" and "
             "\"fragments\".",
             MAX_SHARES));
-    std::vector<FragmentShare> shares;
+    std::vector<LowResolutionSource> shares;
     for (const json& entry : *found) {
         require_known_keys(entry, {"weight", "fragments"}, "share");
         const float weight = number(entry, "weight", "share");
@@ -183,7 +183,7 @@ json ray_to_json(const ViewRay& ray) {
     if (ray.warp.has_view_depths()) warp.update({{"z_min", ray.warp.z_min}, {"z_max", ray.warp.z_max}});
     json root = {{"fragments", fragments_to_json(ray.fragments, ray.warp)}, {"warp", warp}};
     if (ray.far_plane > 0) root.update({{"near", ray.near_plane}, {"far", ray.far_plane}});
-    for (const FragmentShare& share : ray.shares)
+    for (const LowResolutionSource& share : ray.low_resolution_sources)
         root["shares"].push_back(
             {{"weight", share.weight}, {"fragments", fragments_to_json(share.fragments, ray.warp)}});
     return root;
@@ -207,7 +207,7 @@ ViewRay ray_from_value(const json& root) {
         throw Error(
             "The view ray needs a \"near\" above 0 (1e-30 at least), and a \"far\" of at least 1.0001 near.");
     ray.fragments = fragments_from(root["fragments"], ray.warp);
-    ray.shares = shares_from(root, ray.warp);
+    ray.low_resolution_sources = shares_from(root, ray.warp);
     return ray;
 }
 

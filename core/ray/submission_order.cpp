@@ -34,7 +34,7 @@ void submit_in(std::vector<Fragment>& fragments, const SubmissionOrder& order, R
 ViewRay submitted_in(ViewRay ray, const SubmissionOrder& order) {
     RandomNumbers random(order.seed);
     submit_in(ray.fragments, order, random);
-    for (FragmentShare& share : ray.shares) submit_in(share.fragments, order, random);
+    for (LowResolutionSource& share : ray.low_resolution_sources) submit_in(share.fragments, order, random);
     return ray;
 }
 

@@ -32,10 +32,10 @@ struct DepthWarp {
 };
 
 /// The fragments that moments at low resolution hold for a pixel that reads them, with its share.
-struct FragmentShare {
+struct LowResolutionSource {
     float weight = 1;  // [0, 1]; the shares of a pixel sum to 1
     std::vector<Fragment> fragments;
-    friend bool operator==(const FragmentShare&, const FragmentShare&) = default;
+    friend bool operator==(const LowResolutionSource&, const LowResolutionSource&) = default;
 };
 
 /// All fragments of a ray in submission order, which is the order in which moments are summed.
@@ -44,7 +44,7 @@ struct ViewRay {
     DepthWarp warp;
     float near_plane = 0;  // of the camera, 0 when unknown
     float far_plane = 0;
-    std::vector<FragmentShare> shares =
+    std::vector<LowResolutionSource> low_resolution_sources =
         {};  // what the pixel's moments are mixed of; empty: its own fragments
     friend bool operator==(const ViewRay&, const ViewRay&) = default;
 };

@@ -23,8 +23,8 @@ LowFootprint::LowFootprint(glm::ivec2 size, glm::ivec2 low_size, glm::ivec2 corn
             g::between_low(last.y, size.y, low_size.y).second + 1};
 }
 
-std::vector<FragmentShare> LowFootprint::shares_of(glm::ivec2 pixel,
-                                                   const std::vector<std::vector<Fragment>>& of_pixel) const {
+std::vector<LowResolutionSource> LowFootprint::shares_of(
+    glm::ivec2 pixel, const std::vector<std::vector<Fragment>>& of_pixel) const {
     const g::Between x = g::between_low(pixel.x, size_.x, low_size_.x);
     const g::Between y = g::between_low(pixel.y, size_.y, low_size_.y);
     const auto fragments_at = [&](int column, int row) -> const std::vector<Fragment>& {

@@ -22,8 +22,8 @@ public:
 
     /// What a pixel reads, in the order in which the shader sums. of_pixel: row by row from the lower left of
     /// the rectangle.
-    std::vector<FragmentShare> shares_of(glm::ivec2 pixel,
-                                         const std::vector<std::vector<Fragment>>& of_pixel) const;
+    std::vector<LowResolutionSource> shares_of(glm::ivec2 pixel,
+                                               const std::vector<std::vector<Fragment>>& of_pixel) const;
 
 private:
     glm::ivec2 size_, low_size_, corner_, end_;

@@ -77,7 +77,7 @@ void Renderer::add_shares(std::vector<PixelCapture>& captures, const Transparenc
     glViewport(0, 0, view_.size.x, view_.size.y);
     for (std::size_t i = 0; i < captures.size(); ++i) {
         const int column = static_cast<int>(i) % extent.x, row = static_cast<int>(i) / extent.x;
-        captures[i].ray.shares =
+        captures[i].ray.low_resolution_sources =
             footprint.shares_of({lower_left.x + column, lower_left.y + extent.y - 1 - row}, of_pixel);
     }
 }

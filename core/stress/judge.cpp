@@ -5,10 +5,10 @@
 
 namespace momentscope {
 
-Outcome judge(float fraction, double t, double exact_t) {
+Outcome classify(float fraction, double t, double exact_t) {
     if (!std::isfinite(fraction)) return Outcome::no_number;
     if (!(fraction >= -CLAMP_TOLERANCE && fraction <= 1 + CLAMP_TOLERANCE)) return Outcome::outside;
-    return std::abs(t - exact_t) > FAILED_ERROR ? Outcome::off : Outcome::fine;
+    return std::abs(t - exact_t) > FAILED_ERROR ? Outcome::inaccurate : Outcome::ok;
 }
 
 double transmittance_of_fraction(float fraction, float b0) {

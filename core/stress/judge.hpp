@@ -12,10 +12,10 @@ constexpr float CLAMP_TOLERANCE = 1e-4f;  // rounding alone takes sums this far 
 
 /// What happened to a query, the gravest first: no number; before it is clamped outside [0, b0]; a T that is
 /// off by more than FAILED_ERROR; or nothing.
-enum class Outcome { no_number, outside, off, fine };
+enum class Outcome { no_number, outside, inaccurate, ok };
 
 /// fraction: A / b0 before it is clamped. t: from it, clamped. exact_t: at the same alpha.
-Outcome judge(float fraction, double t, double exact_t);
+Outcome classify(float fraction, double t, double exact_t);
 
 /// T of a fraction of b0, clamped as the shaders do it: NaN counts as 0.
 double transmittance_of_fraction(float fraction, float b0);

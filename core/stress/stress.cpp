@@ -100,11 +100,11 @@ private:
         ++cell_.queries;
         const double error = std::abs(t - t_exact);
         errors_.push_back(error);
-        const Outcome outcome = judge(fraction, t, t_exact);
+        const Outcome outcome = classify(fraction, t, t_exact);
         cell_.not_numbers += outcome == Outcome::no_number ? 1 : 0;
         cell_.outside += outcome == Outcome::outside ? 1 : 0;
-        cell_.off += outcome == Outcome::off ? 1 : 0;
-        const bool in_tolerance = outcome == Outcome::off || outcome == Outcome::fine;
+        cell_.inaccurate += outcome == Outcome::inaccurate ? 1 : 0;
+        const bool in_tolerance = outcome == Outcome::inaccurate || outcome == Outcome::ok;
         cell_.clamped += in_tolerance && (fraction < 0 || fraction > 1) ? 1 : 0;
         const double badness = outcome == Outcome::no_number ? 2.0 : error;
         if (badness <= worst_) return;

@@ -21,7 +21,7 @@ struct StressCell {
 
     // Failures: a result that is no number, or, before it is clamped, outside [0, b0], or whose T is off by
     // more than FAILED_ERROR from the exact result at the same alpha.
-    long not_numbers = 0, outside = 0, off = 0;
+    long not_numbers = 0, outside = 0, inaccurate = 0;
 
     // Beside them, what is no failure: how often the solver raised a pivot to its floor, and a sum left [0,
     // 1] by rounding.
@@ -37,7 +37,7 @@ struct StressCell {
     double mean_from_truth = 0;                     // |T - true T| at fragments' own depths
     StressCase worst_case;                          // of the worst query
 
-    long failures() const { return not_numbers + outside + off; }
+    long failures() const { return not_numbers + outside + inaccurate; }
     double failure_rate() const {
         return queries == 0 ? 0 : static_cast<double>(failures()) / static_cast<double>(queries);
     }

@@ -73,8 +73,8 @@ std::string cell_sentence(const StressCell& cell) {
         "result: mean {:.1e}, 99 % {:.1e}, worst {:.1e}; against the truth: mean {:.1e}. Floors raised in {} of the rays, "
         "sums clamped in {} of the queries; order matters in {}, the curve falls in {}, the truth is outside the bounds in "
         "{}.",
-        cell.failures(), cell.queries, cell.not_numbers, cell.outside, cell.off, FAILED_ERROR, cell.mean,
-        cell.percentile_99, cell.worst, cell.mean_from_truth, share(cell.floored, cell.rays),
+        cell.failures(), cell.queries, cell.not_numbers, cell.outside, cell.inaccurate, FAILED_ERROR,
+        cell.mean, cell.percentile_99, cell.worst, cell.mean_from_truth, share(cell.floored, cell.rays),
         share(cell.clamped, cell.queries), share(cell.order_dependent, cell.rays),
         share(cell.non_monotone, cell.rays), share(cell.truth_outside, cell.queries));
 }
@@ -95,9 +95,9 @@ std::string stress_to_csv(const std::vector<StressCell>& cells) {
     for (const StressCell& c : cells)
         text += fmt::format("{},{},{},{},{},{},{},{:.6g},{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{}\n",
                             c.technique->id, c.condition->id, c.rays, c.queries, c.not_numbers, c.outside,
-                            c.off, c.failure_rate(), c.floored, c.clamped, c.non_monotone, c.truth_outside,
-                            c.order_dependent, c.mean, c.percentile_99, c.worst, c.mean_from_truth,
-                            csv_quoted(ray_text(c.worst_case.ray)));
+                            c.inaccurate, c.failure_rate(), c.floored, c.clamped, c.non_monotone,
+                            c.truth_outside, c.order_dependent, c.mean, c.percentile_99, c.worst,
+                            c.mean_from_truth, csv_quoted(ray_text(c.worst_case.ray)));
     return text;
 }
 
@@ -110,7 +110,7 @@ RunTable stress_table(const std::vector<StressCell>& cells, const StressOptions&
     };
     std::string changed;
     for (const Parameter& row : parameters())
-        if (options.values[row.id] != row.standard)
+        if (options.values[row.id] != row.default_value)
             changed += fmt::format("{}{}={}", changed.empty() ? "" : " ", row.key,
                                    parameter_text(row, options.values[row.id]));
     RunTable table;
@@ -171,7 +171,7 @@ std::string stress_to_text(const std::vector<StressCell>& cells) {
             sum.queries += cell.queries;
             sum.not_numbers += cell.not_numbers;
             sum.outside += cell.outside;
-            sum.off += cell.off;
+            sum.inaccurate += cell.inaccurate;
             sum.mean += cell.mean * static_cast<double>(cell.queries);
             sum.worst = std::max(sum.worst, cell.worst);
             if (cell.failures() > 0) failing.push_back(&cell);
@@ -182,9 +182,9 @@ std::string stress_to_text(const std::vector<StressCell>& cells) {
             worst += fmt::format("{}{} {}", i == 0 ? "" : ", ", failing[i]->condition->id,
                                  rate_text(failing[i]->failure_rate()));
         text += fmt::format("{:<11}{:>10}{:>10}{:>10}{:>10}{:>11.1e}{:>11.1e}  {}\n",
-                            cells[begin].technique->id, sum.queries, sum.not_numbers, sum.outside, sum.off,
-                            sum.mean / static_cast<double>(std::max(sum.queries, 1L)), sum.worst,
-                            worst.empty() ? "none fails" : worst);
+                            cells[begin].technique->id, sum.queries, sum.not_numbers, sum.outside,
+                            sum.inaccurate, sum.mean / static_cast<double>(std::max(sum.queries, 1L)),
+                            sum.worst, worst.empty() ? "none fails" : worst);
         begin = end;
     }
     return text;

@@ -60,7 +60,7 @@ void add_ray(const ViewRay& ray, const MomentVector& stored, std::span<const flo
         ++sums.queries;
         if (!judged) continue;
         const double exact_t = std::exp(-exact[i]);
-        sums.failures += judge(fractions[i], t, exact_t) == Outcome::fine ? 0 : 1;
+        sums.failures += classify(fractions[i], t, exact_t) == Outcome::ok ? 0 : 1;
         sums.inherent += of_stored.empty() || std::abs(of_stored[i] - exact_t) > FAILED_ERROR ? 1 : 0;
     }
 }
@@ -93,7 +93,7 @@ public:
 
     bool stopped() const { return stop_.stop_requested(); }
 
-    Trial measure(ParameterId id, float value, const ParameterValues& values, bool judge) {
+    Trial measure(ParameterId id, float value, const ParameterValues& values, bool classify) {
         const ResolvedParameters parameters = resolve(values, *options_.technique);
         const unsigned threads = std::max(std::thread::hardware_concurrency(), 1U);
         std::vector<Sums> parts(threads);
@@ -104,7 +104,7 @@ public:
                 workers.emplace_back([&, k] {
                     for (std::size_t i = next++; i * RAYS < rays_.size() && !stopped(); i = next++)
                         add_rays(std::span(rays_).subspan(i * RAYS, std::min(RAYS, rays_.size() - i * RAYS)),
-                                 *options_.technique, parameters, judge, parts[k]);
+                                 *options_.technique, parameters, classify, parts[k]);
                 });
         }
         Sums all;
@@ -160,7 +160,7 @@ const Trial* least_error(const std::vector<Trial>& trials, ParameterId id, doubl
 const Trial* best_bias(const std::vector<Trial>& trials, double most_failures) {
     const Trial* best = least_error(trials, ParameterId::alpha, most_failures);
     if (best == nullptr) return nullptr;
-    const double enough = best->error * ENOUGH;
+    const double enough = best->error * MAX_RELATIVE_LOSS;
     for (const Trial& trial : trials)
         if (trial.failure_rate <= most_failures && trial.error <= enough && trial.value > best->value)
             best = &trial;

@@ -49,7 +49,7 @@ std::optional<TuneResult> tune(const std::vector<ViewRay>& rays, const TuneOptio
 /// is.
 std::optional<float> least_safe_bias(const TuneResult& result, double most_failures);
 
-constexpr double ENOUGH = 1.01;  // times the least error of a safe bias
+constexpr double MAX_RELATIVE_LOSS = 1.01;  // times the least error of a safe bias
 
 /// The moment bias by overdraw: rays of 2, 4, ... 1024 thin fragments in two layers, where the matrix of
 /// moments is nearly singular however many they are. Up to `rays` of them for each count.

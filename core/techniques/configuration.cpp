@@ -19,7 +19,7 @@ void for_each_change(const Configuration& configuration, const Visit& visit) {
     for (const ParameterId id : configuration.technique->parameters) {
         const Parameter& row = parameter(id);
         const std::optional<float>& value = configuration.values[id];
-        if (value != row.standard) visit(row, exact_text(row, value));
+        if (value != row.default_value) visit(row, exact_text(row, value));
     }
 }
 

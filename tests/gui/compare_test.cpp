@@ -300,13 +300,13 @@ TEST_F(CompareTest, WhereNothingDiffersItSaysSo) {
 
 TEST_F(CompareTest, MetricsAreComputedBesideTheWindow) {
     open("teapots", "power6-32");
-    EXPECT_FALSE(explorer().works());
+    EXPECT_FALSE(explorer().has_background_work());
     explorer().state().panel = ui::Panel::compare;
     draw();
-    EXPECT_TRUE(explorer().works()) << "the frame did not wait";
+    EXPECT_TRUE(explorer().has_background_work()) << "the frame did not wait";
     EXPECT_EQ(explorer().comparison().result(Metric::flip), nullptr);
     settle();
-    EXPECT_FALSE(explorer().works());
+    EXPECT_FALSE(explorer().has_background_work());
     EXPECT_TRUE(explorer().comparison().is_fresh(Metric::flip));
     const long before = log_.frames();
     play("wait 60");
@@ -315,7 +315,7 @@ TEST_F(CompareTest, MetricsAreComputedBesideTheWindow) {
     play("key 1");
     explorer().state().panel = ui::Panel::controls;
     settle();
-    EXPECT_FALSE(explorer().works());
+    EXPECT_FALSE(explorer().has_background_work());
 }
 
 TEST_F(CompareTest, TheReferenceIsDrawnOnlyForThoseWhoLook) {

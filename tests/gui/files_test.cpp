@@ -118,7 +118,7 @@ TEST_F(FilesTest, AHugeMeshCanBeCancelled) {
     const ui::ExplorerState before = state();
     ui::choose_scene(explorer().state(), (folder_ / "huge.obj").string());
     draw();
-    ASSERT_TRUE(explorer().busy());
+    ASSERT_TRUE(explorer().is_loading_scene());
     draw();
     const ui::Rect cancel = explorer().widget_rects().at("loading.cancel");
     ImGui::GetIO().MousePos = {0.5f * (cancel.low.x + cancel.high.x), 0.5f * (cancel.low.y + cancel.high.y)};
@@ -150,7 +150,7 @@ TEST_F(FilesTest, WhileAMeshIsReadNothingElseChanges) {
     play("key P");
     ui::choose_scene(explorer().state(), (folder_ / "large.obj").string());
     draw();
-    ASSERT_TRUE(explorer().busy());
+    ASSERT_TRUE(explorer().is_loading_scene());
     ImGuiIO& io = ImGui::GetIO();
     for (const int key : {int('P'), int('7'), int('L'), int('T')}) {
         io.KeysDown[key] = true;
@@ -159,7 +159,7 @@ TEST_F(FilesTest, WhileAMeshIsReadNothingElseChanges) {
         draw();
     }
     settle();
-    EXPECT_FALSE(explorer().busy());
+    EXPECT_FALSE(explorer().is_loading_scene());
     EXPECT_NE(state().scene, "planes") << explorer().message();
     EXPECT_FALSE(state().lens);
     EXPECT_TRUE(state().pins.empty());

@@ -135,7 +135,7 @@ const std::map<std::string, Check>& checks() {
         {"plot.reconstruction", series(Series::reconstruction)},
         {"plot.bounds", series(Series::bounds)},
         {"plot.sharp", series(Series::sharp)},
-        {"plot.ghost", series(Series::ghost)},
+        {"plot.ghost", series(Series::unbiased_exact)},
         {"plot.stems", series(Series::stems)},
         {"plot.errors", series(Series::errors)},
         {"plot.wrapping_zone", series(Series::wrapping_zone)},

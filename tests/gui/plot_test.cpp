@@ -155,9 +155,9 @@ TEST_F(PlotTest, AChangeRecomputesNoMoreThanItNeeds) {
 
 TEST_F(PlotTest, TheGhostIsComputedOnlyWhileItIsShown) {
     open("spheres", "power8-32");
-    EXPECT_TRUE(measurement().ghost.empty());
+    EXPECT_TRUE(measurement().unbiased_exact.empty());
     play("key X");
-    EXPECT_EQ(measurement().ghost.size(), measurement().curve.depth.size());
+    EXPECT_EQ(measurement().unbiased_exact.size(), measurement().curve.depth.size());
 }
 
 TEST_F(PlotTest, SharpBoundsAreComputedBesideTheWindowAndHoldTheTruth) {

@@ -85,7 +85,7 @@ TEST_F(UndoTest, TakesBackOneStepEvenWhileAFieldIsOpen) {
     ASSERT_EQ(state().theme, ui::ThemeKind::light);
     play("key Ctrl+Z");
     EXPECT_EQ(state().theme, ui::ThemeKind::dark);
-    EXPECT_TRUE(state().plot.shown[static_cast<std::size_t>(ui::Series::ghost)]);
+    EXPECT_TRUE(state().plot.shown[static_cast<std::size_t>(ui::Series::unbiased_exact)]);
     play("key L\nclick @scene.goto\ntype 12\nkey Ctrl+Z");
     EXPECT_TRUE(state().lens) << "Ctrl+Z belongs to the text that is typed";
 }

@@ -49,7 +49,7 @@ protected:
         for (std::size_t k = 0; k < depths.size(); ++k) {
             const float fraction = technique.kernel->fraction(stored, settings_of(parameters), depths[k]);
             const double t = transmittance_of_fraction(fraction, stored.b0);
-            if (judge(fraction, t, std::exp(-exactly[k])) != Outcome::fine) ++failed;
+            if (classify(fraction, t, std::exp(-exactly[k])) != Outcome::ok) ++failed;
         }
         return failed;
     }

@@ -66,7 +66,7 @@ TEST(ErrorBreakdownTest, NamesTheFault) {
     EXPECT_EQ(of(five, "wboit"), "the method's own approximation");
     EXPECT_EQ(of(two, "mlab", values_with({{layer_bits, 1}})), "rounding to few bits");
     ViewRay mixed = two;
-    mixed.shares = {{0.5f, two.fragments}, {0.5f, sheets({-0.9f, -0.7f}, 0.9f).fragments}};
+    mixed.low_resolution_sources = {{0.5f, two.fragments}, {0.5f, sheets({-0.9f, -0.7f}, 0.9f).fragments}};
     EXPECT_EQ(of(mixed, "mt", values_with({{resolution, 1}})), "the low resolution of the moments");
 }
 

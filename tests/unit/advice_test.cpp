@@ -70,8 +70,8 @@ TEST(Advice, WhatDependsOnTheOrderIsLeftOutWhenAsked) {
     const Advice advice = advise(ROWS, bounds, unknown());
     EXPECT_EQ(advice.winner, Row(1));
     EXPECT_EQ(advice.runner_up, Row(3)) << "at sorts in bounded memory";
-    EXPECT_EQ(judge(ROWS[0], bounds, {}), Judgement::order_dependent);
-    EXPECT_EQ(judge(ROWS[2], bounds, {}), Judgement::order_dependent);
+    EXPECT_EQ(classify(ROWS[0], bounds, {}), Judgement::order_dependent);
+    EXPECT_EQ(classify(ROWS[2], bounds, {}), Judgement::order_dependent);
 }
 
 TEST(Advice, ATieOfTimesGoesToFewerBits) {
@@ -92,11 +92,11 @@ TEST(Advice, TheErrorHasToHoldAtOtherViews) {
     held_out[2] = 0.06;  // more than allowed, though not at the measured view
     const Advice advice = advise(ROWS, error_of_at_most(0.05), held_out);
     EXPECT_EQ(advice.winner, Row(3));
-    EXPECT_EQ(judge(ROWS[2], error_of_at_most(0.05), held_out[2]), Judgement::inaccurate_elsewhere);
+    EXPECT_EQ(classify(ROWS[2], error_of_at_most(0.05), held_out[2]), Judgement::inaccurate_elsewhere);
     EXPECT_EQ(worst_error(ROWS[2], Metric::rmse, held_out[2]), 0.06);
     EXPECT_EQ(worst_error(ROWS[2], Metric::rmse, 0.001), 0.02);
     held_out[2] = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_NE(judge(ROWS[2], error_of_at_most(0.01), held_out[2]), Judgement::meets);
+    EXPECT_NE(classify(ROWS[2], error_of_at_most(0.01), held_out[2]), Judgement::meets);
 }
 
 TEST(Advice, WhateverIsNamedWasChecked) {
@@ -148,7 +148,7 @@ TEST(Advice, InfinitePicturesElsewhereAreToldAsSuch) {
     const AdviceBounds bounds = error_of_at_most(0.05);
     for (const double none : {std::numeric_limits<double>::infinity(), std::nan("")}) {
         EXPECT_FALSE(worst_error(ROWS[4], Metric::rmse, none) < 1e300);
-        EXPECT_EQ(judge(ROWS[4], bounds, none), Judgement::infinite_elsewhere);
+        EXPECT_EQ(classify(ROWS[4], bounds, none), Judgement::infinite_elsewhere);
         HeldOutErrors held_out = unknown();
         held_out[4] = none;
         const Advice advice = advise(ROWS, bounds, held_out);

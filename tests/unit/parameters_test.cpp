@@ -18,7 +18,7 @@ constexpr float ENDLESS = std::numeric_limits<float>::infinity();
 
 TEST(ParameterValues, StartAtTheirStandards) {
     const ParameterValues values;
-    for (const Parameter& row : parameters()) EXPECT_EQ(values[row.id], row.standard) << row.key;
+    for (const Parameter& row : parameters()) EXPECT_EQ(values[row.id], row.default_value) << row.key;
     EXPECT_EQ(values[ParameterId::alpha], std::nullopt);
 }
 
@@ -42,9 +42,9 @@ TEST(ParameterValues, TakeBothEndsOfTheRangeAndNothingBeyond) {
 TEST(ParameterValues, AreAutomaticOnlyWhereThereIsNoStandard) {
     for (const Parameter& row : parameters()) {
         ParameterValues values;
-        if (row.standard) {
+        if (row.default_value) {
             expect_error([&] { values.set(row.id, std::nullopt); }, std::string("--") + row.key);
-            EXPECT_EQ(values[row.id], row.standard);
+            EXPECT_EQ(values[row.id], row.default_value);
         } else {
             values.set(row.id, row.maximum);
             values.set(row.id, std::nullopt);
@@ -112,7 +112,7 @@ View view_with(const char* technique) {
 
 View changed(View view, ParameterId id) {
     const Parameter& row = parameter(id);
-    view.parameters.set(id, row.standard == row.maximum ? row.minimum : row.maximum);
+    view.parameters.set(id, row.default_value == row.maximum ? row.minimum : row.maximum);
     return view;
 }
 

@@ -114,7 +114,7 @@ TEST(RayJson, KeepsSeedsThresholdsAndShares) {
     EXPECT_EQ(ray.fragments[0].threshold, 0.25f);
     EXPECT_NE(ray.fragments[0].seed, ray.fragments[1].seed);
     EXPECT_EQ(ray.fragments[1].threshold, unit_random(ray.fragments[1].seed, 0));
-    ray.shares = {{0.75f, ray.fragments}, {0.25f, {}}};
+    ray.low_resolution_sources = {{0.75f, ray.fragments}, {0.25f, {}}};
     EXPECT_EQ(ray_from_json(ray_to_json(ray).dump()), ray);
 }
 

@@ -173,8 +173,8 @@ TEST(Parameters, HaveFullRowsWhoseRangesContainTheirDefaults) {
         EXPECT_FALSE(std::string(row.source).empty());
         expect_prose(row.help);
         EXPECT_LT(row.minimum, row.maximum);
-        const float standard = row.standard.value_or(row.minimum);
-        EXPECT_TRUE(row.minimum <= standard && standard <= row.maximum);
+        const float default_value = row.default_value.value_or(row.minimum);
+        EXPECT_TRUE(row.minimum <= default_value && default_value <= row.maximum);
         EXPECT_NE(row.invalidates, Stage::nothing);
     }
     EXPECT_EQ(find_parameter(""), nullptr);
@@ -182,10 +182,11 @@ TEST(Parameters, HaveFullRowsWhoseRangesContainTheirDefaults) {
 }
 
 TEST(Parameters, HaveThePapersDefaults) {
-    EXPECT_EQ(parameter(ParameterId::beta).standard, 0.25f);
-    EXPECT_NEAR(*parameter(ParameterId::theta).standard, 0.314159265f, 1e-7f);  // pi / 10, to an ulp or two
-    EXPECT_EQ(parameter(ParameterId::alpha).standard, std::nullopt);
-    EXPECT_EQ(parameter(ParameterId::renormalize).standard, 1.0f);
+    EXPECT_EQ(parameter(ParameterId::beta).default_value, 0.25f);
+    EXPECT_NEAR(*parameter(ParameterId::theta).default_value, 0.314159265f,
+                1e-7f);  // pi / 10, to an ulp or two
+    EXPECT_EQ(parameter(ParameterId::alpha).default_value, std::nullopt);
+    EXPECT_EQ(parameter(ParameterId::renormalize).default_value, 1.0f);
     for (const Technique& technique : techniques()) {  // so that what `auto` means can also be typed
         EXPECT_GE(technique.recommended_bias, parameter(ParameterId::alpha).minimum);
         EXPECT_LE(technique.recommended_bias, parameter(ParameterId::alpha).maximum);
