@@ -33,7 +33,7 @@ constexpr const char* INTRODUCTION =
     "order of techniques that can agree, not their numbers. Errors are root mean squares of linear colour at 480x270 "
     "against `sorted` unless a row says something else; where a row ranks, it agrees if its numbers fall from left to right.\n\n";
 
-/// Draws every shot once.
+/// Draws every setup once.
 class RenderedShots : public RenderSource {
 public:
     const Image& picture(const RenderSetup& setup) override {

@@ -30,7 +30,7 @@ struct Plane {
 /// Thrown through everything when the result is not wanted any more.
 struct Stopped {};
 
-// Sums of so many neighbours at once, which the compiler keeps in registers.
+// So many neighbouring sums are formed at once; the compiler keeps them in registers.
 constexpr int BLOCK = 16;
 
 // sums[x] = sum of kernel[k] * source(k)[x].
@@ -49,8 +49,8 @@ void weighted_rows(double* sums, int width, const Kernel& kernel, const Source& 
         for (std::size_t k = 0; k < kernel.size(); ++k) sums[x] += kernel[k] * source(k)[x];
 }
 
-/// A plane convolved along both axes, row by row from the first on; the rows in between stay in the cache.
-/// Beyond the edge lies what is at the edge.
+/// Convolves a plane along both axes and returns it row by row. Only the rows that the next one needs are
+/// kept, so they stay in the cache. Pixels beyond the edge repeat those at the edge.
 class Convolution {
 public:
     Convolution(const Plane& plane, Kernel along_x, Kernel along_y)
@@ -112,7 +112,7 @@ struct Sensitivity {
     double a, b;
 };
 
-/// What the eye leaves of a channel: a sum of Gaussians, row by row.
+/// Blurs a channel by its contrast sensitivity, a sum of Gaussians, and returns it row by row.
 class Filter {
 public:
     Filter(const Plane& plane, std::initializer_list<Sensitivity> gaussians) {
@@ -234,6 +234,7 @@ Features features_of(const Plane& y, const std::stop_token& stop) {
     return {lengths(first), lengths(second)};
 }
 
+/// What FLIP compares of a picture.
 struct Seen {
     std::vector<glm::dvec3> colors;
     Features features;

@@ -25,7 +25,7 @@ struct RenderSetup {
 struct FigurePanel {
     std::string caption;
     RenderSetup setup;
-    std::optional<ViewRay> ray = {};  // of a plot; nullopt: of the shot's scene at its picked pixel
+    std::optional<ViewRay> ray = {};  // of a plot; nullopt: of the setup's scene at its picked pixel
     bool plot = false;
     bool transmittance = false;              // what a plot shows instead of absorbance
     glm::vec4 part = glm::vec4(0, 0, 1, 1);  // of a picture, as fractions from its upper left corner
@@ -37,7 +37,7 @@ struct CasterRay {
     std::uint32_t draw = 0;
 };
 
-/// Pictures and pixels of shots; implemented by who has a GL.
+/// Pictures and pixels of setups. Whoever has a GL implements it.
 class RenderSource {
 public:
     virtual ~RenderSource() = default;
@@ -45,7 +45,7 @@ public:
     virtual ViewRay picked_ray(const RenderSetup& setup) = 0;
 
     /// Around the scene's picked pixel, the light's rays through fragments of at least half opacity. Never
-    /// empty. The shot has shadows.
+    /// empty. The setup has shadows.
     virtual std::vector<CasterRay> caster_rays(const RenderSetup& setup) = 0;
 
     /// Against `sorted`, of the picture or a part of it given by fractions from its upper left corner.

@@ -1,5 +1,5 @@
-// canonical_masses.hpp -- the distribution that has the moments of a ray on the line, a mass at a given
-// depth, and no more masses than it must have: what makes bounds sharp.
+// canonical_masses.hpp -- the canonical representation on [-1, 1]: the distribution with the moments of a
+// ray, a mass at a given depth and as few other masses as possible. It gives the sharp bounds.
 #pragma once
 #include <optional>
 #include <vector>
@@ -15,21 +15,21 @@ struct DepthMass {
 /// The recurrence of the orthonormal polynomials of a measure, as a symmetric tridiagonal matrix.
 struct JacobiMatrix {
     std::vector<long double> diagonal;  // n
-    std::vector<long double> beside;    // n: those of the diagonal below, and one beyond
-    long double total;                  // mass
+    std::vector<long double> beside;    // n: of the first lower diagonal; the last belongs to the next row
+    long double total;                  // mass of the measure
 };
 
-/// Of one ray, for any depth.
+/// The canonical representations of one ray.
 class CanonicalMasses {
 public:
-    /// degree n = 2, 3, 4: moments up to 2 n. The masses sum to 1. nullopt where the ray is the only
-    /// distribution on [-1, 1] with its moments.
+    /// degree n = 2, 3, 4: moments up to 2 n. The masses sum to 1. nullopt if no other distribution
+    /// on [-1, 1] has the ray's moments.
     static std::optional<CanonicalMasses> of(const std::vector<DepthMass>& ray, int degree);
 
-    /// Masses with the ray's moments, ascending, one of them at `depth`. Of all distributions on [-1, 1] with
-    /// these moments this one has the most at the depth and the least on either side of it (Chebyshev,
-    /// Markov, Stieltjes; Krein and Nudelman 1977). Beside the depth it has n masses inside, or n - 1 and one
-    /// at either end.
+    /// Masses with the ray's moments, in ascending order, one of them at `depth` in [-1, 1]. Among all
+    /// distributions on [-1, 1] with these moments, this one has the greatest mass at the depth and the least
+    /// in front of it and behind it (Chebyshev, Markov, Stieltjes; Krein and Nudelman 1977). The other masses
+    /// are n inside the range, or n - 1 inside and one at each end.
     std::vector<DepthMass> at(long double depth) const;
 
 private:

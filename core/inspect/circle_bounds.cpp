@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <limits>
 #include <numbers>
 #include <numeric>
@@ -13,7 +14,7 @@ namespace momentscope {
 namespace {
 
 constexpr int GRID = 2049;      // depths at which masses may lie, beside those of the fragments
-constexpr int FIRST_STEP = 32;  // every so many of them are there from the beginning
+constexpr int FIRST_STEP = 32;  // a program begins with every 32nd of them
 constexpr std::size_t MAX_EXACT_FRAGMENTS = 500;  // more fragments are moved to the nearest point of the grid
 constexpr double TOLERANCE = 1e-9;  // of moments in [-1, 1]; CLP's own 1e-7 would act like a bias
 constexpr double MIN_IMPROVEMENT =
@@ -46,7 +47,7 @@ void add_column(ClpSimplex& solver, const Eigen::VectorXd& column, double cost) 
                      std::numeric_limits<double>::max(), cost);
 }
 
-/// Constraints without a column yet: the moments of all masses are those.
+/// Adds one constraint for each moment, before there are columns.
 void demand(ClpSimplex& solver, const Eigen::VectorXd& moments) {
     solver.setLogLevel(0);
     solver.scaling(0);  // it magnifies the tolerance of small masses until truths are infeasible
@@ -68,7 +69,8 @@ struct Candidates {
     double total = 0;             // b0
 };
 
-// A few of the fragments' depths have the moments of all (Carathéodory). All, if CLP finds none.
+// A few of the fragments' depths are enough for the moments of all (Carathéodory). Returns all of them if CLP
+// finds no solution.
 std::vector<double> support_of(const std::vector<double>& own, const Candidates& candidates) {
     ClpSimplex solver;
     demand(solver, candidates.of_ray);
@@ -185,11 +187,10 @@ private:
     ClpSimplex solver_;
 };
 
-}  // namespace
+enum class Bound { lower, upper };
 
-std::optional<std::vector<float>> circle_bounds(Bound bound, const ViewRay& ray, int count, double theta,
-                                                std::span<const float> depths, const std::stop_token& stop) {
-    const Candidates candidates = candidates_of(ray, count, theta);
+std::optional<std::vector<float>> bounds_of(Bound bound, const Candidates& candidates,
+                                            std::span<const float> depths, const std::stop_token& stop) {
     const double sign = bound == Bound::lower ? 1 : -1;
     std::vector<float> bounds;
     std::optional<MassProgram> program;
@@ -205,6 +206,19 @@ std::optional<std::vector<float>> circle_bounds(Bound bound, const ViewRay& ray,
         bounds.push_back(static_cast<float>(candidates.total * std::clamp(sign * *share, 0.0, 1.0)));
     }
     return bounds;
+}
+
+}  // namespace
+
+std::optional<SharpBounds> circle_bounds(const ViewRay& ray, int count, double theta,
+                                         std::span<const float> depths, const std::stop_token& stop) {
+    const Candidates candidates = candidates_of(ray, count, theta);
+    auto other =
+        std::async(std::launch::async, [&] { return bounds_of(Bound::upper, candidates, depths, stop); });
+    auto lower = bounds_of(Bound::lower, candidates, depths, stop);
+    auto upper = other.get();
+    if (!lower || !upper) return std::nullopt;
+    return SharpBounds{{depths.begin(), depths.end()}, std::move(*lower), std::move(*upper)};
 }
 
 }  // namespace momentscope

@@ -1,5 +1,5 @@
-// breakdown.hpp -- why a pixel is wrong: its error taken apart into causes, and the sentence that names the
-// greatest.
+// error_breakdown.hpp -- why a pixel is wrong: its error taken apart into causes, and the sentence that names
+// the greatest.
 #pragma once
 #include <string>
 #include <vector>

@@ -13,7 +13,7 @@ namespace momentscope {
 PixelStateFragment pixel_state_fragment(const ViewRay& ray, const Fragment& fragment);
 
 /// What the pixel stores after all fragments, in submission order, as the last pass reads it; at low
-/// resolution the mixture of the ray's shares. Needs technique.pixel_state.
+/// resolution the mixture of the ray's low-resolution sources. Needs technique.pixel_state.
 PixelState pixel_state(const ViewRay& ray, const Technique& technique, const PixelStateSettings& settings);
 
 /// T at `depths` in [-1, 1], for techniques whose weight depends on opacity, too, that of a fragment of the

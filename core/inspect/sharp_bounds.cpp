@@ -1,7 +1,6 @@
 #include "core/inspect/sharp_bounds.hpp"
 
 #include <algorithm>
-#include <future>
 
 #include "core/inspect/canonical_masses.hpp"
 #include "core/inspect/circle_bounds.hpp"
@@ -11,10 +10,10 @@ namespace momentscope {
 
 namespace {
 
-// Depths that are closer are one to the linear program of the circle.
+// The linear program of the circle treats closer depths as one.
 constexpr float MIN_SEPARATION = 1e-5f;
 
-// So few surfaces on the circle are the only distribution with their moments (Section 4.1).
+// No other distribution has the moments of so few surfaces (Section 4.1).
 bool determined_on_circle(const ViewRay& ray, int moment_count) {
     std::vector<float> surfaces;
     for (const Fragment& fragment : ray.fragments) {
@@ -71,27 +70,15 @@ std::optional<SharpBounds> on_line(const ViewRay& ray, int degree, std::span<con
     return bounds;
 }
 
-std::optional<SharpBounds> on_circle(const ViewRay& ray, int moment_count, double theta,
-                                     std::span<const float> depths, const std::stop_token& stop) {
-    if (determined_on_circle(ray, moment_count)) return of_truth(ray, depths);
-    auto of_upper = std::async(std::launch::async, [&] {
-        return circle_bounds(Bound::upper, ray, moment_count, theta, depths, stop);
-    });
-    auto lower = circle_bounds(Bound::lower, ray, moment_count, theta, depths, stop);
-    auto upper = of_upper.get();
-    if (!lower || !upper) return std::nullopt;
-    return SharpBounds{{depths.begin(), depths.end()}, std::move(*lower), std::move(*upper)};
-}
-
 }  // namespace
 
 std::optional<SharpBounds> sharp_bounds(const ViewRay& ray, const Technique& technique,
                                         const ResolvedParameters& parameters, std::span<const float> depths,
                                         std::stop_token stop) {
     if (technique.kernel == nullptr || !(total_absorbance(ray) > 0)) return SharpBounds();
-    if (technique.on_circle())
-        return on_circle(ray, technique.moment_count, static_cast<double>(parameters.theta), depths, stop);
-    return on_line(ray, technique.moment_count / 2, depths, stop);
+    if (!technique.on_circle()) return on_line(ray, technique.moment_count / 2, depths, stop);
+    if (determined_on_circle(ray, technique.moment_count)) return of_truth(ray, depths);
+    return circle_bounds(ray, technique.moment_count, static_cast<double>(parameters.theta), depths, stop);
 }
 
 }  // namespace momentscope

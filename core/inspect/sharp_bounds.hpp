@@ -19,10 +19,10 @@ struct SharpBounds {
 
 /// The infimum and the supremum of A(z) over all distributions of absorbance on the depth range that have
 /// the exact moments of the ray: without bias, without rounding. So the truth always lies between them.
-/// `depths` in [-1, 1]. Power and Chebyshev moments have the same bounds, which canonical_masses.hpp knows in
-/// microseconds and up to rounding; those of trigonometric moments take a linear program for each depth
-/// (circle_bounds.hpp). Where so few surfaces lie on the ray that moments determine them (Section 4.1), they
-/// are the bounds. Empty vectors where there is nothing to bound: no fragments, or a technique without
+/// `depths` in [-1, 1]. Power and Chebyshev moments have the same bounds. They are exact up to rounding and
+/// take microseconds (canonical_masses.hpp). Trigonometric moments take a linear program for each depth
+/// (circle_bounds.hpp). If so few surfaces lie on the ray that moments determine it (Section 4.1), both
+/// bounds are the truth. Empty vectors where there is nothing to bound: no fragments, or a technique without
 /// moments. nullopt when stopped, or where the linear program finds no solution.
 std::optional<SharpBounds> sharp_bounds(const ViewRay& ray, const Technique& technique,
                                         const ResolvedParameters& parameters, std::span<const float> depths,

@@ -17,7 +17,7 @@ SubmissionOrder submission_order(const ParameterValues& values);
 std::vector<std::uint32_t> ordered_numbers(std::size_t count, SubmissionOrder::Kind kind,
                                            RandomNumbers& random);
 
-/// The ray with its fragments, and those of its shares, submitted in that order.
+/// The ray with its fragments, and those of its low-resolution sources, submitted in that order.
 ViewRay submitted_in(ViewRay ray, const SubmissionOrder& order);
 
 }  // namespace momentscope

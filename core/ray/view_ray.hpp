@@ -33,7 +33,7 @@ struct DepthWarp {
 
 /// The fragments that moments at low resolution hold for a pixel that reads them, with its share.
 struct LowResolutionSource {
-    float weight = 1;  // [0, 1]; the shares of a pixel sum to 1
+    float weight = 1;  // [0, 1]; those of a pixel sum to 1
     std::vector<Fragment> fragments;
     friend bool operator==(const LowResolutionSource&, const LowResolutionSource&) = default;
 };

@@ -25,7 +25,7 @@ ViewRay shuffled(const ViewRay& ray, RandomNumbers& random) {
     return result;
 }
 
-// Of one pixel at many depths.
+// The fractions of one pixel at many depths.
 std::vector<float> fractions_at(std::span<const float> depths, const MomentVector& stored,
                                 const MomentKernel& kernel, const ReconstructionSettings& settings) {
     std::vector<float> fractions(depths.size());

@@ -1,5 +1,5 @@
-// moment_kernel_functions.inl -- the functions of a MomentKernel for one instruction set: moment_kernel.inl includes this once
-// for each, inside a namespace of its own.
+// moment_kernel_functions.inl -- the functions of a MomentKernel for one instruction set: moment_kernel.inl
+// includes this once for each, inside a namespace of its own.
 namespace g {  // the shared source
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-parameter"  // the shape is the same for every basis

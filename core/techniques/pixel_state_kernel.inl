@@ -1,5 +1,5 @@
-// pixel_state_kernel.inl -- the body of a PixelStateKernel. A file generated from pixel_state_kernel.cpp.in defines
-// KERNEL_ID and PIXEL_STATE_FILE (a file of shaders/shared) and includes this.
+// pixel_state_kernel.inl -- the body of a PixelStateKernel. A file generated from pixel_state_kernel.cpp.in
+// defines KERNEL_ID and PIXEL_STATE_FILE (a file of shaders/shared) and includes this.
 #include "core/glsl.hpp"
 #include "core/techniques/pixel_state_kernel.hpp"
 #include "core/techniques/pixel_state_techniques.hpp"
@@ -87,7 +87,7 @@ PixelState with_fragment(const PixelState& state, const PixelStateFragment& frag
 
 #ifdef SECOND_STATE
 PixelState accumulate_second_pass(const PixelState& state, const PixelState& read,
-                               const PixelStateFragment& fragment, const PixelStateSettings& settings) {
+                                  const PixelStateFragment& fragment, const PixelStateSettings& settings) {
     return blended(
         state,
         from_shared(g::second_fragment_state(to_shared(read), to_shared(fragment), to_shared(settings))),
@@ -148,14 +148,14 @@ constexpr bool COLORS = false;
 
 const PixelStateKernel& pixel_state_kernel(PixelStateKernelTag<PixelStateTechnique::KERNEL_ID>) {
     static constexpr PixelStateKernel kernel = {.accumulation = ACCUMULATION,
-                                            .holds_colors = COLORS,
-                                            .empty_state = empty_state,
-                                            .with_fragment = with_fragment,
-                                            .transmittance_at = transmittance_at,
-                                            .accumulate_second_pass = accumulate_second_pass,
-                                            .readable = readable,
-                                            .exact_absorbance_slot = SLOT,
-                                            .composited = composited};
+                                                .holds_colors = COLORS,
+                                                .empty_state = empty_state,
+                                                .with_fragment = with_fragment,
+                                                .transmittance_at = transmittance_at,
+                                                .accumulate_second_pass = accumulate_second_pass,
+                                                .readable = readable,
+                                                .exact_absorbance_slot = SLOT,
+                                                .composited = composited};
     return kernel;
 }
 

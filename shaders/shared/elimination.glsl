@@ -18,7 +18,7 @@ struct Pivot
     FloatPair value;         // as it stands in the matrix, that is times the scale, raised to the floor
     float inverse;           // of it
     float inverse_h;         // of the pivot normalised: what LDL^T would have
-    float power_of_two;      // what the step multiplies the rest by, beside the pivot
+    float power_of_two;      // the step multiplies the rest by it and by the pivot
     int floored;             // 1 if it was raised
 };
 

@@ -68,13 +68,8 @@ FN Kernel kernel_polynomial(IN(Query) query, IN(Factor) factor)
 /// whichever is below 1, so that nothing overflows.
 FN float node_weight_of_degree(float t, IN(Query) query, IN(Factor) factor, int degree)
 {
-#if ROOT_COUNT == 2   // |t| is below 1e5, and t^4 overflows nothing
-    const float s = 1.0f;
-    PRECISE float u = t;
-#else
     PRECISE float s = 1.0f / max(abs(t), 1.0f);
     PRECISE float u = t * s;            // (s, u) is (1, t) scaled to a greatest component of at most 1
-#endif
     PRECISE float u2 = u * u;
     PRECISE float previous = 1.0f;
     PRECISE float q = query.offset[0] * u + s;             // u^k p_k
@@ -98,7 +93,7 @@ FN float node_weight(float t, IN(Query) query, IN(Factor) factor)
     return node_weight_of_degree(t, query, factor, ROOT_COUNT);
 }
 
-/// How many masses tell the sum of those in front (mass_in_front.glsl).
+/// The number of masses that mass_in_front.glsl adds up.
 #define KNOWN_NODES (ROOT_COUNT / 2)
 
 FN float node_in_front(float t, IN(Query) query)
@@ -112,7 +107,8 @@ FN float node_value(float t, IN(Query) query, IN(Basis) basis)
     return node_in_front(t, query);
 }
 
-/// Of two nodes on the line: the three masses have the sum 1 and the mean a_0. rest: what the query leaves.
+/// The mass in front of the query depth if there are two nodes: with the query they have the sum 1 and the mean a_0.
+/// rest: the mass of both nodes.
 FN float mass_in_front_of_two(float t1, float t2, float rest, IN(Query) query)
 {
     float front = min(t1, t2);

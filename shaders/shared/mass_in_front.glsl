@@ -1,9 +1,8 @@
-// mass_in_front.glsl -- the share of b_0 that nodes of the canonical representation hold in front of the query depth, from as
-// few of their masses as tell it.
+// mass_in_front.glsl -- the share of b_0 in front of the query depth, from as few masses of nodes as possible.
 //
-// In ascending order of t, nodes in front of the query come first, then those in the wrapping zone, then those behind. The
-// masses of all sum to what the query leaves. So it is enough to know those that are in front, or those that are not: a basis
-// says how many, KNOWN_NODES. Of two nodes on the line none need be known.
+// In ascending order of t, nodes in front of the query come first, then those in the wrapping zone, then those behind. Together
+// they have the mass 1 - w_0. So the masses of the nodes in front are enough, or those of all others. KNOWN_NODES of the basis is
+// the number of masses that this needs. Two nodes on the line need none.
 
 #if defined(LINE_BASIS) && ROOT_COUNT == 2
 FN float mass_in_front(IN(Roots) roots, float rest, IN(Query) query, IN(Factor) factor, IN(Basis) basis)
@@ -11,7 +10,7 @@ FN float mass_in_front(IN(Roots) roots, float rest, IN(Query) query, IN(Factor) 
     return mass_in_front_of_two(roots.t[0], roots.t[1], rest, query);
 }
 #else
-/// Ascending. The network of 2, 3 or 4 numbers.
+/// Sorts in ascending order by a fixed network of comparisons.
 FN Roots sorted_roots(IN(Roots) roots)
 {
     Roots sorted = roots;
@@ -30,9 +29,10 @@ FN Roots sorted_roots(IN(Roots) roots)
     return sorted;
 }
 
-/// Which masses to add up, 1 for the first nodes and 0 for the last: those left out must all be behind, or all in front. If
-/// either is possible, rounding decides. Where two nodes all but coincide, it spoils their common mass, which had better be what
-/// is left. And an error of what is in front matters less in T the smaller that is.
+/// 1 if the masses of the first KNOWN_NODES nodes are added up, 0 if those of the last. The first are right if all others are
+/// behind, the last if all others are in front. If both are right, the choice is the one with less rounding. If two nodes nearly
+/// coincide, rounding spoils the sum of their masses, so these are better left out. Otherwise the first are better: the error of a
+/// small mass in front is then relative to that mass instead of b_0.
 FN float adds_from_front(IN(Roots) nodes, IN(Query) query, IN(Basis) basis)
 {
 #if defined(LINE_BASIS) && ROOT_COUNT == 3
@@ -40,15 +40,15 @@ FN float adds_from_front(IN(Roots) nodes, IN(Query) query, IN(Basis) basis)
 #elif ROOT_COUNT == 2
     return node_behind(nodes.t[1], query, basis);
 #elif defined(LINE_BASIS)
-    // The gap of the first two relative to their size, and that of the last two, compared as fractions.
+    // Gaps of the first two nodes and of the last two, both relative to their size, compared as fractions.
     PRECISE float front = 2.0f * (nodes.t[1] - nodes.t[0]) * (1.0f + max(abs(nodes.t[2]), abs(nodes.t[3])));
     PRECISE float behind = (nodes.t[3] - nodes.t[2]) * (1.0f + max(abs(nodes.t[0]), abs(nodes.t[1])));
     float either = front > behind ? 1.0f : 0.0f;
     return (1.0f - node_in_front(nodes.t[2], query)) * max(1.0f - node_in_front(nodes.t[1], query), either);
 #else
-    // The least gaps, relative to size, between neighbours that are both in front, or both behind, or one of them in the zone. Sums and products
-    // of 0 and 1, because compilers make no vectors of nested conditions.
-    float front = 1.2f;    // of a side that has fewer than two
+    // The smallest relative gap of neighbours in front, and of neighbours behind; one of the two may lie in the zone. Conditions
+    // are products of 0 and 1 because compilers do not vectorise nested ones.
+    float front = 1.2f;    // the value of a side with fewer than two nodes
     float behind = 1.2f;
     UNROLL
     for (int l = 1; l < ROOT_COUNT; ++l)
@@ -66,7 +66,7 @@ FN float adds_from_front(IN(Roots) nodes, IN(Query) query, IN(Basis) basis)
 #endif
 }
 
-/// The sum of mass * value over the nodes, in [0, rest]. rest: what the query leaves.
+/// The sum of mass * value over the nodes, in [0, rest]. rest: the mass of all nodes.
 FN float mass_in_front(IN(Roots) roots, float rest, IN(Query) query, IN(Factor) factor, IN(Basis) basis)
 {
     Roots nodes = sorted_roots(roots);

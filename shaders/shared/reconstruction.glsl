@@ -41,8 +41,8 @@ struct Reconstruction
 struct Masses { float weight[ROOT_COUNT]; };
 
 #if ROOT_COUNT >= 3
-/// Masses whose sum misses `sum`, which the two closest nodes make up for: where nodes all but coincide, rounding decides
-/// how their common mass is split and even how large it seems, while that of the others is certain.
+/// If the masses do not add up to `sum`, scales those of the two closest nodes: if nodes nearly coincide, rounding makes their
+/// masses and even the sum of these unreliable, while the masses of the others are right.
 FN Masses restore_total_mass(IN(Masses) masses, IN(Roots) roots, float sum)
 {
     PRECISE float total = 0.0f;
@@ -86,15 +86,15 @@ FN Masses restore_total_mass(IN(Masses) masses, IN(Roots) roots, float sum)
 }
 #endif
 
-/// What the nodes share: all masses sum to 1.
+/// 1 - w_0, the mass of all nodes.
 FN float mass_beside_query(float at_query)
 {
     PRECISE float query_weight = 1.0f / at_query;
     return max(1.0f - query_weight, 0.0f);
 }
 
-/// What the roots of a kernel polynomial and their masses make of a query. in_front: the sum of mass * value, which needs not
-/// all of the masses (mass_in_front.glsl).
+/// The canonical representation from the roots of the kernel polynomial and their masses. in_front: the sum of mass * value, which
+/// mass_in_front.glsl computes from a few of the masses.
 FN Reconstruction representation(float at_query, IN(Roots) roots, IN(Masses) node_masses, float in_front, IN(Query) query,
                                  IN(Basis) basis)
 {
@@ -113,7 +113,7 @@ FN Reconstruction representation(float at_query, IN(Roots) roots, IN(Masses) nod
         result.value[l] = node_value(roots.t[l], query, basis);
         weight_sum = weight_sum + result.weight[l];
     }
-    // This absorbs the roots' rounding.
+    // Scaling absorbs the rounding of the roots.
     PRECISE float scale = weight_sum > 0.0f ? rest / weight_sum : 0.0f;
     UNROLL
     for (int l = 0; l < ROOT_COUNT; ++l) result.weight[l] = result.weight[l] * scale;

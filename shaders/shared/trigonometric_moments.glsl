@@ -150,18 +150,18 @@ FN float node_weight(float t, IN(Query) query, IN(Factor) factor)
     return power / kernel;
 }
 
-/// How many masses tell the sum of those in front (mass_in_front.glsl). The wrapping zone holds no depths, and so at most one
-/// node of more than the mass that bias puts there.
+/// The number of masses that mass_in_front.glsl adds up. The wrapping zone holds no depths. So at most one node in it is heavier
+/// than the mass that bias puts there, and one mass can always be left out.
 #define KNOWN_NODES (ROOT_COUNT - 1)
 
-/// Two thresholds of t tell where a node is: t < -cot(phi_f / 2) in front of the query depth, 1 or 0,
+/// 1 for a node in front of the query depth, t < -cot(phi_f / 2), else 0.
 FN float node_in_front(float t, IN(Query) query)
 {
     PRECISE float gap = t * query.half_phase.im + query.half_phase.re;
     return gap < 0.0f ? 1.0f : 0.0f;
 }
 
-/// t > -cot((phi_f + theta) / 2) behind it, and between them in the wrapping zone.
+/// 1 for a node behind it, t > -cot((phi_f + theta) / 2), else 0. A node that is neither lies in the wrapping zone.
 FN float node_behind(float t, IN(Query) query, IN(Basis) basis)
 {
     PRECISE float end_sine = query.half_phase.im * basis.quarter_cosine + query.half_phase.re * basis.quarter_sine;

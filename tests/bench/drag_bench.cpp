@@ -4,15 +4,13 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <cstdio>
-#include <cstring>
 #include <limits>
 #include <string_view>
 
 #include "app/headless_window.hpp"
-#include "core/error.hpp"
+#include "tests/bench/bench.hpp"
 
 namespace momentscope {
 namespace {
@@ -56,7 +54,7 @@ double updates_per_second(HeadlessWindow& window, const Drag& drag, int moves) {
 void run(int moves, std::string_view only) {
     fmt::print("{:<12}{:<12}{:>16}{:>16}\n", "technique", "drag", "full picture", "draft");
     for (const Technique* technique : moment_based_techniques()) {
-        if (technique->kernel->bits != 32 || (!only.empty() && only != technique->id)) continue;
+        if (technique->kernel->bits != 32 || !is_wanted(only, technique->id)) continue;
         for (const Drag& drag : {Drag{"beta", "parameter.beta", 0}, Drag{"camera", "scene", 1}}) {
             double rates[2];
             for (const bool draft : {false, true}) {
@@ -83,12 +81,5 @@ void run(int moves, std::string_view only) {
 }  // namespace momentscope
 
 int main(int argc, char** argv) {
-    int moves = 20;  // the first argument; the second is a technique, if not all
-    if (argc > 1) std::from_chars(argv[1], argv[1] + std::strlen(argv[1]), moves);
-    try {
-        momentscope::run(std::max(moves, 1), argc > 2 ? argv[2] : "");
-    } catch (const momentscope::Error& error) {
-        std::fputs(fmt::format("drag_bench: {}\n", error.what()).c_str(), stderr);
-        return 1;
-    }
+    return momentscope::bench_main(argc, argv, "drag_bench", 20, momentscope::run);
 }

@@ -3,43 +3,33 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <cstdio>
-#include <cstring>
 #include <string_view>
 #include <vector>
 
 #include "app/gl_context.hpp"
-#include "core/error.hpp"
 #include "core/gl/texture.hpp"
 #include "core/render/geometry_pass.hpp"
 #include "core/render/renderer.hpp"
 #include "core/scene/scenes.hpp"
+#include "tests/bench/bench.hpp"
 
 namespace momentscope {
 namespace {
-
-constexpr glm::ivec2 SIZE(1280, 720);
-constexpr float OPACITY = 0.4f;  // of mesh files; built-in scenes do not ask
-
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    return values[values.size() / 2];
-}
 
 /// The pass without its mathematics. The Frame block is what the renderer bound last.
 class BlendOnly {
 public:
     BlendOnly(const Scene& scene, int floats) : scene_(scene), count_(floats > 4 ? 3 : 2) {
-        textures_.push_back(make_texture(GL_R32F, SIZE));
-        textures_.push_back(make_texture(GL_RGBA32F, SIZE));
-        if (floats > 4) textures_.push_back(make_texture(floats > 6 ? GL_RGBA32F : GL_RG32F, SIZE));
+        textures_.push_back(make_texture(GL_R32F, BENCH_SIZE));
+        textures_.push_back(make_texture(GL_RGBA32F, BENCH_SIZE));
+        if (floats > 4) textures_.push_back(make_texture(floats > 6 ? GL_RGBA32F : GL_RG32F, BENCH_SIZE));
         std::vector<GLuint> colors;
         for (const GlTexture& texture : textures_) colors.push_back(texture);
-        depth_ = make_texture(GL_DEPTH_COMPONENT32F, SIZE);
+        depth_ = make_texture(GL_DEPTH_COMPONENT32F, BENCH_SIZE);
         target_ = make_framebuffer(colors.data(), count_, depth_);
-        opaque_color_ = make_texture(GL_RGBA16F, SIZE);
+        opaque_color_ = make_texture(GL_RGBA16F, BENCH_SIZE);
         opaque_target_ = make_framebuffer({opaque_color_}, depth_);
     }
 
@@ -47,7 +37,7 @@ public:
         const float far = 1;
         glClearNamedFramebufferfv(opaque_target_, GL_DEPTH, 0, &far);
         glBindFramebuffer(GL_FRAMEBUFFER, opaque_target_);
-        glViewport(0, 0, SIZE.x, SIZE.y);
+        glViewport(0, 0, BENCH_SIZE.x, BENCH_SIZE.y);
         glEnable(GL_DEPTH_TEST);
         glUseProgram(programs_.get("passes/scene.vert", "passes/opaque.frag"));
         scene_.draw(Surfaces::opaque);
@@ -55,7 +45,7 @@ public:
     }
 
     double milliseconds() {
-        glViewport(0, 0, SIZE.x, SIZE.y);
+        glViewport(0, 0, BENCH_SIZE.x, BENCH_SIZE.y);
         glFinish();
         const auto begin = std::chrono::steady_clock::now();
         clear_colors(target_, count_);
@@ -83,7 +73,7 @@ struct Times {
 Times median_times(const Scene& scene, const Technique& technique, int rounds) {
     Renderer renderer;
     renderer.set_scene(scene);
-    renderer.render({scene.camera, SIZE, &technique, {}});
+    renderer.render({scene.camera, BENCH_SIZE, &technique, {}});
     BlendOnly plain(scene, technique.kernel->moment_floats);
     plain.draw_opaque();
     std::vector<double> moments, blending;
@@ -100,14 +90,14 @@ Times median_times(const Scene& scene, const Technique& technique, int rounds) {
 void run(int rounds, std::string_view only) {
     const auto context = make_gl_context("osmesa", {16, 16});
     fmt::print("{}\nms at {}x{}\n{:<10}{:<12}{:>12}{:>12}{:>8}\n",
-               reinterpret_cast<const char*>(glGetString(GL_RENDERER)), SIZE.x, SIZE.y, "scene", "technique",
-               "blending", "first pass", "ratio");
+               reinterpret_cast<const char*>(glGetString(GL_RENDERER)), BENCH_SIZE.x, BENCH_SIZE.y, "scene",
+               "technique", "blending", "first pass", "ratio");
     for (const char* id : {"teapots", "ship"}) {
-        const Scene scene = load_scene(id, OPACITY);
+        const Scene scene = load_scene(id, BENCH_OPACITY);
         median_times(scene, require_technique("cheb4-32"), 1);  // what is measured first takes twice as long
         for (const Technique* technique : moment_based_techniques()) {
             if (technique->kernel->bits != 32) continue;
-            if (!only.empty() && only.find(technique->id) == only.npos) continue;
+            if (!is_wanted(only, technique->id)) continue;
             const Times times = median_times(scene, *technique, rounds);
             fmt::print("{:<10}{:<12}{:>12.1f}{:>12.1f}{:>8.2f}\n", id, technique->id, times.blending,
                        times.moments, times.moments / times.blending);
@@ -119,12 +109,5 @@ void run(int rounds, std::string_view only) {
 }  // namespace momentscope
 
 int main(int argc, char** argv) {
-    int rounds = 9;  // the first argument; the second lists techniques
-    if (argc > 1) std::from_chars(argv[1], argv[1] + std::strlen(argv[1]), rounds);
-    try {
-        momentscope::run(std::max(rounds, 1), argc > 2 ? argv[2] : "");
-    } catch (const momentscope::Error& error) {
-        std::fputs(fmt::format("first_pass_bench: {}\n", error.what()).c_str(), stderr);
-        return 1;
-    }
+    return momentscope::bench_main(argc, argv, "first_pass_bench", 9, momentscope::run);
 }

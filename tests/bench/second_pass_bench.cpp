@@ -4,28 +4,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdio>
-#include <cstring>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "app/gl_context.hpp"
-#include "core/error.hpp"
 #include "core/render/renderer.hpp"
 #include "core/scene/scenes.hpp"
+#include "tests/bench/bench.hpp"
 
 namespace momentscope {
 namespace {
-
-constexpr glm::ivec2 SIZE(1280, 720);
-constexpr float OPACITY = 0.4f;  // of mesh files; built-in scenes do not ask
-
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    return values[values.size() / 2];
-}
 
 struct Row {
     const Technique* technique;
@@ -51,9 +41,9 @@ void run_round(Renderer& renderer, const Scene& scene, std::vector<Row>& rows, i
             values.set(ParameterId::solver, way == Way::textbook ? 1.0f : 0.0f);
             values.set(ParameterId::factorisation, way == Way::per_fragment ? 1.0f : 0.0f);
             // Twice, because a way that is new makes its textures and programs first.
-            renderer.render({scene.camera, SIZE, row.technique, values});
+            renderer.render({scene.camera, BENCH_SIZE, row.technique, values});
             values.set(ParameterId::alpha, *values[ParameterId::alpha] * 1.00005f);
-            renderer.render({scene.camera, SIZE, row.technique, values});
+            renderer.render({scene.camera, BENCH_SIZE, row.technique, values});
             if (round > 0) row.milliseconds[static_cast<int>(way)].push_back(renderer.pass_times().color);
         }
 }
@@ -67,15 +57,14 @@ void run(int rounds, std::string_view only) {
     Renderer renderer;
     fmt::print(
         "{}\nms of the second pass at {}x{}; in brackets as a share of the textbook solver's\n{:<10}{:<12}{:>10}{:>16}{:>16}\n",
-        reinterpret_cast<const char*>(glGetString(GL_RENDERER)), SIZE.x, SIZE.y, "scene", "technique",
-        "textbook", "per fragment", "per pixel");
+        reinterpret_cast<const char*>(glGetString(GL_RENDERER)), BENCH_SIZE.x, BENCH_SIZE.y, "scene",
+        "technique", "textbook", "per fragment", "per pixel");
     for (const char* id : {"teapots", "ship"}) {
-        const Scene scene = load_scene(id, OPACITY);
+        const Scene scene = load_scene(id, BENCH_OPACITY);
         renderer.set_scene(scene);
         std::vector<Row> rows;
         for (const Technique* technique : moment_based_techniques())
-            if (technique->uses(ParameterId::factorisation) &&
-                (only.empty() || only.find(technique->id) != only.npos))
+            if (technique->uses(ParameterId::factorisation) && is_wanted(only, technique->id))
                 rows.push_back({technique});
         for (int round = 0; round <= rounds; ++round) run_round(renderer, scene, rows, round);
         for (const Row& row : rows) {
@@ -93,12 +82,5 @@ void run(int rounds, std::string_view only) {
 }  // namespace momentscope
 
 int main(int argc, char** argv) {
-    int rounds = 9;  // the first argument; the second lists techniques
-    if (argc > 1) std::from_chars(argv[1], argv[1] + std::strlen(argv[1]), rounds);
-    try {
-        momentscope::run(std::max(rounds, 1), argc > 2 ? argv[2] : "");
-    } catch (const momentscope::Error& error) {
-        std::fputs(fmt::format("second_pass_bench: {}\n", error.what()).c_str(), stderr);
-        return 1;
-    }
+    return momentscope::bench_main(argc, argv, "second_pass_bench", 9, momentscope::run);
 }

@@ -1,4 +1,4 @@
-// ghost_test.cpp -- the exact curve without bias, and the canonical representation that the plot draws.
+// unbiased_exact_test.cpp -- the exact curve without bias, and the canonical representation of the plot.
 #include "core/inspect/exact.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ ResolvedParameters without_bias(float beta, float theta = 0.3f) {
     return {.beta = beta, .theta = theta, .alpha = 0, .renormalize = true};
 }
 
-// m/2 surfaces are determined by m power moments, m by m trigonometric ones: the ghost is the truth.
+// m power moments determine m/2 surfaces, m trigonometric ones m: the exact curve without bias is the truth.
 TEST(Ghost, IsTheTruthWhereMomentsDetermineIt) {
     const ViewRay two = ray_of({{-0.25f, 0.5f}, {0.5f, 0.75f}});
     const float depths[] = {-1, -0.5f, 0, 0.499f, 0.501f, 1};
@@ -57,7 +57,7 @@ TEST(Ghost, IsEmptyWithoutMomentsAndZeroWithoutFragments) {
 }
 
 // With enough bias that floats do not matter, and with the same bias in both, kernel and reference agree; the
-// ghost is that reference with a bias of 0, which a small bias approaches.
+// exact curve is that reference with a bias of 0, which a small bias approaches.
 TEST(Ghost, IsWhatSmallBiasApproaches) {
     std::mt19937 random(5);
     const float depths[] = {-0.9f, -0.3f, 0.1f, 0.7f};

@@ -1,0 +1,45 @@
+// bench.hpp -- what the benchmarks share.
+#pragma once
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <cstring>
+#include <glm/glm.hpp>
+#include <string_view>
+#include <vector>
+
+#include "core/error.hpp"
+
+namespace momentscope {
+
+constexpr glm::ivec2 BENCH_SIZE(1280, 720);
+constexpr float BENCH_OPACITY = 0.4f;  // of mesh files; built-in scenes do not ask
+
+inline double median(std::vector<double> values) {
+    std::ranges::sort(values);
+    return values[values.size() / 2];
+}
+
+/// main of a benchmark: the first argument is a number of repetitions [standard], the second lists
+/// techniques, if not all. Prints the sentence of an Error and returns 1.
+inline int bench_main(int argc, char** argv, const char* name, int standard,
+                      void (*run)(int repetitions, std::string_view only)) {
+    int repetitions = standard;
+    if (argc > 1) std::from_chars(argv[1], argv[1] + std::strlen(argv[1]), repetitions);
+    try {
+        run(std::max(repetitions, 1), argc > 2 ? argv[2] : "");
+        return 0;
+    } catch (const Error& error) {
+        std::fputs(fmt::format("{}: {}\n", name, error.what()).c_str(), stderr);
+        return 1;
+    }
+}
+
+/// Is a technique among those that the second argument lists?
+inline bool is_wanted(std::string_view only, std::string_view technique) {
+    return only.empty() || only.find(technique) != only.npos;
+}
+
+}  // namespace momentscope
