@@ -150,7 +150,7 @@ void Explorer::apply_opacity() {
     }
     if (!changed) return;
     renderer_.set_scene(scene_);
-    draft_.set_scene(scene_);
+    draft_.set_objects(scene_.objects);
     reference_.reset();
     shown_view_.technique = nullptr;
 }
