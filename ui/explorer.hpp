@@ -65,7 +65,7 @@ public:
     /// message line; the last good picture stays. Throws Error only when there never was a good one.
     void frame();
 
-    /// The word that is shown over the last frame while a long picture is drawn.
+    /// What is shown over the last frame while a long picture is drawn, or instead of it before the first.
     void draw_waiting(ImDrawList& list) const;
 
     /// Does what is shown lag behind the state, so that another frame is needed without any input?
@@ -166,6 +166,7 @@ private:
     View reference_view(const View& view) const;
     PictureKind picture_kind(const View& view, Stage stage) const;
     void announce(const PictureKind& kind, glm::ivec2 size) const;
+    void draw_opening(ImDrawList& list) const;
 
     bool close_popup_on_escape() const;
     void message_until_input();

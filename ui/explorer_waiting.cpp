@@ -1,5 +1,12 @@
-// explorer_waiting.cpp -- the word that says that a picture is being drawn.
+// explorer_waiting.cpp -- what the window shows while a picture is being drawn.
+#include <fmt/format.h>
+
+#include <cfloat>
+#include <filesystem>
+#include <string>
+
 #include "ui/explorer.hpp"
+#include "ui/theme.hpp"
 
 namespace momentscope::ui {
 
@@ -26,14 +33,29 @@ void Explorer::announce(const PictureKind& kind, glm::ivec2 size) const {
 }
 
 void Explorer::draw_waiting(ImDrawList& list) const {
-    constexpr const char* WORD = "drawing…";
+    if (measurement_.curve.technique == nullptr) return draw_opening(list);
     const auto scene = widget_rects_.find("scene");
     if (scene == widget_rects_.end()) return;
+    constexpr const char* WORD = "drawing…";
     const Rect& area = scene->second;
     const ImVec2 extent = ImGui::CalcTextSize(WORD);
     draw_label(list,
                {0.5f * (area.low.x + area.high.x - extent.x), 0.5f * (area.low.y + area.high.y - extent.y)},
                WORD, palette(state_.theme));
+}
+
+// Before the first picture: the name above what is being opened, in the middle of the window.
+void Explorer::draw_opening(ImDrawList& list) const {
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    list.AddRectFilled({0, 0}, size, ImGui::GetColorU32(ImGuiCol_WindowBg));
+    const auto centered = [&](ImFont* font, float height, float y, ImU32 tint, const std::string& text) {
+        const float width = font->CalcTextSizeA(height, FLT_MAX, 0, text.c_str()).x;
+        list.AddText(font, height, {0.5f * (size.x - width), y}, tint, text.c_str());
+    };
+    const float middle = 0.45f * size.y;
+    centered(bold_font(), em(), middle - 1.6f * em(), ImGui::GetColorU32(ImGuiCol_CheckMark), "Momentscope");
+    centered(ImGui::GetFont(), em(), middle, ImGui::GetColorU32(ImGuiCol_TextDisabled),
+             fmt::format("drawing {}…", std::filesystem::path(state_.scene).filename().string()));
 }
 
 }  // namespace momentscope::ui

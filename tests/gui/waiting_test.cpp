@@ -2,6 +2,8 @@
 #include "tests/gui/gui_fixture.hpp"
 #include "ui/picture_times.hpp"
 
+#include <algorithm>
+
 namespace momentscope::test {
 namespace {
 
@@ -23,8 +25,21 @@ class WaitingTest : public GuiTest {
 protected:
     WaitingTest() : GuiTest({640, 400}) {}
 
+    // How much of the window its word covers, from the left.
+    float covered() {
+        ImDrawList list(ImGui::GetDrawListSharedData());
+        list._ResetForNewFrame();
+        list.PushClipRectFullScreen();
+        list.PushTextureID(ImGui::GetIO().Fonts->TexID);
+        explorer().draw_waiting(list);
+        const auto [left, right] =
+            std::ranges::minmax(list.VtxBuffer, {}, [](const ImDrawVert& v) { return v.pos.x; });
+        return (right.pos.x - left.pos.x) / ImGui::GetIO().DisplaySize.x;
+    }
+
     // Counts, and looks at what was drawn at that moment.
     int announced = 0;
+    float last_covered = 0;
     double most_silent_ = 100;
     void open_counting() {
         ui::ExplorerState state;
@@ -33,6 +48,7 @@ protected:
         ui::ExplorerOptions options{.show_times = false, .most_silent_milliseconds = most_silent_};
         options.before_long_picture = [this] {
             ++announced;
+            last_covered = covered();
             EXPECT_EQ(explorer().report().text(), "") << "it comes before the passes";
         };
         window_.reset();
@@ -50,7 +66,9 @@ protected:
 TEST_F(WaitingTest, APictureOfAnUnknownKindIsAnnounced) {
     open_counting();
     EXPECT_EQ(announced, 1) << "the first one";
+    EXPECT_EQ(last_covered, 1) << "there is no picture yet to write over";
     EXPECT_EQ(announced_by("click @controls.technique\nclick @controls.technique.trig3-32"), 1);
+    EXPECT_LT(last_covered, 0.5f) << "the last picture stays to be seen";
     EXPECT_EQ(announced_by("key O"), 1) << "failures are marked";
     EXPECT_EQ(announced_by("key W"), 1) << "a reference is drawn";
     EXPECT_EQ(announced_by("click @card.beta"), 1) << "another scene";
