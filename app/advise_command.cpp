@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cassert>
 
-#include "app/commands.hpp"
+#include "app/command.hpp"
 #include "app/gl_context.hpp"
+#include "app/ignored_options.hpp"
 #include "app/progress.hpp"
 #include "app/terminal.hpp"
 #include "core/chart/advice_text.hpp"
@@ -20,18 +21,6 @@ namespace momentscope {
 namespace {
 
 constexpr int MAX_BITS = 1'000'000;
-
-AdviceBounds parse_bounds(const Options& options) {
-    AdviceBounds bounds;
-    bounds.metric = require_metric(options.metric.empty() ? "rmse" : options.metric).id;
-    bounds.max_error = parse_bound(options.max_error, "greatest error");
-    if (!options.max_bits.empty())
-        bounds.max_bits = parse_count(options.max_bits, "number of bits per pixel", 1, MAX_BITS);
-    if (!options.max_ms.empty()) bounds.max_ms = parse_bound(options.max_ms, "time in milliseconds");
-    bounds.order_independent = options.order_independent;
-    require_sensible(bounds);
-    return bounds;
-}
 
 /// The rows of one scene, and what is needed to draw their pictures again.
 struct Evidence {
@@ -60,66 +49,6 @@ ParameterValues values_of(const std::string& text) {
     return values;
 }
 
-bool has_parameters(const Options& options) {
-    return std::ranges::any_of(options.parameters, [](const auto& one) { return !one.second.empty(); });
-}
-
-Evidence read_evidence(const Options& options) {
-    if (has_parameters(options))
-        throw Error(
-            "The rows of a chart have the parameters they were measured with; give none, or leave "
-            "--chart out.");
-    const Chart chart = chart_of(read_run_table(options.chart), options.chart);
-    const std::string shard = setting(chart.settings, run_setting::SHARD);
-    if (shard != shard_text({}))
-        throw Error(fmt::format("'{}' is the shard {} of a chart; give what momentscope merge makes of all.",
-                                options.chart, shard));
-    Evidence evidence = {{},
-                         parse_size(setting(chart.settings, "size")),
-                         values_of(setting(chart.settings, "parameters")),
-                         {}};
-    const auto scenes = scenes_of(chart);
-    const auto found = std::ranges::find_if(scenes, [&](const std::span<const ChartRow> rows) {
-        return absolute_scene(rows.front().scene) == absolute_scene(options.scene);
-    });
-    if (found != scenes.end()) evidence.rows.assign(found->begin(), found->end());
-    if (evidence.rows.empty())
-        throw Error(fmt::format("'{}' has no rows of the scene '{}', but of {}; chart that scene, too.",
-                                options.chart, options.scene, setting(chart.settings, "scenes")));
-    Progress progress("Advice");
-    evidence.scene = load_scene_option(options, evidence.values, progress);
-    const auto place = static_cast<std::size_t>(found - scenes.begin());
-    const std::string content = charted_content(chart.settings, place);
-    if (!content.empty() && content != scene_content(evidence.scene))
-        throw Error(fmt::format("The mesh file '{}' is another one than '{}' was made of; chart it again.",
-                                options.scene, options.chart));
-    if (options.techniques.empty()) return evidence;
-    std::vector<std::string> wanted;
-    for (const Configuration& one : charted_configurations(options, evidence.values))
-        wanted.push_back(configuration_text(one));
-    std::erase_if(evidence.rows, [&](const ChartRow& row) {
-        return std::ranges::find(wanted, row.configuration) == wanted.end();
-    });
-    if (evidence.rows.empty())
-        throw Error(fmt::format("'{}' has no rows of these techniques; chart them, too.", options.chart));
-    return evidence;
-}
-
-Evidence measured_evidence(const Options& options) {
-    ChartPlan plan;
-    plan.settings = parse_chart_settings(options, "320x180");
-    plan.scenes = {options.scene};
-    plan.configurations = charted_configurations(options, plan.settings.values);
-    Progress progress("Advice");
-    Scene scene = load_scene_option(options, plan.settings.values, progress);
-    const auto context = make_gl_context("osmesa", {16, 16});
-    const ChartHooks hooks = {[&](const std::string&) { return scene; }, [](const RunTable&) {},
-                              [&](std::size_t done, std::size_t all) { progress.show(done, all); }};
-    const RunTable table = run_chart(plan, {chart_settings(plan, gl_info()), {}, {}}, progress.stop(), hooks);
-    progress.require_finished();
-    return {chart_of(table, "the chart").rows, plan.settings.size, plan.settings.values, std::move(scene)};
-}
-
 Advice checked(const Evidence& evidence, const AdviceBounds& bounds, HeldOutErrors& held_out) {
     Progress progress("Advice at other views");
     const auto context = make_gl_context("osmesa", {16, 16});
@@ -142,41 +71,163 @@ Advice checked(const Evidence& evidence, const AdviceBounds& bounds, HeldOutErro
     return *advice;
 }
 
-ui::ExplorerState recipe(const Options& options, const AdviceBounds& bounds,
-                         const Configuration& configuration) {
-    ui::ExplorerState state;
-    state.scene = absolute_scene(options.scene);
-    state.technique = configuration.technique;
-    state.parameters = configuration.values;
-    state.compare.metric = bounds.metric;
-    return state;
-}
+class Advise : public ParsedCommand {
+public:
+    explicit Advise(CLI::App& app) : ParsedCommand(app) {
+        add_scene(app, scene_);
+        const auto bound = [&](const char* name, const char* help, const char* what,
+                               std::optional<double>& value) {
+            return add_parsed<std::optional<double>>(
+                app, name, value, help, [what](const std::string& text) { return parse_bound(text, what); });
+        };
+        bound("--max-error", "greatest error against sorted", "greatest error", max_error_)->required();
+        add_metric(app, bounds_.metric, "of the error: rmse, delta-e or flip [rmse]");
+        add_parsed<std::optional<int>>(app, "--max-bits", bounds_.max_bits,
+                                       "most bits per pixel beside the colour buffers",
+                                       [](const std::string& text) {
+                                           return parse_count(text, "number of bits per pixel", 1, MAX_BITS);
+                                       });
+        bound("--max-ms", "longest time of a technique's passes in milliseconds", "time in milliseconds",
+              bounds_.max_ms);
+        app.add_flag("--order-independent", bounds_.order_independent,
+                     "leave out what depends on the order of submission");
+        CLI::Option* size = add_size(app, size_);
+        add_techniques(app, techniques_,
+                       "ids of techniques, or single configurations such as at:nodes=8 [all]");
+        CLI::Option* rounds = add_rounds(app, rounds_);
+        app.add_option("--chart", chart_, "rows of a .csv of momentscope chart instead of new ones")
+            ->excludes(size, rounds);
+        app.add_option("-o,--output", output_,
+                       "where to write the recipe as .json, which --session of the window opens");
+        parameters_.add_to(app);
+    }
+
+    void refuse_ignored() const override {
+        if (!chart_.empty()) return;  // takes no parameters at all, which it says itself
+        refuse_ignored_parameters(
+            parameters_,
+            {.techniques = techniques_in(charted_configurations(techniques_, parameters_.over())),
+             .picture = true,
+             .order = true,
+             .mesh = has_mesh_file(scene_)});
+    }
+
+    FileUse files() const override {
+        FileUse use = {scene_files(scene_), {{"-o", output_}}};
+        use.inputs.push_back(chart_);
+        return use;
+    }
+
+    void run() const override {
+        AdviceBounds bounds = bounds_;
+        bounds.max_error = *max_error_;
+        require_sensible(bounds);
+        ui::require_session_name(scene_);
+        if (!output_.empty()) {
+            if (!ends_in(output_, ".json"))
+                throw Error(fmt::format("A recipe is a .json; '{}' is not.", output_));
+            require_writable(output_);
+        }
+        const Evidence evidence = chart_.empty() ? measured_evidence() : read_evidence();
+        HeldOutErrors held_out(evidence.rows.size());
+        const Advice advice = checked(evidence, bounds, held_out);
+        if (!advice.winner) throw Error(no_advice_text(evidence.rows, bounds, held_out, advice));
+        print(fmt::format("{}, {}x{}: {}, also at views turned by {}\n\n{}", one_line(scene_),
+                          evidence.size.x, evidence.size.y, bounds_text(bounds), HELD_OUT_TEXT,
+                          advice_text(evidence.rows, bounds, held_out, advice)));
+        const ui::ExplorerState state =
+            recipe(parse_configuration(evidence.rows[*advice.winner].configuration, evidence.values));
+        if (output_.empty()) {
+            print("\n" + ui::session_text(state));
+            return;
+        }
+        ui::write_session_file(state, output_);
+        print(fmt::format("\nmomentscope explore --session {} opens it.\n", one_line(output_)));
+    }
+
+private:
+    Evidence read_evidence() const {
+        if (!parameters_.empty())
+            throw Error(
+                "The rows of a chart have the parameters they were measured with; give none, or leave "
+                "--chart out.");
+        const Chart chart = chart_of(read_run_table(chart_), chart_);
+        const std::string shard = setting(chart.settings, run_setting::SHARD);
+        if (shard != shard_text({}))
+            throw Error(fmt::format(
+                "'{}' is the shard {} of a chart; give what momentscope merge makes of all.", chart_, shard));
+        Evidence evidence = {{},
+                             parse_size(setting(chart.settings, "size")),
+                             values_of(setting(chart.settings, "parameters")),
+                             {}};
+        const auto scenes = scenes_of(chart);
+        const auto found = std::ranges::find_if(scenes, [&](const std::span<const ChartRow> rows) {
+            return absolute_scene(rows.front().scene) == absolute_scene(scene_);
+        });
+        if (found != scenes.end()) evidence.rows.assign(found->begin(), found->end());
+        if (evidence.rows.empty())
+            throw Error(fmt::format("'{}' has no rows of the scene '{}', but of {}; chart that scene, too.",
+                                    chart_, scene_, setting(chart.settings, "scenes")));
+        Progress progress("Advice");
+        evidence.scene = load_scene_and_warn(scene_, evidence.values, progress);
+        const auto place = static_cast<std::size_t>(found - scenes.begin());
+        const std::string content = charted_content(chart.settings, place);
+        if (!content.empty() && content != scene_content(evidence.scene))
+            throw Error(fmt::format(
+                "The mesh file '{}' is another one than '{}' was made of; chart it again.", scene_, chart_));
+        if (techniques_.empty()) return evidence;
+        std::vector<std::string> wanted;
+        for (const Configuration& one : charted_configurations(techniques_, evidence.values))
+            wanted.push_back(configuration_text(one));
+        std::erase_if(evidence.rows, [&](const ChartRow& row) {
+            return std::ranges::find(wanted, row.configuration) == wanted.end();
+        });
+        if (evidence.rows.empty())
+            throw Error(fmt::format("'{}' has no rows of these techniques; chart them, too.", chart_));
+        return evidence;
+    }
+
+    Evidence measured_evidence() const {
+        ChartPlan plan;
+        plan.settings = {size_, rounds_, parameters_.over()};
+        plan.scenes = {scene_};
+        plan.configurations = charted_configurations(techniques_, plan.settings.values);
+        Progress progress("Advice");
+        Scene scene = load_scene_and_warn(scene_, plan.settings.values, progress);
+        const auto context = make_gl_context("osmesa", {16, 16});
+        const ChartHooks hooks = {[&](const std::string&) { return scene; }, [](const RunTable&) {},
+                                  [&](std::size_t done, std::size_t all) { progress.show(done, all); }};
+        const RunTable table =
+            run_chart(plan, {chart_settings(plan, gl_info()), {}, {}}, progress.stop(), hooks);
+        progress.require_finished();
+        return {chart_of(table, "the chart").rows, plan.settings.size, plan.settings.values,
+                std::move(scene)};
+    }
+
+    ui::ExplorerState recipe(const Configuration& configuration) const {
+        ui::ExplorerState state;
+        state.scene = absolute_scene(scene_);
+        state.technique = configuration.technique;
+        state.parameters = configuration.values;
+        state.compare.metric = bounds_.metric;
+        return state;
+    }
+
+    std::string scene_ = STANDARD_SCENE;
+    std::optional<double> max_error_;
+    AdviceBounds bounds_;  // but for the error
+    glm::ivec2 size_ = {320, 180};
+    TechniqueIds techniques_;
+    int rounds_ = 3;
+    std::string chart_;
+    std::string output_;
+    ParameterOptions parameters_;
+};
 
 }  // namespace
 
-void run_advise_command(const Options& options) {
-    const AdviceBounds bounds = parse_bounds(options);
-    ui::require_session_name(options.scene);
-    if (!options.output.empty()) {
-        if (std::filesystem::path(options.output).extension() != ".json")
-            throw Error(fmt::format("A recipe is a .json; '{}' is not.", options.output));
-        require_writable(options.output);
-    }
-    const Evidence evidence = options.chart.empty() ? measured_evidence(options) : read_evidence(options);
-    HeldOutErrors held_out(evidence.rows.size());
-    const Advice advice = checked(evidence, bounds, held_out);
-    if (!advice.winner) throw Error(no_advice_text(evidence.rows, bounds, held_out, advice));
-    print(fmt::format("{}, {}x{}: {}, also at views turned by {}\n\n{}", one_line(options.scene),
-                      evidence.size.x, evidence.size.y, bounds_text(bounds), HELD_OUT_TEXT,
-                      advice_text(evidence.rows, bounds, held_out, advice)));
-    const ui::ExplorerState state = recipe(
-        options, bounds, parse_configuration(evidence.rows[*advice.winner].configuration, evidence.values));
-    if (options.output.empty()) {
-        print("\n" + ui::session_text(state));
-        return;
-    }
-    ui::write_session_file(state, options.output);
-    print(fmt::format("\nmomentscope explore --session {} opens it.\n", one_line(options.output)));
+std::unique_ptr<ParsedCommand> add_advise(CLI::App& app) {
+    return std::make_unique<Advise>(app);
 }
 
 }  // namespace momentscope

@@ -4,9 +4,11 @@
 #include <atomic>
 
 #include "app/chart_output.hpp"
-#include "app/commands.hpp"
+#include "app/command.hpp"
 #include "app/gl_context.hpp"
+#include "app/ignored_options.hpp"
 #include "app/progress.hpp"
+#include "app/shadow_chart.hpp"
 #include "app/terminal.hpp"
 #include "core/chart/chart.hpp"
 #include "core/chart/chart_run.hpp"
@@ -28,15 +30,6 @@ std::vector<std::string> parse_scenes(const std::string& text) {
         for (const std::string& id : split_list({text}))
             if (std::ranges::find(scenes, id) == scenes.end()) scenes.push_back(id);
     return scenes;
-}
-
-ChartPlan parse_plan(const Options& options) {
-    ChartPlan plan;
-    plan.settings = parse_chart_settings(options, "640x360");
-    plan.scenes = parse_scenes(options.scene);
-    plan.configurations = charted_configurations(options, plan.settings.values);
-    plan.shard = parse_shard(options.shard);
-    return plan;
 }
 
 /// The rows of an earlier run that was ended, which has a file of its own beside the output.
@@ -107,7 +100,7 @@ Scene planned_scene(const ChartPlan& plan, const std::string& id, float opacity,
 }
 
 RunTable measured(ChartPlan plan, const UnfinishedChart& unfinished) {
-    const float opacity = *plan.settings.values[ParameterId::opacity];
+    const float opacity = plan.settings.values.number(ParameterId::opacity);
     for (const std::string& id : plan.scenes) require_scene(id);
     std::atomic<std::size_t> rows = 0;
     Progress progress("Chart", [&] { return unfinished.how_to_go_on(rows); });
@@ -127,38 +120,90 @@ RunTable measured(ChartPlan plan, const UnfinishedChart& unfinished) {
     return table;
 }
 
+class ChartCommand : public ParsedCommand {
+public:
+    explicit ChartCommand(CLI::App& app) : ParsedCommand(app) {
+        app.add_option("--scene", scenes_,
+                       "ids of scenes or paths of mesh files, separated by commas, or all")
+            ->capture_default_str();
+        add_size(app, size_);
+        add_techniques(app, techniques_,
+                       "ids of techniques, or single configurations such as at:nodes=8 [all]");
+        add_rounds(app, rounds_);
+        add_metric(app, metric_, "error of drawings: rmse, delta-e or flip [rmse]");
+        add_shard(app, shard_);
+        app.footer(
+            "With --shadows: what shadows of transparent casters cost, in .csv or .md, for --shadow-technique [fourier-7, "
+            "fourier-15, power4-32 and power6-32] and --shadow-size [1024 and 2048].");
+        app.add_option("-o,--output", output_,
+                       ".csv, .md, .svg, .html or .png; the same command goes on where an ended one stopped");
+        parameters_.add_to(app);
+    }
+
+    void refuse_ignored() const override {
+        const ParameterValues values = parameters_.over();
+        if (values.is_on(ParameterId::shadows)) {
+            const char* shadows = "beside --shadows, whose chart has one error and no shards";
+            refuse_ignored_options(app(),
+                                   {{"--metric", true, shadows},
+                                    {"--shard", true, shadows},
+                                    {"--technique", true, "beside --shadows; give --shadow-technique"}});
+            return refuse_ignored_parameters(
+                parameters_, {.techniques = {}, .picture = true, .mesh = has_mesh_file(scenes_)});
+        }
+        refuse_ignored_options(app(),
+                               {{"--metric", ends_in(output_, ".csv"), "in a .csv, which has all metrics"}});
+        refuse_ignored_parameters(parameters_,
+                                  {.techniques = techniques_in(charted_configurations(techniques_, values)),
+                                   .picture = true,
+                                   .order = true,
+                                   .mesh = has_mesh_file(scenes_)});
+    }
+
+    FileUse files() const override { return {scene_files(scenes_), {{"-o", output_}}}; }
+
+    void run() const override {
+        if (parameters_.over().is_on(ParameterId::shadows))
+            return run_shadow_chart({parse_scenes(scenes_), size_, rounds_, parameters_, output_});
+        const std::filesystem::path path = output_;
+        if (!path.empty()) require_chart_output(path);
+        if (shard_.count > 1 && path.extension() != ".csv")
+            throw Error("A shard is a part of a table; give -o a name that ends in .csv.");
+        const UnfinishedChart unfinished(output_);
+        const RunTable table = measured(plan(), unfinished);
+        if (path.empty()) {
+            print(chart_to_markdown(chart_of(table, "the chart"), metric_));
+            return;
+        }
+        write_chart(table, metric_, path);
+        unfinished.remove();
+        print(fmt::format("{} rows in {}\n", table.rows.size(), one_line(path.string())));
+    }
+
+private:
+    ChartPlan plan() const {
+        ChartPlan plan;
+        plan.settings = {size_, rounds_, parameters_.over()};
+        plan.scenes = parse_scenes(scenes_);
+        plan.configurations = charted_configurations(techniques_, plan.settings.values);
+        plan.shard = shard_;
+        return plan;
+    }
+
+    std::string scenes_ = STANDARD_SCENE;
+    glm::ivec2 size_ = {640, 360};
+    TechniqueIds techniques_;
+    int rounds_ = 3;
+    Metric metric_ = Metric::rmse;
+    Shard shard_;
+    std::string output_;
+    ParameterOptions parameters_;
+};
+
 }  // namespace
 
-void run_chart_command(const Options& options) {
-    if (parse_parameters(options)[ParameterId::shadows] == 1.0f)
-        return run_shadow_chart(options, parse_scenes(options.scene));
-    const Metric metric = require_metric(options.metric.empty() ? "rmse" : options.metric).id;
-    const ChartPlan plan = parse_plan(options);
-    const std::filesystem::path path = options.output;
-    if (!path.empty()) require_chart_output(path);
-    if (plan.shard.count > 1 && path.extension() != ".csv")
-        throw Error("A shard is a part of a table; give -o a name that ends in .csv.");
-    const UnfinishedChart unfinished(options.output);
-    const RunTable table = measured(plan, unfinished);
-    if (path.empty()) {
-        print(chart_to_markdown(chart_of(table, "the chart"), metric));
-        return;
-    }
-    write_chart(table, metric, path);
-    unfinished.remove();
-    print(fmt::format("{} rows in {}\n", table.rows.size(), one_line(path.string())));
-}
-
-void run_merge_command(const Options& options) {
-    const Metric metric = require_metric(options.metric.empty() ? "rmse" : options.metric).id;
-    require_chart_output(options.output);
-    const std::vector<std::filesystem::path> files(options.files.begin(), options.files.end());
-    const RunTable table = merge_shards(files);
-    if (std::filesystem::path(options.output).extension() != ".csv")
-        for (const auto& file : files)
-            chart_of(read_run_table(file), file.string());  // names what is damaged
-    write_chart(table, metric, options.output);
-    print(fmt::format("{} rows in {}\n", table.rows.size(), one_line(options.output)));
+std::unique_ptr<ParsedCommand> add_chart(CLI::App& app) {
+    return std::make_unique<ChartCommand>(app);
 }
 
 }  // namespace momentscope

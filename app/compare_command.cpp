@@ -4,8 +4,9 @@
 #include <memory>
 #include <optional>
 
-#include "app/commands.hpp"
+#include "app/command.hpp"
 #include "app/gl_context.hpp"
+#include "app/ignored_options.hpp"
 #include "app/progress.hpp"
 #include "app/terminal.hpp"
 #include "core/compare/difference.hpp"
@@ -40,30 +41,25 @@ PixelRegion parse_region(const std::string& text, const Image& image) {
     return region;
 }
 
-/// Pictures from files, or drawn here by a technique.
-class Pictures {
+/// Draws the scene by techniques; made when the first one is asked for.
+class DrawnPictures {
 public:
-    Pictures(const Options& options, Progress& progress)
-        : options_(options), progress_(progress), parameters_(parse_parameters(options)) {}
+    DrawnPictures(const std::string& scene, glm::ivec2 size, const ParameterValues& values,
+                  Progress& progress)
+        : size_(size),
+          scene_(load_scene_and_warn(scene, values, progress)),
+          context_(make_gl_context("osmesa", {16, 16})) {
+        renderer_ = std::make_unique<Renderer>();
+        renderer_->set_scene(scene_);
+    }
 
-    Image get(const std::string& name) {
-        if (find_technique(name.substr(0, name.find(':'))) == nullptr) return read_image(name);
-        const Configuration configuration = parse_configuration(name, parameters_);
-        if (renderer_ == nullptr) {
-            scene_ = load_scene_option(options_, parameters_, progress_);
-            context_ = make_gl_context("osmesa", {16, 16});
-            renderer_ = std::make_unique<Renderer>();
-            renderer_->set_scene(scene_);
-        }
-        const glm::ivec2 size = parse_size(options_.size.empty() ? STANDARD_SIZE : options_.size);
-        renderer_->render({scene_.camera, size, configuration.technique, configuration.values});
+    Image get(const Configuration& configuration) {
+        renderer_->render({scene_.camera, size_, configuration.technique, configuration.values});
         return renderer_->read_picture();
     }
 
 private:
-    const Options& options_;
-    Progress& progress_;
-    ParameterValues parameters_;
+    glm::ivec2 size_;
     Scene scene_;
     std::unique_ptr<GlContext> context_;
     std::unique_ptr<Renderer> renderer_;  // after the context that it needs
@@ -99,53 +95,114 @@ void require_room(const Image& image, const MetricRow* only) {
                    flip ? "make them smaller, or choose --metric rmse" : "make them smaller");
 }
 
-// What is to be said of them; `map` shows the differences of the one metric, where it is wanted.
-std::string compared(const Options& options, const MetricRow* only, Progress& progress,
-                     std::optional<Image>& map) {
-    Pictures pictures(options, progress);
-    const Image reference = pictures.get(options.pictures.at(0));
-    const Image test = pictures.get(options.pictures.at(1));
-    if (reference.width != test.width || reference.height != test.height)
-        throw Error(fmt::format("Pictures of {}x{} and of {}x{} cannot be compared; make them the same size.",
-                                reference.width, reference.height, test.width, test.height));
-    require_finite(reference, options.pictures.at(0));
-    require_finite(test, options.pictures.at(1));
-    const PixelRegion region = parse_region(options.region, reference);
-    require_room(reference, only);
-    std::string text;
-    for (const MetricRow& row : metrics()) {
-        if (only != nullptr && only != &row) continue;
-        const std::vector<float> differences = difference_map(reference, test, row.id, progress.stop());
-        progress.require_finished();
-        const double mean = mean_difference(part_of(differences, reference.width, region), row.id);
-        text += fmt::format("{:<32}{:.6g}\n", fmt::format("{} ({})", row.name, row.key), mean);
-        if (options.output.empty()) continue;
-        map = false_color(differences, reference.width, reference.height, row.full_scale);
-        text += fmt::format("map: black is 0, the brightest {:g} and more\n", row.full_scale);
-    }
-    if (const std::string note = note_on_alpha(reference, test); !note.empty()) text += note + "\n";
-    return text;
+// Does a name mean a technique that draws the scene, and no file?
+const Technique* technique_named(const std::string& name) {
+    return find_technique(name.substr(0, name.find(':')));
 }
+
+class Compare : public ParsedCommand {
+public:
+    explicit Compare(CLI::App& app) : ParsedCommand(app) {
+        app.add_option(
+               "pictures", pictures_,
+               "reference and test: picture files, or techniques that draw the scene, as at or at:nodes=8")
+            ->required()
+            ->expected(2);
+        add_scene(app, scene_);
+        add_size(app, size_);
+        add_parsed<const MetricRow*>(app, "--metric", metric_, "rmse, delta-e or flip; all if left out",
+                                     [](const std::string& key) { return &require_metric(key); });
+        app.add_option("--region", region_, "x,y,width,height to average over, instead of all");
+        app.add_option("-o,--output", output_, "where to write a map of the metric as .png");
+        parameters_.add_to(app);
+    }
+
+    void refuse_ignored() const override {
+        std::vector<const Technique*> drawn;
+        for (const std::string& name : pictures_)
+            if (const Technique* technique = technique_named(name)) drawn.push_back(technique);
+        const char* files = "when both pictures are files";
+        refuse_ignored_options(app(), {{"--scene", drawn.empty(), files}, {"--size", drawn.empty(), files}});
+        refuse_ignored_parameters(parameters_, {.techniques = drawn,
+                                                .picture = !drawn.empty(),
+                                                .order = !drawn.empty(),
+                                                .mesh = !drawn.empty() && has_mesh_file(scene_)});
+    }
+
+    FileUse files() const override {
+        FileUse use = {scene_files(scene_), {{"-o", output_}}};
+        use.inputs.insert(use.inputs.end(), pictures_.begin(), pictures_.end());
+        return use;
+    }
+
+    void run() const override {
+        if (!output_.empty()) {
+            if (metric_ == nullptr) throw Error("A map shows one metric; give --metric beside -o.");
+            if (!ends_in(output_, ".png"))
+                throw Error("A map of differences ends in .png; give -o such a name.");
+            require_writable(output_);
+        }
+        std::string text;
+        std::optional<Image> shown;  // of the differences
+        {
+            Progress progress("Comparing");
+            text = compared(progress, shown);
+            progress.require_finished();
+        }
+        if (shown) write_image(*shown, output_);
+        print(text);
+    }
+
+private:
+    // What is to be said of them; `map` shows the differences of the one metric, where it is wanted.
+    std::string compared(Progress& progress, std::optional<Image>& map) const {
+        std::optional<DrawnPictures> drawn;
+        const Image reference = picture(pictures_.at(0), drawn, progress);
+        const Image test = picture(pictures_.at(1), drawn, progress);
+        if (reference.width != test.width || reference.height != test.height)
+            throw Error(
+                fmt::format("Pictures of {}x{} and of {}x{} cannot be compared; make them the same size.",
+                            reference.width, reference.height, test.width, test.height));
+        require_finite(reference, pictures_.at(0));
+        require_finite(test, pictures_.at(1));
+        const PixelRegion region = parse_region(region_, reference);
+        require_room(reference, metric_);
+        std::string text;
+        for (const MetricRow& row : metrics()) {
+            if (metric_ != nullptr && metric_ != &row) continue;
+            const std::vector<float> differences = difference_map(reference, test, row.id, progress.stop());
+            progress.require_finished();
+            const double mean = mean_difference(part_of(differences, reference.width, region), row.id);
+            text += fmt::format("{:<32}{:.6g}\n", fmt::format("{} ({})", row.name, row.key), mean);
+            if (output_.empty()) continue;
+            map = false_color(differences, reference.width, reference.height, row.full_scale);
+            text += fmt::format("map: black is 0, the brightest {:g} and more\n", row.full_scale);
+        }
+        if (const std::string note = note_on_alpha(reference, test); !note.empty()) text += note + "\n";
+        return text;
+    }
+
+    Image picture(const std::string& name, std::optional<DrawnPictures>& drawn, Progress& progress) const {
+        if (technique_named(name) == nullptr) return read_image(name);
+        const ParameterValues values = parameters_.over();
+        const Configuration configuration = parse_configuration(name, values);
+        if (!drawn) drawn.emplace(scene_, size_, values, progress);
+        return drawn->get(configuration);
+    }
+
+    std::vector<std::string> pictures_;
+    std::string scene_ = STANDARD_SCENE;
+    glm::ivec2 size_ = PICTURE_SIZE;
+    const MetricRow* metric_ = nullptr;  // all
+    std::string region_;
+    std::string output_;
+    ParameterOptions parameters_;
+};
 
 }  // namespace
 
-void run_compare(const Options& options) {
-    const MetricRow* only = options.metric.empty() ? nullptr : &require_metric(options.metric);
-    if (!options.output.empty()) {
-        if (only == nullptr) throw Error("A map shows one metric; give --metric beside -o.");
-        if (std::filesystem::path(options.output).extension() != ".png")
-            throw Error("A map of differences ends in .png; give -o such a name.");
-        require_writable(options.output);
-    }
-    std::string text;
-    std::optional<Image> shown;  // of the differences
-    {
-        Progress progress("Comparing");
-        text = compared(options, only, progress, shown);
-        progress.require_finished();
-    }
-    if (shown) write_image(*shown, options.output);
-    print(text);
+std::unique_ptr<ParsedCommand> add_compare(CLI::App& app) {
+    return std::make_unique<Compare>(app);
 }
 
 }  // namespace momentscope

@@ -2,8 +2,9 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
-#include "app/commands.hpp"
+#include "app/command.hpp"
 #include "app/event_player.hpp"
+#include "app/ignored_options.hpp"
 #include "app/last_words.hpp"
 #include "app/lost_display.hpp"
 #include "app/output_conflicts.hpp"
@@ -11,6 +12,7 @@
 #include "core/error.hpp"
 #include "core/image/image.hpp"
 #include "core/output_file.hpp"
+#include "core/parse_number.hpp"
 #include "core/ray/ray_json.hpp"
 #include "ui/session.hpp"
 
@@ -18,79 +20,49 @@ namespace momentscope {
 
 namespace {
 
-// What else was typed goes over it.
-ui::ExplorerState state_of_session(const Options& options) {
-    ui::Session session = ui::read_session_file(options.session);
-    if (!session.ignored.empty())
-        warn(fmt::format("The session has what this version does not know: {}.",
-                         fmt::join(session.ignored, ", ")));
-    session.state.parameters = parse_parameters(options, session.state.parameters);
-    return session.state;
+// From 0.5 to 4.
+float parse_scale(const std::string& text) {
+    const auto scale = parse_number<float>(text);
+    if (!scale || !(*scale >= 0.5f && *scale <= 4))
+        throw Error(
+            fmt::format("'{}' is not a scale of the window's text; give --ui-scale from 0.5 to 4.", text));
+    return *scale;
 }
 
-ui::ExplorerState state_of_options(const Options& options) {
+ui::ThemeKind parse_theme(const std::string& text) {
+    if (text == "dark") return ui::ThemeKind::dark;
+    if (text == "light") return ui::ThemeKind::light;
+    throw Error(fmt::format("There is no theme '{}'; use dark or light.", text));
+}
+
+/// What both kinds of windows begin with.
+struct WindowStart {
     ui::ExplorerState state;
-    state.parameters = parse_parameters(options);
-    const auto techniques = parse_techniques(options, "power6-32");
-    state.technique = techniques.front();
-    state.compared.assign(techniques.begin() + 1, techniques.end());
-    state.scene = options.scene;
-    if (!options.ray.empty()) state.ray = read_ray_file(options.ray);
-    return state;
-}
-
-ui::ExplorerState initial_state(const Options& options) {
-    ui::ExplorerState state = options.session.empty() ? state_of_options(options) : state_of_session(options);
-    if (!options.reference.empty()) {
-        state.compare.reference = &require_technique(options.reference);
-        state.panel = ui::Panel::compare;  // where one sees that it was chosen
-    }
-    if (!options.theme.empty())
-        state.theme = options.theme == "light" ? ui::ThemeKind::light : ui::ThemeKind::dark;
-    return state;
-}
+    glm::ivec2 size;
+    float scale;
+    PixelOption pixel;
+    std::string log;
+};
 
 // --pixel counts in the scene's picture, whose size only a drawn frame knows.
-void pick_option(const Options& options, ui::Explorer& explorer) {
-    if (options.pixel.empty()) return;
+void pick_option(const PixelOption& pixel, ui::Explorer& explorer) {
+    if (!pixel) return;
     const glm::ivec2 size = explorer.measurement().picture_size;
-    explorer.state().picked = ui::fraction_of(parse_pixel(options.pixel, size), size);
-}
-
-void explore_headless(const Options& options, glm::ivec2 size, float scale) {
-    if (options.screenshot.empty() && options.events.empty())
-        throw Error("--headless draws into a file; add --screenshot FILE.png, or --events FILE.");
-    if (!options.screenshot.empty()) {
-        require_writable(options.screenshot);
-        if (std::filesystem::path(options.screenshot).extension() != ".png")
-            throw Error(fmt::format("A screenshot is a .png; '{}' is not.", options.screenshot));
-    }
-    FrameLog log(options.log);
-    HeadlessWindow window(size, initial_state(options), {.scale = scale, .show_times = false}, log);
-    window.settle();
-    pick_option(options, window.explorer());
-    window.settle();
-    const std::string warning = window.explorer().warning();
-    if (!warning.empty()) warn(warning);
-    const std::string& message = window.explorer().message();
-    if (!message.empty() && message != warning) throw Error(message);
-    if (!options.events.empty()) EventPlayer(window, files_of(options)).play_file(options.events);
-    if (!options.screenshot.empty()) window.write_png(options.screenshot);
-    log.require_written();
+    explorer.state().picked = ui::fraction_of(pixel.within(size), size);
 }
 
 // A window, the explorer in it, and the loop that draws when there is something new to see.
 class OpenWindow {
 public:
-    OpenWindow(const Options& options, glm::ivec2 size, float scale)
-        : options_(options),
-          context_(make_gl_context("glfw", size)),
-          gui_(context_->window(), scale),
-          explorer_(renderer_, initial_state(options),
-                    {.scale = scale,
+    explicit OpenWindow(const WindowStart& start)
+        : pixel_(start.pixel),
+          context_(make_gl_context("glfw", start.size)),
+          gui_(context_->window(), start.scale),
+          explorer_(renderer_, start.state,
+                    {.scale = start.scale,
                      .most_milliseconds = ui::DRAG_MILLISECONDS,
                      .before_long_picture = [this] { say_drawing(); }}),
-          log_(options.log),
+          log_(start.log),
           lost_display_([this] { return last_words(explorer_.state()); }) {
         glfwSetWindowSizeLimits(context_->window(), 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
     }
@@ -135,7 +107,7 @@ private:
         for (const std::string& note : renderer_.programs()->take_notes()) log_.line(note);
         need_.drawn();
         if (!picked_ && !explorer_.is_loading_scene()) {
-            pick_option(options_, explorer_);
+            pick_option(pixel_, explorer_);
             picked_ = true;
         }
         if (const auto path = explorer_.take_window_export()) export_window(size, path->string());
@@ -158,7 +130,7 @@ private:
         }
     }
 
-    const Options& options_;
+    PixelOption pixel_;
     std::unique_ptr<GlContext> context_;
     Renderer renderer_;
     GuiSession gui_;
@@ -169,17 +141,124 @@ private:
     LostDisplay lost_display_;
 };
 
+class Explore : public ParsedCommand {
+public:
+    explicit Explore(CLI::App& app) : ParsedCommand(app) {
+        CLI::Option* scene = add_scene(app, scene_);
+        add_size(app, size_);
+        CLI::Option* pixel =
+            app.add_option("--pixel", pixel_.text, "picked pixel of the scene's picture, as 320,200");
+        CLI::Option* ray =
+            app.add_option("--ray", ray_, "JSON file of a view ray, instead of a pixel of a scene");
+        ray->excludes(scene, pixel);
+        CLI::Option* techniques = add_techniques(
+            app, techniques_,
+            "ids of techniques (momentscope list techniques); those after the first are only plotted");
+        add_parsed<const Technique*>(app, "--compare", reference_,
+                                     "id of the technique that the picture is compared with [sorted]",
+                                     [](const std::string& id) { return &require_technique(id); });
+        app.add_option("--session", session_, "JSON file that the window saved, to go on from there")
+            ->excludes(scene, ray, techniques);
+        app.add_flag("--headless", headless_, "draw without a display");
+        app.add_option("--screenshot", screenshot_, "with --headless: where to write the window as .png");
+        app.add_option("--events", events_, "with --headless: file of mouse and keyboard events to replay");
+        app.add_option("--log", log_, "where to write which frames were drawn and what they computed");
+        add_parsed<float>(app, "--ui-scale", scale_, "size of the window's text, 0.5 to 4", parse_scale)
+            ->default_str("1");
+        add_parsed<std::optional<ui::ThemeKind>>(app, "--theme", theme_, "dark or light [dark]", parse_theme);
+        parameters_.add_to(app);
+    }
+
+    // The window keeps every parameter for the technique and the scene that one chooses there.
+    void refuse_ignored() const override {
+        refuse_ignored_options(app(), {{"--compare", !ray_.empty(), "beside --ray, which has no picture"}});
+    }
+
+    FileUse files() const override {
+        FileUse use = {scene_files(scene_), {{"--screenshot", screenshot_}, {"--log", log_}}};
+        use.inputs.insert(use.inputs.end(), {ray_, session_, events_});
+        return use;
+    }
+
+    void run() const override {
+        if (headless_) return run_headless();
+        if (!screenshot_.empty() || !events_.empty())
+            throw Error("--screenshot and --events need --headless; add it.");
+        OpenWindow({initial_state(), size_, scale_, pixel_, log_}).run();
+    }
+
+private:
+    void run_headless() const {
+        if (screenshot_.empty() && events_.empty())
+            throw Error("--headless draws into a file; add --screenshot FILE.png, or --events FILE.");
+        if (!screenshot_.empty()) {
+            require_writable(screenshot_);
+            if (!ends_in(screenshot_, ".png"))
+                throw Error(fmt::format("A screenshot is a .png; '{}' is not.", screenshot_));
+        }
+        FrameLog log(log_);
+        HeadlessWindow window(size_, initial_state(), {.scale = scale_, .show_times = false}, log);
+        window.settle();
+        pick_option(pixel_, window.explorer());
+        window.settle();
+        const std::string warning = window.explorer().warning();
+        if (!warning.empty()) warn(warning);
+        const std::string& message = window.explorer().message();
+        if (!message.empty() && message != warning) throw Error(message);
+        if (!events_.empty()) EventPlayer(window, files_of(files())).play_file(events_);
+        if (!screenshot_.empty()) window.write_png(screenshot_);
+        log.require_written();
+    }
+
+    ui::ExplorerState initial_state() const {
+        ui::ExplorerState state = session_.empty() ? state_of_options() : state_of_session();
+        if (reference_ != nullptr) {
+            state.compare.reference = reference_;
+            state.panel = ui::Panel::compare;  // where one sees that it was chosen
+        }
+        if (theme_) state.theme = *theme_;
+        return state;
+    }
+
+    // What else was typed goes over it.
+    ui::ExplorerState state_of_session() const {
+        ui::Session session = ui::read_session_file(session_);
+        if (!session.ignored.empty())
+            warn(fmt::format("The session has what this version does not know: {}.",
+                             fmt::join(session.ignored, ", ")));
+        session.state.parameters = parameters_.over(session.state.parameters);
+        return session.state;
+    }
+
+    ui::ExplorerState state_of_options() const {
+        ui::ExplorerState state;
+        state.parameters = parameters_.over();
+        const auto techniques = techniques_of(techniques_, "power6-32");
+        state.technique = techniques.front();
+        state.compared.assign(techniques.begin() + 1, techniques.end());
+        state.scene = scene_;
+        if (!ray_.empty()) state.ray = read_ray_file(ray_);
+        return state;
+    }
+
+    std::string scene_ = STANDARD_SCENE;
+    glm::ivec2 size_ = {1280, 800};
+    PixelOption pixel_;
+    std::string ray_;
+    TechniqueIds techniques_;
+    const Technique* reference_ = nullptr;
+    std::string session_;
+    bool headless_ = false;
+    std::string screenshot_, events_, log_;
+    float scale_ = 1;
+    std::optional<ui::ThemeKind> theme_;
+    ParameterOptions parameters_;
+};
+
 }  // namespace
 
-void run_explore(const Options& options) {
-    const glm::ivec2 size = parse_size(options.size.empty() ? "1280x800" : options.size);
-    const float scale = parse_scale(options.ui_scale);
-    if (!options.theme.empty() && options.theme != "dark" && options.theme != "light")
-        throw Error(fmt::format("There is no theme '{}'; use dark or light.", options.theme));
-    if (options.headless) return explore_headless(options, size, scale);
-    if (!options.screenshot.empty() || !options.events.empty())
-        throw Error("--screenshot and --events need --headless; add it.");
-    OpenWindow(options, size, scale).run();
+std::unique_ptr<ParsedCommand> add_explore(CLI::App& app) {
+    return std::make_unique<Explore>(app);
 }
 
 }  // namespace momentscope

@@ -7,7 +7,7 @@
 #include <map>
 #include <memory>
 
-#include "app/commands.hpp"
+#include "app/command.hpp"
 #include "app/figure_picture.hpp"
 #include "app/gl_context.hpp"
 #include "app/progress.hpp"
@@ -93,49 +93,64 @@ std::string text_of(const Figure& figure, const std::vector<ClaimResult>& result
     return text;
 }
 
+class FigureCommand : public ParsedCommand {
+public:
+    explicit FigureCommand(CLI::App& app) : ParsedCommand(app) {
+        app.add_option("figure", figure_, "id of a figure (momentscope list figures), or all")->required();
+        app.add_option("-o,--output", output_, "folder for the pictures [figures]");
+    }
+
+    void run() const override {
+        const bool all = figure_ == "all";
+        std::vector<const Figure*> chosen;
+        for (const Figure& figure : figures())
+            if (all || &figure == &require_figure(figure_)) chosen.push_back(&figure);
+        std::filesystem::path folder = absolute_path(output_).lexically_normal();
+        if (!folder.has_filename()) folder = folder.parent_path();  // a slash at its end
+        std::error_code code;
+        std::filesystem::create_directories(folder, code);
+        if (code)
+            throw Error(fmt::format("The folder '{}' cannot be made: {}; give another -o.", folder.string(),
+                                    code.message()));
+        std::atomic<std::size_t> done = 0;
+        Progress progress("Drawing figures", [&] {
+            if (done == 0)
+                return std::string("Drawing figures was ended before it was done; nothing was written.");
+            return fmt::format(
+                "Drawing figures was ended; {} of {} pictures are in '{}', and the page was not written.",
+                done.load(), chosen.size(), folder.string());
+        });
+        const auto context = make_gl_context("osmesa", MAX_FIGURE_SIZE);
+        RenderedShots setups;
+        GuiSession gui(nullptr, FIGURE_SCALE);
+        ui::apply_style(ui::ThemeKind::light, FIGURE_SCALE);
+        std::string page = INTRODUCTION;
+        for (std::size_t i = 0; i < chosen.size(); ++i) {
+            progress.show(i, chosen.size());
+            progress.require_finished();
+            const Figure& figure = *chosen[i];
+            const std::string name = fmt::format("{}.png", figure.id);
+            write_figure_picture(gui, figure, setups, folder / name);
+            const std::vector<ClaimResult> results = figure.measure(setups);
+            page += figure_section(figure, results, fmt::format("{}/{}", folder.filename().string(), name)) +
+                    "\n";
+            print(text_of(figure, results));
+            std::fflush(stdout);  // what is done is seen, however the rest ends
+            ++done;
+        }
+        progress.show(chosen.size(), chosen.size());
+        if (all) write_file(page, std::filesystem::path(folder).concat(".md"));
+    }
+
+private:
+    std::string figure_;
+    std::string output_ = "figures";
+};
+
 }  // namespace
 
-void run_figure(const Options& options) {
-    const bool all = options.figure == "all";
-    std::vector<const Figure*> chosen;
-    for (const Figure& figure : figures())
-        if (all || &figure == &require_figure(options.figure)) chosen.push_back(&figure);
-    std::filesystem::path folder =
-        absolute_path(options.output.empty() ? "figures" : options.output).lexically_normal();
-    if (!folder.has_filename()) folder = folder.parent_path();  // a slash at its end
-    std::error_code code;
-    std::filesystem::create_directories(folder, code);
-    if (code)
-        throw Error(fmt::format("The folder '{}' cannot be made: {}; give another -o.", folder.string(),
-                                code.message()));
-    std::atomic<std::size_t> done = 0;
-    Progress progress("Drawing figures", [&] {
-        if (done == 0)
-            return std::string("Drawing figures was ended before it was done; nothing was written.");
-        return fmt::format(
-            "Drawing figures was ended; {} of {} pictures are in '{}', and the page was not written.",
-            done.load(), chosen.size(), folder.string());
-    });
-    const auto context = make_gl_context("osmesa", MAX_FIGURE_SIZE);
-    RenderedShots setups;
-    GuiSession gui(nullptr, FIGURE_SCALE);
-    ui::apply_style(ui::ThemeKind::light, FIGURE_SCALE);
-    std::string page = INTRODUCTION;
-    for (std::size_t i = 0; i < chosen.size(); ++i) {
-        progress.show(i, chosen.size());
-        progress.require_finished();
-        const Figure& figure = *chosen[i];
-        const std::string name = fmt::format("{}.png", figure.id);
-        write_figure_picture(gui, figure, setups, folder / name);
-        const std::vector<ClaimResult> results = figure.measure(setups);
-        page +=
-            figure_section(figure, results, fmt::format("{}/{}", folder.filename().string(), name)) + "\n";
-        print(text_of(figure, results));
-        std::fflush(stdout);  // what is done is seen, however the rest ends
-        ++done;
-    }
-    progress.show(chosen.size(), chosen.size());
-    if (all) write_file(page, std::filesystem::path(folder).concat(".md"));
+std::unique_ptr<ParsedCommand> add_figure(CLI::App& app) {
+    return std::make_unique<FigureCommand>(app);
 }
 
 }  // namespace momentscope

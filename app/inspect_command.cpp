@@ -1,7 +1,8 @@
 #include <fmt/format.h>
 
-#include "app/commands.hpp"
+#include "app/command.hpp"
 #include "app/gl_context.hpp"
+#include "app/ignored_options.hpp"
 #include "app/progress.hpp"
 #include "app/terminal.hpp"
 #include "core/error.hpp"
@@ -10,6 +11,7 @@
 #include "core/inspect/sharp_bounds.hpp"
 #include "core/inspect/steps.hpp"
 #include "core/output_file.hpp"
+#include "core/parse_number.hpp"
 #include "core/ray/ray_json.hpp"
 #include "core/ray/submission_order.hpp"
 #include "core/render/light_view.hpp"
@@ -29,6 +31,28 @@ struct Subject {
     CastLight cast = {};  // of the light
 };
 
+enum class Format { json, csv, table };
+
+Format parse_format(const std::string& text) {
+    if (text == "json") return Format::json;
+    if (text == "csv") return Format::csv;
+    if (text == "table") return Format::table;
+    throw Error(fmt::format("There is no format '{}'; use json, csv or table.", text));
+}
+
+// "z1,z2,...", each in [-1, 1].
+std::vector<float> parse_depths(const std::string& text) {
+    std::vector<float> depths;
+    for (const std::string& part : split_list({text})) {
+        const auto depth = parse_number<float>(part);
+        if (!depth || !(*depth >= -1 && *depth <= 1))
+            throw Error(fmt::format(
+                "The depth '{}' is not a number from -1 to 1; give --depths as -0.5,0,0.25.", part));
+        depths.push_back(*depth);
+    }
+    return depths;
+}
+
 // nullopt for what is seen of the pixel.
 std::optional<std::size_t> parse_receiver(const std::string& text, const ViewRay& ray) {
     if (text.empty()) return std::nullopt;
@@ -39,39 +63,6 @@ std::optional<std::size_t> parse_receiver(const std::string& text, const ViewRay
         throw Error(fmt::format("The pixel has {}; give a --receiver from 1 to their number, or surface.",
                                 fragment_count_text(order.size())));
     return order[static_cast<std::size_t>(number - 1)];
-}
-
-Subject capture_scene_pixel(const Options& options, const Configuration& configuration) {
-    const glm::ivec2 size = parse_size(options.size.empty() ? STANDARD_SIZE : options.size);
-    std::optional<glm::ivec2> pixel;
-    if (!options.pixel.empty()) pixel = parse_pixel(options.pixel, size);
-    Progress progress("Inspecting");
-    const Scene scene = load_scene_option(options, configuration.values, progress);
-    const auto context = make_gl_context("osmesa", {16, 16});
-    Renderer renderer;
-    renderer.set_scene(scene);
-    ParameterValues values = configuration.values;
-    if (options.light) values.set(ParameterId::shadows, 1.0f);
-    renderer.render({scene.camera, size, configuration.technique, values});
-    const glm::ivec2 at = pixel.value_or(picked_pixel(scene, size));
-    Subject subject = {.capture = renderer.capture_pixel(at), .light = {}};
-    progress.require_finished();
-    if (!options.light) return subject;
-    subject.light =
-        view_from_light(renderer, at, subject.capture, parse_receiver(options.receiver, subject.capture.ray));
-    if (!subject.light)
-        throw Error(fmt::format("Pixel {},{} shows nothing that could receive light; give another --pixel.",
-                                at.x, at.y));
-    subject.cast =
-        cast_light(scene, subject.light->world, renderer.shadow_maps()->frame().position, LIGHT_SLACK);
-    progress.require_finished();
-    return subject;
-}
-
-Subject ray_of_file(const std::string& path, const ParameterValues& values) {
-    Subject subject;
-    subject.capture.ray = submitted_in(read_ray_file(path), submission_order(values));
-    return subject;
 }
 
 std::string text_of_light(const LightView& light, const CastLight& cast) {
@@ -99,7 +90,7 @@ std::string text_of_breakdowns(const PixelCapture& capture, const std::vector<Cu
 std::string text_of_steps(const std::vector<Curve>& curves, const std::vector<float>& depths) {
     std::string text;
     for (const Curve& curve : curves) {
-        if (curve.technique->kernel == nullptr)
+        if (!curve.technique->has_moments())
             throw Error(fmt::format("'{}' has no steps: it has no moments to reconstruct from.",
                                     curve.technique->id));
         for (const float depth : depths) text += steps_to_text(reconstruction_steps(curve, depth));
@@ -117,45 +108,157 @@ void add_sharp_bounds(Curve& curve, const ViewRay& ray) {
     curve.sharp_upper = std::move(bounds->upper);
 }
 
+class Inspect : public ParsedCommand {
+public:
+    explicit Inspect(CLI::App& app) : ParsedCommand(app) {
+        CLI::Option* scene = add_scene(app, scene_);
+        add_size(app, size_);
+        CLI::Option* pixel = app.add_option("--pixel", pixel_.text,
+                                            "pixel of the picture, as 320,200; the scene's own if left out");
+        app.add_option("--ray", ray_, "JSON file of a view ray, instead of a pixel of a scene")
+            ->excludes(scene, pixel);
+        add_techniques(
+            app, techniques_,
+            "ids of techniques or configurations such as at:nodes=8, separated by commas or repeated");
+        add_count(app, "--samples", samples_, "how many depths from -1 to 1",
+                  {"number of samples", 2, MAX_SAMPLES});
+        add_parsed<std::vector<float>>(app, "--depths", depths_,
+                                       "depths instead of --samples, as -0.5,0,0.25", parse_depths);
+        app.add_flag("--steps", steps_,
+                     "print the steps of the reconstruction at --depths [0] instead of curves");
+        app.add_flag("--sharp-bounds", sharp_bounds_,
+                     "add the least and greatest absorbance that the moments leave possible");
+        app.add_flag("--light", light_,
+                     "the function that the light's map has of what the pixel shows, instead of the eye's");
+        app.add_option("--receiver", receiver_,
+                       "of --light: the number of a fragment from 1, the nearest, or surface, the opaque one "
+                       "[what is seen of the pixel]");
+        add_parsed<Format>(app, "--format", format_, "json, csv or table [json]", parse_format);
+        app.add_option("-o,--output", output_, "file to write instead of standard output");
+        parameters_.add_to(app);
+    }
+
+    void refuse_ignored() const override {
+        const bool ray = !ray_.empty();
+        refuse_ignored_options(app(), {{"--size", ray, "beside --ray, which has no picture"},
+                                       {"--samples", !depths_.empty(), "beside --depths"},
+                                       {"--samples", steps_, "beside --steps, which are those at --depths"},
+                                       {"--format", steps_, "beside --steps, which are text"},
+                                       {"--light", ray, "beside --ray, which has no scene and no light"},
+                                       {"--receiver", !light_, "without --light"}});
+        ParameterReading reading = {.techniques = techniques_in(configurations()),
+                                    .picture = !ray,
+                                    .order = true,
+                                    .mesh = !ray && has_mesh_file(scene_)};
+        if (light_) reading.others = {SHADOW_PARAMETERS.begin(), SHADOW_PARAMETERS.end()};
+        refuse_ignored_parameters(parameters_, reading);
+    }
+
+    FileUse files() const override {
+        FileUse use = {scene_files(scene_), {{"-o", output_}}};
+        use.inputs.push_back(ray_);
+        return use;
+    }
+
+    void run() const override {
+        auto configurations = this->configurations();
+        if (steps_ && sharp_bounds_)
+            throw Error("Sharp bounds belong to curves; leave --steps or --sharp-bounds out.");
+        if (light_ && configurations.size() > 1)
+            throw Error(
+                "The light's map has one technique; give a --shadow-technique, and a single --technique for the picture.");
+        if (!output_.empty()) require_writable(output_);
+        const Subject subject = ray_.empty() ? capture_scene_pixel(configurations.front())
+                                             : ray_of_file(configurations.front().values);
+        const ViewRay& ray = subject.light ? subject.light->ray : subject.capture.ray;
+        if (subject.light) configurations = {subject.light->configuration};
+        const std::vector<float> depths = this->depths();
+        std::vector<Curve> curves;
+        curves.reserve(configurations.size());
+        for (const Configuration& one : configurations)
+            curves.push_back(sample_curve(ray, *one.technique, one.values, depths));
+        if (sharp_bounds_)
+            for (Curve& curve : curves) add_sharp_bounds(curve, ray);
+        const std::string text = steps_ ? text_of_steps(curves, depths) : text_of(subject, ray, curves);
+        if (output_.empty())
+            print(text);
+        else
+            write_file(text, output_);
+    }
+
+private:
+    std::vector<Configuration> configurations() const {
+        return configurations_of(techniques_, "power6-32", parameters_.over());
+    }
+
+    std::vector<float> depths() const {
+        if (!depths_.empty()) return depths_;
+        return steps_ ? std::vector<float>{0} : even_depths(static_cast<std::size_t>(samples_));
+    }
+
+    Subject capture_scene_pixel(const Configuration& configuration) const {
+        std::optional<glm::ivec2> pixel;
+        if (pixel_) pixel = pixel_.within(size_);
+        Progress progress("Inspecting");
+        const Scene scene = load_scene_and_warn(scene_, configuration.values, progress);
+        const auto context = make_gl_context("osmesa", {16, 16});
+        Renderer renderer;
+        renderer.set_scene(scene);
+        ParameterValues values = configuration.values;
+        if (light_) values.turn(ParameterId::shadows, true);
+        renderer.render({scene.camera, size_, configuration.technique, values});
+        const glm::ivec2 at = pixel.value_or(picked_pixel(scene, size_));
+        Subject subject = {.capture = renderer.capture_pixel(at), .light = {}};
+        progress.require_finished();
+        if (!light_) return subject;
+        subject.light =
+            view_from_light(renderer, at, subject.capture, parse_receiver(receiver_, subject.capture.ray));
+        if (!subject.light)
+            throw Error(fmt::format(
+                "Pixel {},{} shows nothing that could receive light; give another --pixel.", at.x, at.y));
+        subject.cast =
+            cast_light(scene, subject.light->world, renderer.shadow_maps()->frame().position, LIGHT_SLACK);
+        progress.require_finished();
+        return subject;
+    }
+
+    Subject ray_of_file(const ParameterValues& values) const {
+        Subject subject;
+        subject.capture.ray = submitted_in(read_ray_file(ray_), submission_order(values));
+        return subject;
+    }
+
+    std::string text_of(const Subject& subject, const ViewRay& ray, const std::vector<Curve>& curves) const {
+        switch (format_) {
+            case Format::json:
+                return curves_to_json(ray, curves);
+            case Format::csv:
+                return curves_to_csv(curves);
+            case Format::table:
+                break;
+        }
+        return curves_to_table(ray, curves) + (subject.light ? text_of_light(*subject.light, subject.cast)
+                                                             : text_of_breakdowns(subject.capture, curves));
+    }
+
+    std::string scene_ = STANDARD_SCENE;
+    glm::ivec2 size_ = PICTURE_SIZE;
+    PixelOption pixel_;
+    std::string ray_;
+    TechniqueIds techniques_;
+    int samples_ = 512;
+    std::vector<float> depths_;
+    bool steps_ = false, sharp_bounds_ = false, light_ = false;
+    std::string receiver_;
+    Format format_ = Format::json;
+    std::string output_;
+    ParameterOptions parameters_;
+};
+
 }  // namespace
 
-void run_inspect(const Options& options) {
-    const std::string format = options.format.empty() ? "json" : options.format;
-    if (format != "json" && format != "csv" && format != "table")
-        throw Error(fmt::format("There is no format '{}'; use json, csv or table.", format));
-    auto configurations = parse_configurations(options, "power6-32");
-    if (options.steps && options.sharp_bounds)
-        throw Error("Sharp bounds belong to curves; leave --steps or --sharp-bounds out.");
-    const std::vector<float> depths = options.steps && options.depths.empty() ? std::vector<float>{0}
-                                      : options.depths.empty()
-                                          ? even_depths(static_cast<std::size_t>(parse_count(
-                                                options.samples, "number of samples", 2, MAX_SAMPLES)))
-                                          : parse_depths(options.depths);
-    if (options.light && configurations.size() > 1)
-        throw Error(
-            "The light's map has one technique; give a --shadow-technique, and a single --technique for the picture.");
-    if (!options.output.empty()) require_writable(options.output);
-    const Subject subject = options.ray.empty() ? capture_scene_pixel(options, configurations.front())
-                                                : ray_of_file(options.ray, configurations.front().values);
-    const ViewRay& ray = subject.light ? subject.light->ray : subject.capture.ray;
-    if (subject.light) configurations = {subject.light->configuration};
-    std::vector<Curve> curves;
-    curves.reserve(configurations.size());
-    for (const Configuration& one : configurations)
-        curves.push_back(sample_curve(ray, *one.technique, one.values, depths));
-    if (options.sharp_bounds)
-        for (Curve& curve : curves) add_sharp_bounds(curve, ray);
-    const std::string text =
-        options.steps      ? text_of_steps(curves, depths)
-        : format == "json" ? curves_to_json(ray, curves)
-        : format == "csv"
-            ? curves_to_csv(curves)
-            : curves_to_table(ray, curves) + (subject.light ? text_of_light(*subject.light, subject.cast)
-                                                            : text_of_breakdowns(subject.capture, curves));
-    if (options.output.empty())
-        print(text);
-    else
-        write_file(text, options.output);
+std::unique_ptr<ParsedCommand> add_inspect(CLI::App& app) {
+    return std::make_unique<Inspect>(app);
 }
 
 }  // namespace momentscope

@@ -2,7 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/commands.hpp"
+#include "app/command.hpp"
+#include "app/command_line_page.hpp"
 #include "app/terminal.hpp"
 #include "core/error.hpp"
 #include "core/figures/figure.hpp"
@@ -34,8 +35,8 @@ json list_techniques() {
                         {"bits_with_factor", json_of_bits(t, bits_with_factor(t, {}))},
                         {"geometry_passes", t.geometry_passes},
                         {"order_dependent", t.order_dependent},
-                        {"has_bounds", t.has_bounds},
-                        {"recommended_bias", t.kernel != nullptr ? json(t.recommended_bias) : json()},
+                        {"has_bounds", t.has_bounds()},
+                        {"recommended_bias", t.has_moments() ? json(t.moments().recommended_bias) : json()},
                         {"parameters", keys},
                         {"source", t.source},
                         {"description", t.description}});
@@ -151,25 +152,55 @@ Listing listing_of(const std::string& what) {
     if (what == "figures") return {list_figures(), {"id", "title", "source"}};
     if (what == "commands") return {list_commands(), {"id", "keys", "name"}};
     throw Error(fmt::format(
-        "There is no list '{}'; use techniques, scenes, parameters, conditions, figures or commands.", what));
+        "There is no list '{}'; use techniques, scenes, parameters, conditions, figures, options or commands.",
+        what));
 }
+
+// Of the command line, as --help has them.
+Listing list_options(const CLI::App& line) {
+    json rows = json::array();
+    for (const Command& command : command_rows())
+        for (const CLI::Option* option : line.get_subcommand(command.name)->get_options())
+            rows.push_back({{"command", command.name},
+                            {"option", option->get_name()},
+                            {"help", option->get_description()},
+                            {"required", option->get_required()}});
+    return {rows, {"command", "option", "help"}};
+}
+
+class ListCommand : public ParsedCommand {
+public:
+    explicit ListCommand(CLI::App& app) : ParsedCommand(app) {
+        app.add_option(
+               "what", what_,
+               "techniques, scenes, parameters, conditions, figures, options or commands (of the window)")
+            ->required();
+        app.add_option("--format", format_, "table, json or markdown [table]");
+    }
+
+    void run() const override {
+        if (format_ == "markdown" && what_ == "techniques") return print(techniques_page());
+        if (format_ == "markdown" && what_ == "options") return print(command_line_page(*app().get_parent()));
+        if (format_ != "table" && format_ != "json" && format_ != "markdown")
+            throw Error(fmt::format("There is no format '{}'; use table, json or markdown.", format_));
+        const Listing listing = what_ == "options" ? list_options(*app().get_parent()) : listing_of(what_);
+        if (format_ == "json")
+            print(json_text(listing.rows, 2) + "\n");
+        else if (format_ == "markdown")
+            print_markdown(listing.rows, listing.columns);
+        else
+            print_table(listing.rows, listing.columns);
+    }
+
+private:
+    std::string what_;
+    std::string format_ = "table";
+};
 
 }  // namespace
 
-void run_list(const std::string& what, const std::string& format) {
-    if (format == "markdown" && what == "techniques") {
-        print(techniques_page());
-        return;
-    }
-    if (format != "table" && format != "json" && format != "markdown")
-        throw Error(fmt::format("There is no format '{}'; use table, json or markdown.", format));
-    const Listing listing = listing_of(what);
-    if (format == "json")
-        print(json_text(listing.rows, 2) + "\n");
-    else if (format == "markdown")
-        print_markdown(listing.rows, listing.columns);
-    else
-        print_table(listing.rows, listing.columns);
+std::unique_ptr<ParsedCommand> add_list(CLI::App& app) {
+    return std::make_unique<ListCommand>(app);
 }
 
 }  // namespace momentscope

@@ -2,8 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/commands.hpp"
+#include "app/command.hpp"
 #include "app/gl_context.hpp"
+#include "app/ignored_options.hpp"
 #include "app/needed_picture.hpp"
 #include "app/progress.hpp"
 #include "app/terminal.hpp"
@@ -22,37 +23,18 @@ struct NeededMap {
     std::vector<PixelNeed> pixels;
 };
 
-NeededMap measure(const Options& options, const MomentOrders& orders, const ParameterValues& values) {
-    const glm::ivec2 size = parse_size(options.size.empty() ? "320x180" : options.size);
-    Progress progress("Moments needed");
-    const Scene scene = load_scene_option(options, values, progress);
-    const auto context = make_gl_context("osmesa", {16, 16});
-    Renderer renderer;
-    renderer.set_scene(scene);
-    renderer.render({scene.camera, size, &require_technique("sorted"), values});
-    NeededMap map = {renderer.read_picture(), {}};
-    progress.show_stage("");
-    for (int y = 0; y < size.y && !progress.stop().stop_requested(); ++y) {
-        for (const PixelCapture& capture : renderer.capture_region({0, y}, {size.x, 1}))
-            map.pixels.push_back(pixel_need(capture.ray, orders, values));
-        progress.show(static_cast<std::size_t>(y + 1), static_cast<std::size_t>(size.y));
-    }
-    progress.require_finished();
-    return map;
-}
-
 constexpr int TILE = 16;
 
-nlohmann::ordered_json json_of(const NeedHistogram& histogram, double memory, const Options& options,
-                               const ParameterValues& values) {
+nlohmann::ordered_json json_of(const NeedHistogram& histogram, double memory, const std::string& scene,
+                               const std::string& basis, const ParameterValues& values) {
     nlohmann::ordered_json certificate, error;
     for (std::size_t i = 0; i < NEEDED_COUNT; ++i) {
         certificate[needed_text(static_cast<Needed>(i))] = histogram.by_certificate[i];
         error[needed_text(static_cast<Needed>(i))] = histogram.by_error[i];
     }
-    return {{"scene", options.scene},
-            {"basis", options.basis},
-            {"tolerance", *values[ParameterId::tolerance]},
+    return {{"scene", scene},
+            {"basis", basis},
+            {"tolerance", values.number(ParameterId::tolerance)},
             {"pixels_by_certificate", certificate},
             {"pixels_by_error", error},
             {"certificate_asks_for_more", histogram.cautious},
@@ -69,7 +51,7 @@ std::string table_of(const NeedHistogram& histogram, double memory, const Parame
     };
     std::string text = fmt::format(
         "Moments so that T is certain within {:g} at every fragment, share of pixels\n{:<14}{:>16}{:>16}\n",
-        *values[ParameterId::tolerance], "moments", "by certificate", "by error");
+        values.number(ParameterId::tolerance), "moments", "by certificate", "by error");
     for (std::size_t i = 0; i < NEEDED_COUNT; ++i)
         text += fmt::format("{:<14}{:>16}{:>16}\n", needed_text(static_cast<Needed>(i)),
                             percent(histogram.by_certificate[i]), percent(histogram.by_error[i]));
@@ -81,30 +63,83 @@ std::string table_of(const NeedHistogram& histogram, double memory, const Parame
                TILE, 100 * memory);
 }
 
+class NeededCommand : public ParsedCommand {
+public:
+    explicit NeededCommand(CLI::App& app) : ParsedCommand(app) {
+        add_scene(app, scene_);
+        add_size(app, size_);
+        app.add_option("--basis", basis_, "power or chebyshev")->capture_default_str();
+        add_parsed<bool>(app, "--format", json_, "table or json [table]", [](const std::string& text) {
+            if (text != "table" && text != "json")
+                throw Error(fmt::format("'{}' is not a format; choose table or json.", text));
+            return text == "json";
+        });
+        app.add_option("-o,--output", output_, ".png (maps) or .json");
+        parameters_.add_to(app);
+    }
+
+    void refuse_ignored() const override {
+        refuse_ignored_parameters(parameters_, {.techniques = {},
+                                                .others = {ParameterId::tolerance},
+                                                .picture = ends_in(output_, ".png"),
+                                                .mesh = has_mesh_file(scene_)});
+    }
+
+    FileUse files() const override { return {scene_files(scene_), {{"-o", output_}}}; }
+
+    void run() const override {
+        const MomentOrders orders = moment_orders(basis_);
+        const ParameterValues values = parameters_.over();
+        const bool png = ends_in(output_, ".png");
+        if (!output_.empty() && !png && !ends_in(output_, ".json"))
+            throw Error(fmt::format("'{}' is neither .png nor .json; give -o such a name.", output_));
+        if (!output_.empty()) require_writable(output_);
+        const NeededMap map = measure(orders, values);
+        const NeedHistogram histogram = count_needs(map.pixels);
+        const double memory = tiled_memory(map.pixels, map.picture.width, TILE);
+        const std::string text = json_text(json_of(histogram, memory, scene_, basis_, values), 2) + "\n";
+        if (png)
+            write_needed_picture(
+                map.picture, map.pixels,
+                fmt::format("{}: the fewest {} moments so that T is certain within {:g} at every fragment",
+                            scene_, basis_, values.number(ParameterId::tolerance)),
+                output_);
+        else if (!output_.empty())
+            write_file(text, output_);
+        print(json_ ? text : table_of(histogram, memory, values));
+    }
+
+private:
+    NeededMap measure(const MomentOrders& orders, const ParameterValues& values) const {
+        Progress progress("Moments needed");
+        const Scene scene = load_scene_and_warn(scene_, values, progress);
+        const auto context = make_gl_context("osmesa", {16, 16});
+        Renderer renderer;
+        renderer.set_scene(scene);
+        renderer.render({scene.camera, size_, &require_technique("sorted"), values});
+        NeededMap map = {renderer.read_picture(), {}};
+        progress.show_stage("");
+        for (int y = 0; y < size_.y && !progress.stop().stop_requested(); ++y) {
+            for (const PixelCapture& capture : renderer.capture_region({0, y}, {size_.x, 1}))
+                map.pixels.push_back(pixel_need(capture.ray, orders, values));
+            progress.show(static_cast<std::size_t>(y + 1), static_cast<std::size_t>(size_.y));
+        }
+        progress.require_finished();
+        return map;
+    }
+
+    std::string scene_ = STANDARD_SCENE;
+    glm::ivec2 size_ = {320, 180};
+    std::string basis_ = "power";
+    bool json_ = false;  // is what is printed JSON, and no table?
+    std::string output_;
+    ParameterOptions parameters_;
+};
+
 }  // namespace
 
-void run_needed(const Options& options) {
-    const MomentOrders orders = moment_orders(options.basis);
-    const ParameterValues values = parse_parameters(options);
-    if (!options.format.empty() && options.format != "table" && options.format != "json")
-        throw Error(fmt::format("'{}' is not a format; choose table or json.", options.format));
-    const std::filesystem::path path = options.output;
-    const std::string kind = path.extension().string();
-    if (!path.empty() && kind != ".png" && kind != ".json")
-        throw Error(fmt::format("'{}' is neither .png nor .json; give -o such a name.", path.string()));
-    if (!path.empty()) require_writable(path);
-    const NeededMap map = measure(options, orders, values);
-    const NeedHistogram histogram = count_needs(map.pixels);
-    const double memory = tiled_memory(map.pixels, map.picture.width, TILE);
-    const std::string text = json_text(json_of(histogram, memory, options, values), 2) + "\n";
-    if (kind == ".json") write_file(text, path);
-    if (kind == ".png")
-        write_needed_picture(
-            map.picture, map.pixels,
-            fmt::format("{}: the fewest {} moments so that T is certain within {:g} at every fragment",
-                        options.scene, options.basis, *values[ParameterId::tolerance]),
-            path);
-    print(options.format == "json" ? text : table_of(histogram, memory, values));
+std::unique_ptr<ParsedCommand> add_needed(CLI::App& app) {
+    return std::make_unique<NeededCommand>(app);
 }
 
 }  // namespace momentscope

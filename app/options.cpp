@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -10,6 +11,7 @@
 #include "core/chart/grid.hpp"
 #include "core/error.hpp"
 #include "core/parse_number.hpp"
+#include "core/render/view.hpp"
 
 namespace momentscope {
 
@@ -27,20 +29,14 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 
 }  // namespace
 
-void add_scene_options(CLI::App& command, Options& options) {
-    command.add_option("--scene", options.scene, "id of a scene, or the path of a mesh file")
+CLI::Option* add_scene(CLI::App& app, std::string& id_or_path) {
+    return app.add_option("--scene", id_or_path, "id of a scene, or the path of a mesh file")
         ->capture_default_str();
-    command.add_option("--size", options.size, "width and height in pixels, as 960x540");
 }
 
-void add_parameter_options(CLI::App& command, Options& options) {
-    for (const Parameter& row : parameters()) {
-        CLI::Option* option =
-            command.add_option(fmt::format("--{}", row.key), options.parameters[row.key],
-                               fmt::format("{} {}: {} [{}]", row.name, row.symbol, parameter_values_text(row),
-                                           parameter_text(row, row.default_value)));
-        if (row.scale == Scale::toggle) option->expected(0, 1)->default_str("on")->type_name("[on|off]");
-    }
+CLI::Option* add_size(CLI::App& app, glm::ivec2& size) {
+    return add_parsed<glm::ivec2>(app, "--size", size, "width and height in pixels", parse_size)
+        ->default_str(fmt::format("{}x{}", size.x, size.y));
 }
 
 glm::ivec2 parse_size(const std::string& text) {
@@ -54,7 +50,7 @@ glm::ivec2 parse_size(const std::string& text) {
     return {*width, *height};
 }
 
-glm::ivec2 parse_pixel(const std::string& text, glm::ivec2 size) {
+glm::ivec2 PixelOption::within(glm::ivec2 size) const {
     const auto parts = split(text, ',');
     const auto x = parts.size() == 2 ? parse_number<int>(parts[0]) : std::nullopt;
     const auto y = parts.size() == 2 ? parse_number<int>(parts[1]) : std::nullopt;
@@ -64,24 +60,13 @@ glm::ivec2 parse_pixel(const std::string& text, glm::ivec2 size) {
     return {*x, *y};
 }
 
-float parse_scale(const std::string& text) {
-    const auto scale = parse_number<float>(text);
-    if (!scale || !(*scale >= 0.5f && *scale <= 4))
-        throw Error(
-            fmt::format("'{}' is not a scale of the window's text; give --ui-scale from 0.5 to 4.", text));
-    return *scale;
-}
-
-std::vector<float> parse_depths(const std::string& text) {
-    std::vector<float> depths;
-    for (const std::string_view part : split(text, ',')) {
-        const auto depth = parse_number<float>(part);
-        if (!depth || !(*depth >= -1 && *depth <= 1))
-            throw Error(fmt::format(
-                "The depth '{}' is not a number from -1 to 1; give --depths as -0.5,0,0.25.", part));
-        depths.push_back(*depth);
-    }
-    return depths;
+CLI::Option* add_count(CLI::App& app, const char* name, int& value, const std::string& help,
+                       const CountRange& range) {
+    return add_parsed<int>(app, name, value, help,
+                           [range](const std::string& text) {
+                               return parse_count(text, range.what, range.least, range.most);
+                           })
+        ->default_str(std::to_string(value));
 }
 
 int parse_count(const std::string& text, const char* what, int least, int most) {
@@ -92,34 +77,36 @@ int parse_count(const std::string& text, const char* what, int least, int most) 
     return *count;
 }
 
-int parse_ray_count(const std::string& text) {
-    return parse_count(text, "number of rays", 1, 1'000'000);
+CLI::Option* add_seed(CLI::App& app, std::uint32_t& seed) {
+    return add_parsed<std::uint32_t>(
+               app, "--seed", seed, "of the random rays",
+               [](const std::string& text) {
+                   return static_cast<std::uint32_t>(parse_count(text, "seed", 0, 2'000'000'000));
+               })
+        ->default_str(std::to_string(seed));
 }
 
-std::uint32_t parse_seed(const std::string& text) {
-    return static_cast<std::uint32_t>(parse_count(text, "seed", 0, 2'000'000'000));
+CLI::Option* add_rounds(CLI::App& app, int& rounds) {
+    constexpr int MAX_ROUNDS = 1000;
+    return add_count(app, "--repeat", rounds, "rounds in which each configuration is timed once",
+                     {"number of rounds", 1, MAX_ROUNDS});
+}
+
+CLI::Option* add_shard(CLI::App& app, Shard& shard) {
+    return add_parsed<Shard>(app, "--shard", shard,
+                             "a part of the rows, as 2/4 for the second of four (see merge)", parse_shard)
+        ->default_str(shard_text(shard));
+}
+
+CLI::Option* add_metric(CLI::App& app, Metric& metric, const char* help) {
+    return add_parsed<Metric>(app, "--metric", metric, help,
+                              [](const std::string& key) { return require_metric(key).id; });
 }
 
 double parse_bound(const std::string& text, const char* what) {
     const auto value = parse_number<double>(text);
     if (!value) throw Error(fmt::format("'{}' is no {}; give a number above 0.", text, what));
     return *value;
-}
-
-ParameterValues parse_parameters(const Options& options, ParameterValues values) {
-    for (const auto& [key, text] : options.parameters) {
-        if (text.empty()) continue;
-        const Parameter& row = *find_parameter(key);
-        values.set(row.id, parse_parameter(row, text));
-    }
-    return values;
-}
-
-double parse_rate(const std::string& text) {
-    const auto rate = parse_number<double>(text);
-    if (!rate || !(*rate >= 0 && *rate <= 1))
-        throw Error(fmt::format("'{}' is not a rate; give a number from 0 to 1, such as 0.0001.", text));
-    return *rate;
 }
 
 std::vector<std::string> split_list(const std::vector<std::string>& values) {
@@ -129,34 +116,48 @@ std::vector<std::string> split_list(const std::vector<std::string>& values) {
     return parts;
 }
 
-std::vector<const Technique*> parse_techniques(const Options& options, const char* default_value) {
+void ParameterOptions::add_to(CLI::App& app) {
+    for (const Parameter& row : parameters()) {
+        CLI::Option* option = app.add_option_function<std::string>(
+            fmt::format("--{}", row.key),
+            [this, &row](const std::string& text) { typed_[row.id] = parse_parameter(row, text); },
+            fmt::format("{} {}: {} [{}]", row.name, row.symbol, parameter_values_text(row),
+                        parameter_text(row, row.default_value)));
+        if (row.scale == Scale::toggle) option->expected(0, 1)->default_str("on")->type_name("[on|off]");
+    }
+}
+
+ParameterValues ParameterOptions::over(ParameterValues values) const {
+    for (const auto& [id, value] : typed_) values.set(id, value);
+    return values;
+}
+
+CLI::Option* add_techniques(CLI::App& app, TechniqueIds& ids, const std::string& help) {
+    return app.add_option("--technique", ids, help);
+}
+
+std::vector<const Technique*> techniques_of(const TechniqueIds& ids, const char* default_id) {
     std::vector<const Technique*> techniques;
-    for (const std::string& id : split_list(options.techniques)) techniques.push_back(&require_technique(id));
-    if (techniques.empty()) techniques.push_back(&require_technique(default_value));
+    for (const std::string& id : split_list(ids)) techniques.push_back(&require_technique(id));
+    if (techniques.empty()) techniques.push_back(&require_technique(default_id));
     return techniques;
 }
 
-std::vector<Configuration> parse_configurations(const Options& options, const char* default_value) {
-    const ParameterValues values = parse_parameters(options);
+std::vector<Configuration> configurations_of(const TechniqueIds& ids, const char* default_id,
+                                             const ParameterValues& values) {
     std::vector<Configuration> configurations;
-    for (const std::string& list : options.techniques)
+    for (const std::string& list : ids)
         for (const std::string& text : split_configurations(list))
             configurations.push_back(parse_configuration(text, values));
-    if (configurations.empty()) configurations.push_back(parse_configuration(default_value, values));
+    if (configurations.empty()) configurations.push_back(parse_configuration(default_id, values));
     return configurations;
 }
 
-ChartSettings parse_chart_settings(const Options& options, const char* standard_size) {
-    constexpr int MAX_ROUNDS = 1000;
-    return {parse_size(options.size.empty() ? standard_size : options.size),
-            parse_count(options.repeat, "number of rounds", 1, MAX_ROUNDS), parse_parameters(options)};
-}
-
-std::vector<Configuration> charted_configurations(const Options& options, const ParameterValues& values) {
-    if (options.techniques.empty()) return chart_grid(values);
+std::vector<Configuration> charted_configurations(const TechniqueIds& ids, const ParameterValues& values) {
+    if (ids.empty()) return chart_grid(values);
     std::vector<Configuration> all;
     std::set<std::string> texts;
-    for (const std::string& list : options.techniques)
+    for (const std::string& list : ids)
         for (const std::string& text : split_configurations(list)) {
             const Configuration one = parse_configuration(text, values);
             const auto chosen = text.find(':') == std::string::npos ? chart_grid(*one.technique, values)
@@ -187,8 +188,20 @@ Scene load_scene_and_warn(const std::string& id_or_path, float opacity, Progress
     return scene;
 }
 
-Scene load_scene_option(const Options& options, const ParameterValues& parameters, Progress& progress) {
-    return load_scene_and_warn(options.scene, *parameters[ParameterId::opacity], progress);
+Scene load_scene_and_warn(const std::string& id_or_path, const ParameterValues& values, Progress& progress) {
+    return load_scene_and_warn(id_or_path, values.number(ParameterId::opacity), progress);
+}
+
+std::vector<std::string> scene_files(const std::string& text) {
+    if (text == "all" || is_builtin_scene(text)) return {};
+    std::vector<std::string> files = {text};  // whose name may have commas
+    for (const std::string& scene : split_list({text}))
+        if (!is_builtin_scene(scene)) files.push_back(scene);
+    return files;
+}
+
+bool has_mesh_file(const std::string& text) {
+    return text != "all" && !std::ranges::all_of(split_list({text}), is_builtin_scene);
 }
 
 }  // namespace momentscope

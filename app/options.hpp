@@ -1,109 +1,99 @@
-// options.hpp -- options that several commands share.
+// options.hpp -- options that several commands have. Each add_ function writes into a member of the command,
+// when the words are parsed; a text that means no value throws Error then.
 #pragma once
 #include <CLI/CLI.hpp>
+#include <functional>
+#include <glm/glm.hpp>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/chart/measure.hpp"
-#include "core/render/view.hpp"
+#include "core/compare/difference.hpp"
 #include "core/scene/scenes.hpp"
+#include "core/table/run_table.hpp"
 #include "core/techniques/configuration.hpp"
 
 namespace momentscope {
 
 class Progress;
 
-/// What was typed, as text; the functions below turn it into values or throw Error.
-struct Options {
-    std::string scene = "teapots";
-    std::string ray;
-    std::vector<std::string> techniques;
-    std::string pixel;
-    std::string size;
-    std::string output;
-    std::string format;
-    std::string depths;
-    std::string samples = "512";
-    std::vector<std::string> conditions;
-    std::string rays = "400";
-    std::string seed = "1";
-    std::string random;
-    std::string max_failures = "0.001";
-    std::string reference;  // of the window
-    std::string figure;
-    std::vector<std::string> pictures;  // of compare: reference and test
-    std::string metric;
-    std::string region;
-    std::string basis = "power";  // of needed
-    std::string repeat = "3";
-    std::string shard = "1/1";
-    std::vector<std::string> files;  // of merge
-    std::string max_error;           // of advise
-    std::string max_bits;
-    std::string max_ms;
-    std::string chart;
-    bool order_independent = false;
-    bool steps = false;
-    bool sharp_bounds = false;
-    bool light = false;    // of inspect: seen from the light
-    std::string receiver;  // "surface" or the number of a fragment
-    bool headless = false;
-    std::string screenshot;
-    std::string session;
-    std::string events;
-    std::string log;
-    std::string ui_scale = "1";
-    std::string theme;
-    std::map<std::string, std::string> parameters;  // by registry key
-};
+/// An option whose text becomes the value by `parse`.
+template <typename T>
+CLI::Option* add_parsed(CLI::App& app, const char* name, T& value, const std::string& help,
+                        std::function<T(const std::string&)> parse) {
+    return app.add_option_function<std::string>(
+        name, [&value, parse = std::move(parse)](const std::string& text) { value = parse(text); }, help);
+}
 
-void add_scene_options(CLI::App& command, Options& options);
-void add_parameter_options(CLI::App& command, Options& options);  // one for each row of the registry
+constexpr glm::ivec2 PICTURE_SIZE = {960, 540};  // of pictures that are drawn once
+constexpr const char* STANDARD_SCENE = "teapots";
 
-constexpr const char* STANDARD_SIZE = "960x540";  // of pictures that are drawn once
+CLI::Option* add_scene(CLI::App& app, std::string& id_or_path);
 
 /// "WxH", each from 1 to MAX_PICTURE_SIDE.
+CLI::Option* add_size(CLI::App& app, glm::ivec2& size);
 glm::ivec2 parse_size(const std::string& text);
 
-/// "X,Y" within a picture of that size.
-glm::ivec2 parse_pixel(const std::string& text, glm::ivec2 size);
-
-/// From 0.5 to 4.
-float parse_scale(const std::string& text);
-
-/// The parts between commas of all the values of a repeated option.
-std::vector<std::string> split_list(const std::vector<std::string>& values);
-
-/// "z1,z2,...", each in [-1, 1].
-std::vector<float> parse_depths(const std::string& text);
-
-/// A rate from 0 to 1.
-double parse_rate(const std::string& text);
+/// What was typed as --pixel, X,Y: it is checked against a picture's size once that is known.
+struct PixelOption {
+    std::string text;
+    explicit operator bool() const { return !text.empty(); }
+    glm::ivec2 within(glm::ivec2 size) const;
+};
 
 /// A whole number from `least` to `most`; `what` names it in the error.
+struct CountRange {
+    const char* what;
+    int least, most;
+};
+constexpr CountRange RAY_COUNT = {"number of rays", 1, 1'000'000};
+
+/// --help shows the value as the default.
+CLI::Option* add_count(CLI::App& app, const char* name, int& value, const std::string& help,
+                       const CountRange& range);
 int parse_count(const std::string& text, const char* what, int least, int most);
 
-/// How many random rays, and the seed of the first.
-int parse_ray_count(const std::string& text);
-std::uint32_t parse_seed(const std::string& text);
+CLI::Option* add_seed(CLI::App& app, std::uint32_t& seed);
+CLI::Option* add_rounds(CLI::App& app, int& rounds);
+CLI::Option* add_shard(CLI::App& app, Shard& shard);
+CLI::Option* add_metric(CLI::App& app, Metric& metric, const char* help);
 
 /// Any finite number; `what` names it in the error.
 double parse_bound(const std::string& text, const char* what);
 
-/// The parameters that were typed, over `standard`.
-ParameterValues parse_parameters(const Options& options, ParameterValues default_value = {});
-std::vector<const Technique*> parse_techniques(const Options& options, const char* default_value);
+/// The parts between commas of all the values of a repeated option.
+std::vector<std::string> split_list(const std::vector<std::string>& values);
 
-/// Ids of techniques, or configurations such as at:nodes=8, over the parameters that were typed.
-std::vector<Configuration> parse_configurations(const Options& options, const char* default_value);
+/// Parameters that were typed: one option for each row of the registry.
+class ParameterOptions {
+public:
+    void add_to(CLI::App& app);
 
-/// Size, rounds and the pictures' parameters; `standard_size` as "WxH".
-ChartSettings parse_chart_settings(const Options& options, const char* standard_size);
+    /// `values` with those that were typed.
+    ParameterValues over(ParameterValues values = {}) const;
+    bool has(ParameterId id) const { return typed_.contains(id); }
+    bool empty() const { return typed_.empty(); }
+
+private:
+    std::map<ParameterId, std::optional<float>> typed_;
+};
+
+/// --technique: ids, separated by commas or repeated.
+using TechniqueIds = std::vector<std::string>;
+CLI::Option* add_techniques(CLI::App& app, TechniqueIds& ids, const std::string& help);
+
+/// Throws Error for an id that does not exist.
+std::vector<const Technique*> techniques_of(const TechniqueIds& ids, const char* default_id);
+
+/// The same for configurations such as at:nodes=8, over the parameters that were typed.
+std::vector<Configuration> configurations_of(const TechniqueIds& ids, const char* default_id,
+                                             const ParameterValues& values);
 
 /// Those of a chart: an id alone stands for its part of the grid. Each once; the whole grid when none were
 /// typed.
-std::vector<Configuration> charted_configurations(const Options& options, const ParameterValues& values);
+std::vector<Configuration> charted_configurations(const TechniqueIds& ids, const ParameterValues& values);
 
 /// As load_scene. `progress` shows what is done, and ends it.
 Scene load_scene_visibly(const std::string& id_or_path, float opacity, Progress& progress);
@@ -111,7 +101,12 @@ Scene load_scene_visibly(const std::string& id_or_path, float opacity, Progress&
 /// The same, with the scene's warnings on stderr.
 Scene load_scene_and_warn(const std::string& id_or_path, float opacity, Progress& progress);
 
-/// The same with the scene and the opacity that are asked for.
-Scene load_scene_option(const Options& options, const ParameterValues& parameters, Progress& progress);
+/// The same with the opacity among parameters.
+Scene load_scene_and_warn(const std::string& id_or_path, const ParameterValues& values, Progress& progress);
+
+/// Of --scene: an id, a path, a list of them or "all". The files that the command may read, and whether it
+/// reads one.
+std::vector<std::string> scene_files(const std::string& text);
+bool has_mesh_file(const std::string& text);
 
 }  // namespace momentscope

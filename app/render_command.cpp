@@ -1,5 +1,6 @@
-#include "app/commands.hpp"
+#include "app/command.hpp"
 #include "app/gl_context.hpp"
+#include "app/ignored_options.hpp"
 #include "app/progress.hpp"
 #include "core/error.hpp"
 #include "core/output_file.hpp"
@@ -9,33 +10,64 @@ namespace momentscope {
 
 namespace {
 
-Image drawn(const Options& options, const ParameterValues& parameters, const Configuration& configuration,
-            glm::ivec2 size) {
-    Progress progress("Drawing");
-    const Scene scene = load_scene_option(options, parameters, progress);
-    const auto context = make_gl_context("osmesa", {16, 16});
-    Renderer renderer;
-    renderer.set_scene(scene);
-    renderer.render({scene.camera, size, configuration.technique, configuration.values});
-    Image picture = renderer.read_picture();
-    progress.require_finished();
-    return picture;
-}
+class Render : public ParsedCommand {
+public:
+    explicit Render(CLI::App& app) : ParsedCommand(app) {
+        add_scene(app, scene_);
+        add_size(app, size_);
+        add_techniques(app, techniques_, "id of a technique, or a configuration such as at:nodes=8");
+        app.add_option("-o,--output", output_, ".exr (linear floats) or .png")->required();
+        parameters_.add_to(app);
+    }
+
+    void refuse_ignored() const override {
+        refuse_ignored_parameters(parameters_, {.techniques = techniques_in(configurations()),
+                                                .picture = true,
+                                                .order = true,
+                                                .tone_map = ends_in(output_, ".png"),
+                                                .mesh = has_mesh_file(scene_)});
+    }
+
+    FileUse files() const override { return {scene_files(scene_), {{"-o", output_}}}; }
+
+    void run() const override {
+        const auto configurations = this->configurations();
+        if (configurations.size() != 1)
+            throw Error("A picture is drawn by one technique; give a single --technique.");
+        if (!ends_in(output_, ".png") && !ends_in(output_, ".exr"))
+            throw Error("A picture ends in .png or .exr; give -o such a name.");
+        require_writable(output_);  // before the work, not after
+        write_image(drawn(configurations.front()), output_, tone_map_of(parameters_.over()));
+    }
+
+private:
+    std::vector<Configuration> configurations() const {
+        return configurations_of(techniques_, "power6-32", parameters_.over());
+    }
+
+    Image drawn(const Configuration& configuration) const {
+        Progress progress("Drawing");
+        const Scene scene = load_scene_and_warn(scene_, parameters_.over(), progress);
+        const auto context = make_gl_context("osmesa", {16, 16});
+        Renderer renderer;
+        renderer.set_scene(scene);
+        renderer.render({scene.camera, size_, configuration.technique, configuration.values});
+        Image picture = renderer.read_picture();
+        progress.require_finished();
+        return picture;
+    }
+
+    std::string scene_ = STANDARD_SCENE;
+    glm::ivec2 size_ = PICTURE_SIZE;
+    TechniqueIds techniques_;
+    std::string output_;
+    ParameterOptions parameters_;
+};
 
 }  // namespace
 
-void run_render(const Options& options) {
-    const glm::ivec2 size = parse_size(options.size.empty() ? STANDARD_SIZE : options.size);
-    const ParameterValues parameters = parse_parameters(options);
-    const auto configurations = parse_configurations(options, "power6-32");
-    if (configurations.size() != 1)
-        throw Error("A picture is drawn by one technique; give a single --technique.");
-    const std::string extension = std::filesystem::path(options.output).extension();
-    if (extension != ".png" && extension != ".exr")
-        throw Error("A picture ends in .png or .exr; give -o such a name.");
-    require_writable(options.output);  // before the work, not after
-    write_image(drawn(options, parameters, configurations.front(), size), options.output,
-                tone_map_of(parameters));
+std::unique_ptr<ParsedCommand> add_render(CLI::App& app) {
+    return std::make_unique<Render>(app);
 }
 
 }  // namespace momentscope

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
-#include "app/commands.hpp"
+#include "app/command.hpp"
 #include "app/gl_context.hpp"
+#include "app/ignored_options.hpp"
 #include "app/progress.hpp"
 #include "app/terminal.hpp"
 #include "core/error.hpp"
+#include "core/parse_number.hpp"
 #include "core/ray/ray_json.hpp"
 #include "core/render/renderer.hpp"
 #include "core/stress/tune.hpp"
@@ -18,20 +20,11 @@ namespace {
 
 constexpr int OVERDRAW_RAYS = 300;
 
-// Pixels on a grid, which see the scene evenly.
-std::vector<ViewRay> scene_rays(const Options& options, const TuneOptions& tuning) {
-    const glm::ivec2 size = parse_size(options.size.empty() ? "96x54" : options.size);
-    Progress progress("Looking at the scene");
-    const Scene scene = load_scene_option(options, tuning.values, progress);
-    const auto context = make_gl_context("osmesa", {16, 16});
-    Renderer renderer;
-    renderer.set_scene(scene);
-    renderer.render({scene.camera, size, &require_technique("sorted"), tuning.values});
-    std::vector<ViewRay> rays;
-    for (PixelCapture& capture : renderer.capture_region({0, 0}, size))
-        rays.push_back(std::move(capture.ray));
-    progress.require_finished();
-    return rays;
+double parse_rate(const std::string& text) {
+    const auto rate = parse_number<double>(text);
+    if (!rate || !(*rate >= 0 && *rate <= 1))
+        throw Error(fmt::format("'{}' is not a rate; give a number from 0 to 1, such as 0.0001.", text));
+    return *rate;
 }
 
 std::string percent(double rate) {
@@ -40,8 +33,8 @@ std::string percent(double rate) {
 
 const char* preset_name(const Technique& technique, const Trial& trial) {
     if (trial.parameter != ParameterId::alpha) return "";
-    if (trial.value == technique.recommended_bias) return "  (Table 1)";
-    return trial.value == technique.robust_bias ? "  (preset robust)" : "";
+    if (trial.value == technique.moments().recommended_bias) return "  (Table 1)";
+    return trial.value == technique.moments().robust_bias ? "  (preset robust)" : "";
 }
 
 // One table per parameter. What exact arithmetic on the stored moments fails, no solver mends.
@@ -88,39 +81,107 @@ void print_overdraw(const std::vector<OverdrawTrial>& trials, double most_failur
     }
 }
 
+class TuneCommand : public ParsedCommand {
+public:
+    explicit TuneCommand(CLI::App& app) : ParsedCommand(app) {
+        CLI::Option* scene = add_scene(app, scene_);
+        add_size(app, size_);
+        CLI::Option* ray = app.add_option("--ray", ray_, "JSON file of a view ray, instead of a scene");
+        CLI::Option* random = add_parsed<std::optional<int>>(
+            app, "--random", random_, "how many random rays of 2 to 5 fragments, instead of a scene",
+            [](const std::string& text) {
+                return parse_count(text, RAY_COUNT.what, RAY_COUNT.least, RAY_COUNT.most);
+            });
+        ray->excludes(scene, random);
+        random->excludes(scene);
+        add_techniques(app, techniques_, "id of a technique with moments [power8-32]");
+        add_parsed<double>(app, "--max-failures", max_failures_, "highest failure rate of a safe bias",
+                           parse_rate)
+            ->default_str("0.001");
+        add_seed(app, seed_);
+        parameters_.add_to(app);
+    }
+
+    void refuse_ignored() const override {
+        refuse_ignored_options(
+            app(), {{"--size", !of_scene(), "without a scene"}, {"--seed", !random_, "without --random"}});
+        refuse_ignored_parameters(
+            parameters_, {.techniques = {},
+                          .others = reconstruction_parameters(techniques_of(techniques_, "power8-32")),
+                          .order = of_scene(),
+                          .mesh = of_scene() && has_mesh_file(scene_)});
+    }
+
+    FileUse files() const override {
+        FileUse use = {scene_files(scene_)};
+        use.inputs.push_back(ray_);
+        return use;
+    }
+
+    void run() const override {
+        TuneOptions tuning;
+        const auto chosen = techniques_of(techniques_, "power8-32");
+        if (chosen.size() != 1) throw Error("tune takes one technique at a time; give --technique one id.");
+        tuning.technique = chosen.front();
+        if (!tuning.technique->has_moments())
+            throw Error(fmt::format("'{}' has no parameters to tune; choose a technique with moments.",
+                                    tuning.technique->id));
+        tuning.values = parameters_.over();
+        tuning.most_failures = max_failures_;
+        const std::vector<ViewRay> rays = this->rays(tuning);
+        std::optional<TuneResult> result;
+        std::optional<std::vector<OverdrawTrial>> by_overdraw;
+        {
+            Progress progress("Tuning");
+            const auto show = [&](std::size_t done, std::size_t all) { progress.show(done, all); };
+            result = tune(rays, tuning, progress.stop(), show);
+            if (result && tuning.technique->moment_kernel().bits == 16 && random_)
+                by_overdraw = tune_by_overdraw(tuning, OVERDRAW_RAYS, seed_, progress.stop(), show);
+            progress.require_finished();
+        }
+        print_trials(*tuning.technique, *result);
+        if (by_overdraw) print_overdraw(*by_overdraw, tuning.most_failures);
+        print_result(*tuning.technique, *result);
+    }
+
+private:
+    bool of_scene() const { return !random_ && ray_.empty(); }
+
+    std::vector<ViewRay> rays(const TuneOptions& tuning) const {
+        if (random_) return tuning_rays(*random_, seed_);
+        if (!ray_.empty()) return {read_ray_file(ray_)};
+        return scene_rays(tuning);
+    }
+
+    // Pixels on a grid, which see the scene evenly.
+    std::vector<ViewRay> scene_rays(const TuneOptions& tuning) const {
+        Progress progress("Looking at the scene");
+        const Scene scene = load_scene_and_warn(scene_, tuning.values, progress);
+        const auto context = make_gl_context("osmesa", {16, 16});
+        Renderer renderer;
+        renderer.set_scene(scene);
+        renderer.render({scene.camera, size_, &require_technique("sorted"), tuning.values});
+        std::vector<ViewRay> rays;
+        for (PixelCapture& capture : renderer.capture_region({0, 0}, size_))
+            rays.push_back(std::move(capture.ray));
+        progress.require_finished();
+        return rays;
+    }
+
+    std::string scene_ = STANDARD_SCENE;
+    glm::ivec2 size_ = {96, 54};
+    std::string ray_;
+    std::optional<int> random_;
+    TechniqueIds techniques_;
+    double max_failures_ = 0.001;
+    std::uint32_t seed_ = 1;
+    ParameterOptions parameters_;
+};
+
 }  // namespace
 
-void run_tune_command(const Options& options) {
-    TuneOptions tuning;
-    const auto chosen = parse_techniques(options, "power8-32");
-    if (chosen.size() != 1) throw Error("tune takes one technique at a time; give --technique one id.");
-    tuning.technique = chosen.front();
-    if (tuning.technique->kernel == nullptr)
-        throw Error(fmt::format("'{}' has no parameters to tune; choose a technique with moments.",
-                                tuning.technique->id));
-    tuning.values = parse_parameters(options);
-    tuning.most_failures = parse_rate(options.max_failures);
-    const std::uint32_t seed = parse_seed(options.seed);
-    const bool of_scene = options.random.empty() && options.ray.empty();
-    std::vector<ViewRay> rays;
-    if (!options.random.empty())
-        rays = tuning_rays(parse_ray_count(options.random), seed);
-    else if (!options.ray.empty())
-        rays.push_back(read_ray_file(options.ray));
-    if (of_scene) rays = scene_rays(options, tuning);
-    std::optional<TuneResult> result;
-    std::optional<std::vector<OverdrawTrial>> by_overdraw;
-    {
-        Progress progress("Tuning");
-        const auto show = [&](std::size_t done, std::size_t all) { progress.show(done, all); };
-        result = tune(rays, tuning, progress.stop(), show);
-        if (result && tuning.technique->kernel->bits == 16 && !options.random.empty())
-            by_overdraw = tune_by_overdraw(tuning, OVERDRAW_RAYS, seed, progress.stop(), show);
-        progress.require_finished();
-    }
-    print_trials(*tuning.technique, *result);
-    if (by_overdraw) print_overdraw(*by_overdraw, tuning.most_failures);
-    print_result(*tuning.technique, *result);
+std::unique_ptr<ParsedCommand> add_tune(CLI::App& app) {
+    return std::make_unique<TuneCommand>(app);
 }
 
 }  // namespace momentscope

@@ -15,19 +15,16 @@ namespace {
 
 constexpr float PI = std::numbers::pi_v<float>;
 
-constexpr std::array PRESETS = {"table1", "robust"};
-constexpr std::array SOLVERS = {"robust", "textbook"};
-constexpr std::array FACTORISATIONS = {"per-pixel", "per-fragment"};
-constexpr std::array ACCUMULATIONS = {"blending", "ordered"};
-constexpr std::array WEIGHTS = {"window-depth", "view-depth", "g3d"};
-constexpr std::array COEFFICIENTS = {"7", "15"};
-constexpr std::array LAYER_BITS = {"16", "8", "32"};
-constexpr std::array RESOLUTIONS = {"full", "half", "quarter", "eighth"};
-constexpr std::array READ_FORMATS = {"float", "theta16", "nlqm64", "nlqm32"};
-constexpr std::array MOMENT_PASSES = {"one", "opacity", "visibility"};
-constexpr std::array ORDERS = {"submitted", "reversed", "shuffled"};
-constexpr std::array DEPTH_RANGES = {"corrected", "published"};
-constexpr std::array TONE_MAPS = {"none", "reinhard", "filmic"};
+// The names of a choice: CHOICE_NAMES<Solver>.
+template <typename Choice>
+constexpr bool CHOICE_NAMES = false;
+#define VALUE(enumerator, text) text
+#define CHOICE(type, parameter, ...) \
+    template <>                      \
+    constexpr std::array CHOICE_NAMES<type> = {__VA_ARGS__};
+#include "core/parameter_choices.def"
+#undef CHOICE
+#undef VALUE
 
 // Moments in floats, which may be filtered; two sizes of Fourier series; the ground truth; and no such
 // casters.
@@ -69,16 +66,18 @@ const std::array<Parameter, PARAMETER_COUNT> ROWS = {{
     {ParameterId::preset, "preset", "α*", "bias preset", "", 0.0f, 1.0f, 0.0f, Scale::choice, Stage::color,
      "What `auto` means for the moment bias: the published values of the supplementary's Table 1, or the least "
      "that the robust solver was measured to survive, which is sharper.",
-     "Münstermann et al. 2018, supplementary, Table 1; Momentscope 2026, docs/bias.md", PRESETS},
+     "Münstermann et al. 2018, supplementary, Table 1; Momentscope 2026, docs/bias.md",
+     CHOICE_NAMES<BiasPreset>},
     {ParameterId::solver, "solver", "q(z)", "solver", "", 0.0f, 1.0f, 0.0f, Scale::choice, Stage::color,
      "How moments are reconstructed: by this project's solver, which survives nearly singular matrices, or by "
      "Algorithms 1 and 2 as published, which show what bias is for.",
-     "Münstermann et al. 2018, Algorithms 1 and 2; Momentscope 2026, docs/equations.md", SOLVERS},
+     "Münstermann et al. 2018, Algorithms 1 and 2; Momentscope 2026, docs/equations.md",
+     CHOICE_NAMES<Solver>},
     {ParameterId::factorisation, "factorisation", "LDL*", "factorisation", "", 0.0f, 1.0f, 0.0f,
      Scale::choice, Stage::color,
      "Where the matrix of moments is biased and factored: once per pixel between the passes, for all of its fragments, or "
      "again for every fragment, as published. The results are the same; the first is faster and stores the factor.",
-     "Momentscope 2026, docs/equations.md", FACTORISATIONS},
+     "Momentscope 2026, docs/equations.md", CHOICE_NAMES<Factorisation>},
     {ParameterId::tolerance, "tolerance", "ε", "tolerance", "", 1.0e-4f, 1.0f, 0.05f, Scale::logarithmic,
      Stage::color,
      "How uncertain the transmittance to a fragment may be: how much wider its bounds may be with four moments than with "
@@ -88,7 +87,7 @@ const std::array<Parameter, PARAMETER_COUNT> ROWS = {{
      Stage::moments,
      "How the first pass adds up moments in floats: by blending, or by reading and writing pixels in submission "
      "order, as 16-bit moments always need it. The sums are the same.",
-     "Münstermann et al. 2018, supplementary, Section 3.2 and Table 3", ACCUMULATIONS},
+     "Münstermann et al. 2018, supplementary, Section 3.2 and Table 3", CHOICE_NAMES<MomentAccumulation>},
     {ParameterId::renormalize, "renormalize", "Eq. 2", "renormalisation", "", 0.0f, 1.0f, 1.0f, Scale::toggle,
      Stage::composite,
      "1 scales the transparent colour so that all weights sum to the true coverage, 0 leaves the sum as it is.",
@@ -96,10 +95,10 @@ const std::array<Parameter, PARAMETER_COUNT> ROWS = {{
     {ParameterId::weight, "weight", "w", "weight", "", 0.0f, 2.0f, 0.0f, Scale::choice, Stage::moments,
      "How weighted blending guesses what is seen of a fragment: from window depth and opacity, as the authors of the "
      "moment-based paper compared; from view depth in scene units (2013); or as the G3D engine does (2016).",
-     "McGuire and Bavoil 2013, Equations 7 to 10; McGuire and Mara 2017", WEIGHTS},
+     "McGuire and Bavoil 2013, Equations 7 to 10; McGuire and Mara 2017", CHOICE_NAMES<WeightFunction>},
     {ParameterId::coefficients, "coefficients", "2K+1", "Fourier coefficients", "", 0.0f, 1.0f, 0.0f,
      Scale::choice, Stage::moments, "How many real coefficients a pixel keeps. More ring in finer waves.",
-     "Jansen and Bavoil 2010", COEFFICIENTS},
+     "Jansen and Bavoil 2010", CHOICE_NAMES<FourierCoefficients>},
     {ParameterId::lanczos, "lanczos", "σ", "Lanczos damping", "", 0.0f, 1.0f, 0.0f, Scale::toggle,
      Stage::color, "1 damps high frequencies, which takes most of the ringing for less precision in depth.",
      "Lanczos 1956, Section 4.6"},
@@ -111,7 +110,7 @@ const std::array<Parameter, PARAMETER_COUNT> ROWS = {{
      Stage::moments,
      "How a layer is stored: colour in half floats, depth and transmittance in 16 bits; all but depth in 8 bits; or all "
      "in floats, which rounds nothing.",
-     "Münstermann et al. 2018, supplementary, Table 3", LAYER_BITS},
+     "Münstermann et al. 2018, supplementary, Table 3", CHOICE_NAMES<LayerBits>},
     {ParameterId::samples, "pixel-samples", "S", "samples", "", 1.0f, 64.0f, 8.0f, Scale::whole,
      Stage::moments, "How many samples a pixel has. Four times as many halve the noise.",
      "Enderton et al. 2010, Section 4"},
@@ -119,26 +118,26 @@ const std::array<Parameter, PARAMETER_COUNT> ROWS = {{
      Stage::moments,
      "The resolution of the moments: that of the picture, or a half, a quarter or an eighth of it in each direction, "
      "which pixels read bilinearly. A pixel's function is then a mixture of its neighbours'.",
-     "Sharpe 2018, Section 4.1", RESOLUTIONS},
+     "Sharpe 2018, Section 4.1", CHOICE_NAMES<MomentResolution>},
     {ParameterId::read_format, "read-format", "bits", "read format", "", 0.0f, 3.0f, 0.0f, Scale::choice,
      Stage::moments,
      "What moments are converted to before the second pass reads them: nothing, 16 bits each after the transform Θ_4, "
      "or non-linearly quantised moments of 64 or 32 bits, which cannot be read at low resolution.",
-     "Sharpe 2018, Section 4.2; Peters and Klein 2015; Peters 2017", READ_FORMATS},
+     "Sharpe 2018, Section 4.2; Peters and Klein 2015; Peters 2017", CHOICE_NAMES<ReadFormat>},
     {ParameterId::moment_passes, "moment-passes", "n", "moment passes", "", 0.0f, 2.0f, 0.0f, Scale::choice,
      Stage::moments,
      "One set of moments, or a second one that knows from the first what is seen of a fragment. The paper does not say how "
      "both are put together; these are two readings: the second set of opacities as they are seen, or of the visibility.",
-     "Sharpe 2018, Section 4.4", MOMENT_PASSES},
+     "Sharpe 2018, Section 4.4", CHOICE_NAMES<MomentSets>},
     {ParameterId::depth_range, "depth-range", "z'", "depth range of moments", "", 0.0f, 1.0f, 0.0f,
      Scale::choice, Stage::moments,
      "Moments of depth in [0, 1], as published, where the bias vector does not belong, or corrected to [-1, 1].",
-     "Sharpe 2018, Section 3.3", DEPTH_RANGES},
+     "Sharpe 2018, Section 3.3", CHOICE_NAMES<DepthRange>},
     {ParameterId::order, "order", "1, 2, ...", "order of submission", "", 0.0f, 2.0f, 0.0f, Scale::choice,
      Stage::moments,
      "The order in which objects and their triangles are drawn: as the scene has them, backwards, or shuffled. What "
      "changes with it depends on order.",
-     "Münstermann et al. 2018, Section 2", ORDERS},
+     "Münstermann et al. 2018, Section 2", CHOICE_NAMES<OrderKind>},
     {ParameterId::order_seed, "order-seed", "s", "seed of the shuffled order", "", 1.0f, 1000.0f, 1.0f,
      Scale::whole, Stage::moments, "Which of the shuffled orders.", "Momentscope 2026"},
     {ParameterId::opacity, "opacity", "α_l", "opacity of mesh files", "", 0.0f, 0.99f, 0.4f, Scale::linear,
@@ -149,7 +148,7 @@ const std::array<Parameter, PARAMETER_COUNT> ROWS = {{
      Stage::display,
      "How linear colours become those of the screen and of PNG files: as they are, cut at 1; by Reinhard's c / (1 + c), "
      "which never cuts; or by a curve like that of film. EXR files and everything measured stay linear.",
-     "Reinhard et al. 2002, Equation 3; Narkowicz 2016", TONE_MAPS},
+     "Reinhard et al. 2002, Equation 3; Narkowicz 2016", CHOICE_NAMES<ToneMap>},
     {ParameterId::shadows, "shadows", "V", "shadows", "", 0.0f, 1.0f, 0.0f, Scale::toggle, Stage::shading,
      "1 lets surfaces receive the shadows of others from a light of the scene, 0 lights everything from beside the camera. "
      "Opaque and transparent casters have a map each; what both let through is multiplied.",
@@ -255,7 +254,7 @@ std::string parameter_text(const Parameter& row, std::optional<float> value) {
 std::string parameter_values_text(const Parameter& row) {
     if (row.scale == Scale::toggle) return "on or off";
     if (row.choices.empty())
-        return fmt::format("a {}number from {:g} to {:.4g}{}{}{}", is_whole(row) ? "whole " : "", row.minimum,
+        return fmt::format("a {}number from {:g} to {:g}{}{}{}", is_whole(row) ? "whole " : "", row.minimum,
                            row.maximum, *row.unit != '\0' ? " " : "", row.unit,
                            row.default_value ? "" : ", or auto");
     std::string list;

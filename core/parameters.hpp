@@ -6,8 +6,11 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
+
+#include "core/parameter_choices.hpp"
 
 namespace momentscope {
 
@@ -83,16 +86,47 @@ inline constexpr std::array SHADOW_PARAMETERS = {ParameterId::shadow_technique, 
                                                  ParameterId::shadow_radius,    ParameterId::light_azimuth,
                                                  ParameterId::light_elevation,  ParameterId::light_distance};
 
+/// The parameter whose values an enum of parameter_choices.def names.
+template <typename Choice>
+struct ParameterOf;
+#define CHOICE(type, parameter, ...)                              \
+    template <>                                                   \
+    struct ParameterOf<type> {                                    \
+        static constexpr ParameterId ID = ParameterId::parameter; \
+    };
+#include "core/parameter_choices.def"
+#undef CHOICE
+
 /// All parameters, in the order of ParameterId.
 std::span<const Parameter> parameters();
 const Parameter& parameter(ParameterId id);
 const Parameter* find_parameter(std::string_view key);  // nullptr when there is none
 
-/// A value for every parameter; nullopt means `auto` and is allowed where Parameter::standard is nullopt.
+/// A value for every parameter. A new object has all of them at their defaults. Each getter is for rows of
+/// one Scale; what `set` accepts is always in the row's range.
 class ParameterValues {
 public:
-    ParameterValues();  // all at their standard
+    ParameterValues();
 
+    /// Of a choice by name: values.get<Solver>().
+    template <typename Choice>
+    Choice get() const {
+        return static_cast<Choice>(number_of_choice(ParameterOf<Choice>::ID));
+    }
+
+    /// The same as a number from 0, for choices that come from other registries.
+    std::size_t number_of_choice(ParameterId id) const { return static_cast<std::size_t>(count(id)); }
+
+    /// Of a switch (Scale::toggle).
+    bool is_on(ParameterId id) const { return number(id) != 0; }
+
+    /// Of a whole number.
+    int count(ParameterId id) const { return static_cast<int>(number(id)); }
+
+    /// Of a parameter that is never `auto`, in the row's unit. Throws std::bad_optional_access otherwise.
+    float number(ParameterId id) const { return (*this)[id].value(); }
+
+    /// nullopt means `auto`, which is allowed where Parameter::default_value is nullopt.
     const std::optional<float>& operator[](ParameterId id) const {
         return values_[static_cast<std::size_t>(id)];
     }
@@ -100,20 +134,20 @@ public:
     /// Throws Error when the value is not a number within the row's range, or `auto` where there is none.
     void set(ParameterId id, std::optional<float> value);
 
+    template <typename Choice>
+    requires std::is_enum_v<Choice>
+    void set(Choice choice) { set(ParameterOf<Choice>::ID, static_cast<float>(choice)); }
+    void turn(ParameterId id, bool on) { set(id, on ? 1.0f : 0.0f); }
+
     friend bool operator==(const ParameterValues&, const ParameterValues&) = default;
 
 private:
     std::array<std::optional<float>, PARAMETER_COUNT> values_;
 };
 
-/// Of a choice, a switch or a count; 0 for `auto`.
-inline int whole(const std::optional<float>& value) {
-    return static_cast<int>(value.value_or(0.0f));
-}
-
 using ParameterSettings = std::vector<std::pair<ParameterId, float>>;
 
-/// All values at their standard but these. Throws Error as ParameterValues::set.
+/// All values at their defaults but these. Throws Error as ParameterValues::set.
 ParameterValues values_with(const ParameterSettings& settings);
 
 /// The value that a text on the command line or in a file means: a number, `auto` or one of the choices.

@@ -39,7 +39,7 @@ void write(const std::filesystem::path& folder, const std::string& prefix, const
 void write_technique(const std::filesystem::path& folder, const Technique& technique) {
     const std::string id = technique.id;
     for (const bool textbook : {false, true}) {
-        if (textbook && !technique.kernel->has_textbook) continue;
+        if (textbook && !technique.moment_kernel().has_textbook) continue;
         ShaderVariant variant = reconstruction_variant(technique, {.textbook = textbook});
         variant.defines["WITH_TRANSMITTANCE"] = "1";
         for (const char* path : RECONSTRUCTING)
@@ -55,18 +55,19 @@ void write_technique(const std::filesystem::path& folder, const Technique& techn
     write(folder, id + ".lean", "passes/color.frag", factored);
     const auto access = OrderedAccess::interlock;
     write(folder, id + ".ordered", "passes/moments.frag", accumulation_variant(technique, true, access));
-    if (technique.kernel->bits == 32)
+    if (technique.moment_kernel().bits == 32)
         write(folder, id, "passes/moments.frag", accumulation_variant(technique, false, access));
 }
 
 void write_pixel_state(const std::filesystem::path& folder, const Technique& technique) {
-    const PixelStateSettings settings = technique.pixel_state_settings(ParameterValues());
+    const PixelStateSettings settings = technique.pixel_states().settings(ParameterValues());
     const OrderedAccess access = needs_order(technique) ? OrderedAccess::interlock : OrderedAccess::none;
     write(folder, technique.id, "passes/state.frag", state_building_variant(technique, settings, access));
     ShaderVariant variant = state_variant(technique, settings);
     write(folder, technique.id, "passes/state_composite.frag", variant);
-    if (!technique.pixel_state->holds_colors) write(folder, technique.id, "passes/state_color.frag", variant);
-    if (technique.pixel_state->accumulate_second_pass != nullptr) {
+    if (!technique.pixel_state_kernel().holds_colors)
+        write(folder, technique.id, "passes/state_color.frag", variant);
+    if (technique.pixel_state_kernel().accumulate_second_pass != nullptr) {
         write(folder, technique.id, "passes/state_convert.frag", variant);
         ShaderVariant second = state_building_variant(technique, settings, access);
         second.defines.insert({{"SECOND_PASS", "1"}, {"FIRST_TEXEL", "2"}, {"WRITTEN_TEXELS", "2"}});
@@ -75,7 +76,8 @@ void write_pixel_state(const std::filesystem::path& folder, const Technique& tec
         write(folder, std::string(technique.id) + ".low", "passes/state_color.frag", variant);
     }
     variant.defines["WITH_TRANSMITTANCE"] = "1";
-    if (technique.pixel_state->has_depths()) write(folder, technique.id, "passes/capture.frag", variant);
+    if (technique.pixel_state_kernel().has_depths())
+        write(folder, technique.id, "passes/capture.frag", variant);
 }
 
 // Passes that are lit by any light, and those that draw its maps.
@@ -106,8 +108,8 @@ int main(int argc, char** argv) {
     try {
         for (const char* path : PLAIN) write(argv[1], "plain", path, {});
         for (const Technique& technique : techniques()) {
-            if (technique.kernel != nullptr) write_technique(argv[1], technique);
-            if (technique.pixel_state != nullptr) write_pixel_state(argv[1], technique);
+            if (technique.has_moments()) write_technique(argv[1], technique);
+            if (technique.has_pixel_states()) write_pixel_state(argv[1], technique);
         }
         for (const ParameterId id : {ParameterId::shadow_technique, ParameterId::opaque_shadow})
             write_shadows(argv[1], id);

@@ -119,7 +119,7 @@ void Explorer::poll_loader() {
 
 void Explorer::load_scene_if_changed() {
     if (state_.scene == scene_.id) return apply_opacity();
-    const float opacity = *state_.parameters[ParameterId::opacity];
+    const float opacity = state_.parameters.number(ParameterId::opacity);
     if (!is_builtin_scene(state_.scene)) return loader_.start(state_.scene, opacity);
     show_scene(load_scene(state_.scene, opacity));
 }
@@ -142,7 +142,7 @@ void Explorer::show_scene(Scene scene) {
 // Opacity belongs to mesh files; built-in scenes bring their own.
 void Explorer::apply_opacity() {
     if (is_builtin_scene(scene_.id)) return;
-    const float opacity = *state_.parameters[ParameterId::opacity];
+    const float opacity = state_.parameters.number(ParameterId::opacity);
     bool changed = false;
     for (Object& object : scene_.objects) {
         changed |= !object.opaque() && object.opacity != opacity;

@@ -13,7 +13,7 @@ constexpr std::size_t BOUND_SAMPLES = 129;
 void Explorer::update_sharp_bounds() {
     const Curve& curve = measurement_.curve;
     const bool wanted =
-        curve.technique != nullptr && curve.technique->kernel != nullptr && state_.plot.shows(Series::sharp);
+        curve.technique != nullptr && curve.technique->has_moments() && state_.plot.shows(Series::sharp);
     const ViewRay& ray = measurement_.capture.ray;
     const SharpBoundsInput input = {curve.technique, curve.parameters.theta,
                                     visible_depths(ray, state_.plot)};

@@ -54,7 +54,7 @@ void Explorer::poll_tuning() {
 }
 
 void Explorer::draw_tuning(const Ui& ui) {
-    if (state_.technique->kernel == nullptr && !tuning_.busy()) return;
+    if (!state_.technique->has_moments() && !tuning_.busy()) return;
     ImGui::Spacing();
     if (!tuning_.busy()) {
         if (ImGui::Button("tune α, θ, β")) start_tuning();

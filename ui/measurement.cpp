@@ -85,10 +85,11 @@ BoundViolation bound_violation(const Curve& curve) {
 
 SolverFailure solver_failure(const Curve& curve) {
     SolverFailure failure;
-    if (curve.technique->kernel == nullptr || !curve.parameters.textbook) return failure;
+    if (!curve.technique->has_moments() || !curve.parameters.textbook) return failure;
     const ReconstructionSettings settings = settings_of(curve.parameters);
     failure.where = ranges_where(curve.depth, [&](std::size_t i) {
-        const float fraction = curve.technique->kernel->fraction(curve.moments, settings, curve.depth[i]);
+        const float fraction =
+            curve.technique->moment_kernel().fraction(curve.moments, settings, curve.depth[i]);
         failure.no_number |= std::isnan(fraction);
         return !(fraction >= -CLAMP_TOLERANCE && fraction <= 1 + CLAMP_TOLERANCE);
     });

@@ -129,9 +129,9 @@ void draw_crosshair(const Ui& ui, const PlotAxes& axes, const Measurement& m, co
     if (has_function(*curve.technique))
         value_line("reconstruction", ui.colors.reconstruction, curve.reconstructed[0], axes);
     if (!curve.beta0.empty() && state.plot.shows(Series::bounds)) {
-        value_line(curve.technique->has_bounds ? "lower bound of A" : "β = 0", ui.colors.bounds,
+        value_line(curve.technique->has_bounds() ? "lower bound of A" : "β = 0", ui.colors.bounds,
                    curve.beta0[0], axes);
-        value_line(curve.technique->has_bounds ? "upper bound of A" : "β = 1", ui.colors.bounds,
+        value_line(curve.technique->has_bounds() ? "upper bound of A" : "β = 1", ui.colors.bounds,
                    curve.beta1[0], axes);
     }
     const auto unbiased_exact = m.unbiased_exact.empty()
@@ -179,7 +179,7 @@ std::string band_note(const Measurement& m) {
         "Near z = {:.2f} the truth leaves the band by {:.3g}: ", m.exit.worst_depth, m.exit.worst);
     if (m.canonical.floored_pivots > 0)
         return where + "the matrix of the moments is singular in floats; a greater moment bias α mends it.";
-    return where + (m.curve.technique->has_bounds
+    return where + (m.curve.technique->has_bounds()
                         ? "it bounds what has the biased moments, and bias moved them."
                         : "for trigonometric moments β = 0 and β = 1 are no bounds.");
 }

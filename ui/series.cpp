@@ -47,16 +47,17 @@ std::span<const SeriesRow> series_rows() {
 bool has_series(Series series, const Technique& technique) {
     if (series == Series::truth) return true;
     if (series == Series::wrapping_zone) return technique.uses(ParameterId::theta);
-    if (series == Series::errors) return technique.path != RenderPath::sorted;
-    return series == Series::reconstruction ? has_function(technique) : technique.kernel != nullptr;
+    if (series == Series::errors)
+        return !technique.is_truth() || technique.truth().way != GroundTruth::Way::sorting;
+    return series == Series::reconstruction ? has_function(technique) : technique.has_moments();
 }
 
 const char* series_name(const SeriesRow& row, const Technique& technique) {
-    return technique.has_bounds || row.name_without_bounds == nullptr ? row.name : row.name_without_bounds;
+    return technique.has_bounds() || row.name_without_bounds == nullptr ? row.name : row.name_without_bounds;
 }
 
 const char* series_help(const SeriesRow& row, const Technique& technique) {
-    return technique.has_bounds || row.help_without_bounds == nullptr ? row.help : row.help_without_bounds;
+    return technique.has_bounds() || row.help_without_bounds == nullptr ? row.help : row.help_without_bounds;
 }
 
 }  // namespace momentscope::ui

@@ -14,7 +14,7 @@ bool seen_from_light(const ExplorerState& state) {
 void set_viewpoint(ExplorerState& state, Viewpoint viewpoint) {
     const bool before = state.viewpoint != Viewpoint::eye, after = viewpoint != Viewpoint::eye;
     if (after && !before) {
-        state.parameters.set(ParameterId::shadows, 1.0f);
+        state.parameters.turn(ParameterId::shadows, true);
         state.receiver = std::exchange(state.marked, std::nullopt);
     } else if (before && !after) {
         state.marked = state.receiver;

@@ -172,7 +172,7 @@ void draw_figures(const Ui& ui, const Steps& steps, const std::string& title, bo
 }  // namespace
 
 void draw_steps_panel(const Ui& ui, const Measurement& m) {
-    if (m.curve.technique->kernel == nullptr) {
+    if (!m.curve.technique->has_moments()) {
         ImGui::TextWrapped(
             "%s has no steps: it has no moments to reconstruct from. Choose a technique with moments.",
             m.curve.technique->name);

@@ -47,10 +47,11 @@ void draw_technique_panel(const Ui& ui, const Measurement& m, const ExplorerStat
         "How often the transparent geometry is rasterised.");
     row("order of submission", technique.order_dependent ? "changes the picture" : "does not matter",
         "Must geometry be sorted before it is drawn?");
-    row("bounds", technique.has_bounds ? "yes: β = 0 and β = 1 bound what has the biased moments" : "no",
+    row("bounds", technique.has_bounds() ? "yes: β = 0 and β = 1 bound what has the biased moments" : "no",
         "Does it know how far the truth can be from its result?");
-    if (technique.kernel != nullptr)
-        row("recommended bias", fmt::format("α = {:.1e}", static_cast<double>(technique.recommended_bias)),
+    if (technique.has_moments())
+        row("recommended bias",
+            fmt::format("α = {:.1e}", static_cast<double>(technique.moments().recommended_bias)),
             "What auto means for the moment bias α.");
     row("source", technique.source, "Where it was published.");
     ImGui::EndTable();

@@ -11,26 +11,22 @@ constexpr glm::vec3 rgb(unsigned hex) {
             static_cast<float>(hex & 0xFF) / 255};
 }
 
-bool has_basis(const Technique& technique, std::string_view basis) {
-    return technique.basis != nullptr && technique.basis == basis;
-}
-
 const Family ROWS[] = {
     {"power moments", rgb(0x0072B2), MarkShape::circle,
-     [](const Technique& t) { return has_basis(t, "power"); }},
+     [](const Technique& t) { return t.is_of(BasisFamily::power); }},
     {"trigonometric moments", rgb(0xD55E00), MarkShape::square,
-     [](const Technique& t) { return t.on_circle(); }},
+     [](const Technique& t) { return t.is_of(BasisFamily::trigonometric); }},
     {"Chebyshev moments", rgb(0x009E73), MarkShape::diamond,
-     [](const Technique& t) { return t.on_chebyshev(); }},
+     [](const Technique& t) { return t.is_of(BasisFamily::chebyshev); }},
     {"Moment Transparency", rgb(0xA84C80), MarkShape::triangle_up,
      [](const Technique& t) {
-         return t.pixel_state != nullptr && t.pixel_state->accumulate_second_pass != nullptr;
+         return t.has_pixel_states() && t.pixel_state_kernel().accumulate_second_pass != nullptr;
      }},
     {"ground truth", rgb(0x16181C), MarkShape::cross, [](const Technique& t) { return t.is_truth(); }},
     {"in order, bounded memory", rgb(0x8A6D00), MarkShape::triangle_down,
      [](const Technique& t) { return needs_order(t); }},
     {"other functions of depth", rgb(0x2E8FC9), MarkShape::bar,
-     [](const Technique& t) { return t.pixel_state != nullptr && !t.pixel_state->holds_colors; }},
+     [](const Technique& t) { return t.has_pixel_states() && !t.pixel_state_kernel().holds_colors; }},
     {"one pass", rgb(0x6B7280), MarkShape::pillar, [](const Technique&) { return true; }},
 };
 

@@ -18,7 +18,7 @@ constexpr const char* VIEWED_BY = "power6-32";  // as in the paper, in floats
 
 ParameterValues values_of(const ShadowChartSettings& settings, const std::string& technique, int map_size) {
     ParameterValues values = settings.values;
-    values.set(ParameterId::shadows, 1.0f);
+    values.turn(ParameterId::shadows, true);
     values.set(ParameterId::shadow_size, static_cast<float>(map_size));
     const Parameter& row = parameter(ParameterId::shadow_technique);
     values.set(row.id, parse_parameter(row, technique));

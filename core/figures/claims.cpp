@@ -238,7 +238,7 @@ namespace {
 // Mean error of T at the fragments' own depths over random rays of n fragments.
 double mean_error(int fragments, const ParameterSettings& settings) {
     const Technique& technique = require_technique("mt");
-    const PixelStateSettings pixel_state = technique.pixel_state_settings(values_with(settings));
+    const PixelStateSettings pixel_state = technique.pixel_states().settings(values_with(settings));
     RandomNumbers random(3);
     double sum = 0;
     int count = 0;

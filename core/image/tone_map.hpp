@@ -1,10 +1,8 @@
 // tone_map.hpp -- the curve between linear colours and those of a screen.
 #pragma once
+#include "core/parameter_choices.hpp"
 
 namespace momentscope {
-
-/// The choices of the parameter tone-map, in its order.
-enum class ToneMap { none, reinhard, filmic };
 
 /// A channel >= 0 as shaders/shared/tone_map.glsl maps it; still linear, and not cut at 1.
 float tone_mapped(float linear, ToneMap curve);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string_view>
 
 namespace momentscope {
 
@@ -11,14 +10,11 @@ namespace {
 
 constexpr float PI = std::numbers::pi_v<float>;
 
-bool knows(const Technique& technique) {
-    return technique.on_circle() || technique.on_chebyshev() || std::string_view(technique.basis) == "power";
-}
-
 }  // namespace
 
 float node_depth(float t, float query, const Curve& curve) {
-    if (!curve.technique->on_circle()) return query + 1.0f / t;
+    const Basis& basis = *curve.technique->moments().basis;
+    if (!basis.on_circle()) return query + basis.depth_per_unit() / t;
     const float phase_per_depth = PI - 0.5f * curve.parameters.theta;
     const float phase = (query + 1) * phase_per_depth + 2 * std::atan2(1.0f, t);
     return std::fmod(phase, 2 * PI) / phase_per_depth - 1;
@@ -31,15 +27,14 @@ float end_of_circle(float wrapping_zone_angle) {
 CanonicalRepresentation canonical_representation(const Curve& curve, float query) {
     CanonicalRepresentation result;
     result.query = query;
-    if (curve.technique == nullptr || curve.technique->kernel == nullptr || !(curve.moments.b0 > 0))
+    if (curve.technique == nullptr || !curve.technique->has_moments() || !(curve.moments.b0 > 0))
         return result;
-    const MomentKernel& kernel = *curve.technique->kernel;
+    const MomentKernel& kernel = curve.technique->moment_kernel();
     const float b0 = curve.moments.b0;
     const ReconstructionSteps steps = kernel.steps(curve.moments, settings_of(curve.parameters), query);
     result.query_absorbance = steps.query_weight * b0;
     result.in_front = steps.in_front * b0;
     result.floored_pivots = steps.floored_pivots;
-    if (!knows(*curve.technique)) return result;  // in front and behind are known, but not the depths
     for (std::size_t l = 0; l < static_cast<std::size_t>(kernel.node_count); ++l)
         result.nodes.push_back({node_depth(steps.t[l], query, curve), steps.weight[l] * b0, steps.value[l]});
     std::ranges::sort(result.nodes, {}, &PointMass::depth);

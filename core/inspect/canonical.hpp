@@ -21,8 +21,7 @@ struct CanonicalRepresentation {
     int floored_pivots = 0;        // how often the matrix was singular in floats
 };
 
-/// Empty nodes for an empty ray, a technique without moments, or a basis other than power, Chebyshev and
-/// trigonometric. query in [-1, 1].
+/// Empty nodes for an empty ray or a technique without moments. query in [-1, 1].
 CanonicalRepresentation canonical_representation(const Curve& curve, float query);
 
 /// The depth of a node whose place is t in the variable in which the curve's basis finds its roots

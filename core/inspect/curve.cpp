@@ -24,8 +24,8 @@ MomentVector sum_moments(const ViewRay& ray, const Technique& technique,
                          const ResolvedParameters& parameters) {
     MomentVector sum;
     for (const Fragment& fragment : ray.fragments)
-        technique.kernel->add_fragment(sum, fragment.depth, fragment_absorbance(fragment.opacity),
-                                       parameters.theta);
+        technique.moment_kernel().add_fragment(sum, fragment.depth, fragment_absorbance(fragment.opacity),
+                                               parameters.theta);
     return sum;
 }
 
@@ -38,11 +38,12 @@ Curve sample_curve(const ViewRay& ray, const Technique& technique, const Paramet
     curve.total_absorbance = total_absorbance(ray);
     curve.depth.assign(depths.begin(), depths.end());
     curve.truth = true_absorbance(ray, depths);
-    if (technique.pixel_state != nullptr) {
-        if (!technique.pixel_state->has_depths() || why_refused(technique, values) != nullptr) return curve;
+    if (technique.has_pixel_states()) {
+        if (!technique.pixel_state_kernel().has_depths() || why_refused(technique, values) != nullptr)
+            return curve;
         // A pixel of a scene without its neighbours' fragments: captured for a technique without low
         // resolution.
-        if (curve.parameters.pixel_state.divisor > 1 && ray.low_resolution_sources.empty() &&
+        if (resolution_divisor(curve.parameters.pixel_state) > 1 && ray.low_resolution_sources.empty() &&
             ray.far_plane > 0)
             return curve;
         for (const float t : pixel_state_transmittance(ray, technique, curve.parameters.pixel_state, depths))
@@ -50,7 +51,7 @@ Curve sample_curve(const ViewRay& ray, const Technique& technique, const Paramet
                 static_cast<float>(shown_absorbance(static_cast<double>(t), curve.total_absorbance)));
         return curve;
     }
-    if (technique.kernel == nullptr) {  // a ground truth reconstructs the fragments that it draws
+    if (!technique.has_moments()) {  // a ground truth reconstructs the fragments that it draws
         const std::vector<double> drawn = true_absorbance(drawn_fragments(ray, technique), depths);
         curve.reconstructed.assign(drawn.begin(), drawn.end());
         return curve;
@@ -59,8 +60,8 @@ Curve sample_curve(const ViewRay& ray, const Technique& technique, const Paramet
     curve.reconstructed.resize(depths.size());
     curve.beta0.resize(depths.size());
     curve.beta1.resize(depths.size());
-    technique.kernel->evaluate(curve.moments, settings_of(curve.parameters), depths,
-                               {curve.reconstructed, curve.beta0, curve.beta1});
+    technique.moment_kernel().evaluate(curve.moments, settings_of(curve.parameters), depths,
+                                       {curve.reconstructed, curve.beta0, curve.beta1});
     return curve;
 }
 

@@ -21,7 +21,7 @@ struct Curve {
     std::vector<double> truth;        // A(z)
     std::vector<float>
         reconstructed;  // A(z, b, beta), or -ln T of another technique; empty without has_function
-    std::vector<float> beta0, beta1;  // the same for beta = 0 and 1: bounds if technique->has_bounds
+    std::vector<float> beta0, beta1;  // the same for beta = 0 and 1: bounds if technique->has_bounds()
     std::vector<float> sharp_lower, sharp_upper;  // of sharp_bounds.hpp; empty unless asked for
 };
 

@@ -19,10 +19,10 @@ namespace {
 using nlohmann::ordered_json;
 
 ordered_json moments_json(const Curve& curve) {
-    if (curve.technique->kernel == nullptr) return nullptr;
-    const MomentVector vector = curve.technique->kernel->moments_of(curve.moments);
+    if (!curve.technique->has_moments()) return nullptr;
+    const MomentVector vector = curve.technique->moment_kernel().moments_of(curve.moments);
     ordered_json moments = {vector.b0};
-    for (std::size_t i = 0; i < static_cast<std::size_t>(curve.technique->kernel->moment_floats); ++i)
+    for (std::size_t i = 0; i < static_cast<std::size_t>(curve.technique->moment_kernel().moment_floats); ++i)
         moments.push_back(vector.b[i]);
     return moments;
 }
@@ -30,7 +30,7 @@ ordered_json moments_json(const Curve& curve) {
 ordered_json parameters_json(const Curve& curve) {
     ordered_json values = ordered_json::object();
     for (const Parameter& row : parameters())
-        if (curve.technique->pixel_state != nullptr && curve.technique->uses(row.id))
+        if (curve.technique->has_pixel_states() && curve.technique->uses(row.id))
             values[row.key] = parameter_text(row, curve.values[row.id]);
     if (curve.technique->uses(ParameterId::beta)) values["beta"] = curve.parameters.beta;
     if (curve.technique->uses(ParameterId::theta)) values["theta"] = curve.parameters.theta;
@@ -44,7 +44,7 @@ ordered_json curve_json(const Curve& curve) {
     const auto or_null = [](bool there, const std::vector<float>& values) {
         return there && !values.empty() ? ordered_json(values) : ordered_json();
     };
-    const bool bounds = curve.technique->has_bounds;
+    const bool bounds = curve.technique->has_bounds();
     ordered_json json = {{"technique", curve.technique->id},
                          {"parameters", parameters_json(curve)},
                          {"moments", moments_json(curve)},
@@ -116,8 +116,8 @@ std::string curves_to_table(const ViewRay& ray, const std::vector<Curve>& curves
                                    total_absorbance(ray));
     const auto out = std::back_inserter(text);
     for (const Curve& curve : curves) {
-        const char* low = curve.technique->has_bounds ? "lower" : "beta = 0";
-        const char* high = curve.technique->has_bounds ? "upper" : "beta = 1";
+        const char* low = curve.technique->has_bounds() ? "lower" : "beta = 0";
+        const char* high = curve.technique->has_bounds() ? "upper" : "beta = 1";
         fmt::format_to(out, "\n{}\n{:>12}{:>12}", curve_name(curve, curves), "depth", "true");
         if (!curve.reconstructed.empty()) fmt::format_to(out, "{:>15}", "reconstructed");
         if (!curve.beta0.empty()) fmt::format_to(out, "{:>12}{:>12}", low, high);

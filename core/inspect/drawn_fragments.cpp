@@ -9,7 +9,7 @@ namespace momentscope {
 
 std::vector<bool> drawn_flags(const ViewRay& ray, const Technique& technique) {
     std::vector<bool> drawn(ray.fragments.size(), true);
-    if (technique.path != RenderPath::peeling) return drawn;
+    if (!technique.is_truth() || technique.truth().way != GroundTruth::Way::peeling) return drawn;
     const bool known = ray.near_plane > 0 && ray.far_plane > ray.near_plane;
     std::set<float> taken;
     for (std::size_t i = 0; i < drawn.size(); ++i) {

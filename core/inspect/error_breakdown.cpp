@@ -42,10 +42,6 @@ std::vector<double> transmittances(const std::vector<double>& absorbances) {
     return t;
 }
 
-const char* basis_name(const Technique& technique) {
-    return technique.on_circle() ? "trigonometric" : technique.on_chebyshev() ? "Chebyshev" : "power";
-}
-
 // No function of depth tells which of two surfaces at one depth lies in front, so that they see each other
 // alike.
 void add_step_of_ties(std::vector<Step>& steps, const ViewRay& ray, bool renormalized,
@@ -55,10 +51,10 @@ void add_step_of_ties(std::vector<Step>& steps, const ViewRay& ray, bool renorma
     steps.push_back({"surfaces at the same depth", weighted_color(ray, t, renormalized, behind)});
 }
 
-// Chebyshev moments hold what power moments do.
+// All bases on the line hold the information of as many power moments.
 const Technique& with_reference(const Technique& technique) {
-    if (!technique.on_chebyshev()) return technique;
-    return require_technique(fmt::format("power{}-32", technique.moment_count));
+    if (technique.on_circle() || technique.moments().basis->id == BasisId::power) return technique;
+    return require_technique(fmt::format("power{}-32", technique.moments().moment_count));
 }
 
 std::vector<Step> moment_steps(const ViewRay& ray, const Technique& technique, const ParameterValues& values,
@@ -75,8 +71,9 @@ std::vector<Step> moment_steps(const ViewRay& ray, const Technique& technique, c
     };
     std::vector<Step> steps;
     add_step_of_ties(steps, ray, parameters.renormalize, behind);
-    steps.push_back({fmt::format("the moment count ({} {} moments for {})", technique.moment_count,
-                                 basis_name(technique), fragment_count_text(ray.fragments.size())),
+    steps.push_back({fmt::format("the moment count ({} {} moments for {})", technique.moments().moment_count,
+                                 family_name(technique.moments().basis->family),
+                                 fragment_count_text(ray.fragments.size())),
                      exact_color(technique.on_circle() ? MIN_WRAPPING_ZONE : parameters.theta, 0, 0)});
     if (technique.on_circle()) steps.push_back({"the wrapping zone", exact_color(parameters.theta, 0, 0)});
     steps.push_back({"the overestimation weight", exact_color(parameters.theta, parameters.beta, 0)});
@@ -87,10 +84,10 @@ std::vector<Step> moment_steps(const ViewRay& ray, const Technique& technique, c
     std::vector<double> t;
     for (const float absorbance : curve.reconstructed)
         t.push_back(static_cast<double>(transmittance(absorbance)));
-    steps.push_back({&reference != &technique       ? "the moment bias"
-                     : technique.kernel->bits == 16 ? "16-bit drift of the moments"
-                     : parameters.textbook          ? "the textbook solver"
-                                                    : "rounding of floats",
+    steps.push_back({&reference != &technique               ? "the moment bias"
+                     : technique.moment_kernel().bits == 16 ? "16-bit drift of the moments"
+                     : parameters.textbook                  ? "the textbook solver"
+                                                            : "rounding of floats",
                      weighted_color(ray, t, parameters.renormalize, behind)});
     return steps;
 }
@@ -108,20 +105,19 @@ ViewRay best_ordered(const ViewRay& ray, Accumulation accumulation) {
 std::vector<Step> pixel_state_steps(const ViewRay& ray, const Technique& technique,
                                     const ParameterValues& values, const glm::vec3& behind) {
     const ViewRay sorted =
-        technique.order_dependent ? best_ordered(ray, technique.pixel_state->accumulation) : ray;
+        technique.order_dependent ? best_ordered(ray, technique.pixel_state_kernel().accumulation) : ray;
     ParameterValues ideal = values;
     std::vector<Step> steps;
-    if (!technique.pixel_state->holds_colors && technique.pixel_state->has_depths())
+    if (!technique.pixel_state_kernel().holds_colors && technique.pixel_state_kernel().has_depths())
         add_step_of_ties(steps, ray, resolve(values, technique).renormalize, behind);
     const auto add = [&](const char* cause, const ViewRay& of) {
         const ResolvedParameters parameters = resolve(ideal, technique);
         steps.push_back({cause, glm::dvec3(pixel_state_color(of, technique, parameters, behind))});
     };
-    constexpr float FLOATS = 2;  // of ParameterId::layer_bits
-    if (technique.uses(ParameterId::layer_bits)) ideal.set(ParameterId::layer_bits, FLOATS);
+    if (technique.uses(ParameterId::layer_bits)) ideal.set(LayerBits::bits_32);
     if (technique.uses(ParameterId::resolution)) {
-        ideal.set(ParameterId::resolution, 0.0f);
-        ideal.set(ParameterId::read_format, 0.0f);
+        ideal.set(MomentResolution::full);
+        ideal.set(ReadFormat::floats);
     }
     add("the method's own approximation", sorted);
     for (const ParameterId id : {ParameterId::layer_bits, ParameterId::read_format}) {
@@ -130,7 +126,7 @@ std::vector<Step> pixel_state_steps(const ViewRay& ray, const Technique& techniq
         add("rounding to few bits", sorted);
     }
     if (technique.uses(ParameterId::resolution)) {
-        ideal.set(ParameterId::resolution, values[ParameterId::resolution]);
+        ideal.set(values.get<MomentResolution>());
         add("the low resolution of the moments", sorted);
     }
     if (technique.order_dependent) add("the order of submission", ray);
@@ -153,7 +149,7 @@ ErrorBreakdown breakdown_of_truth(const ViewRay& ray, const Technique& technique
 // What a half float loses of the total, or nothing.
 std::string drift_text(const ViewRay& ray, const Technique& technique, const ParameterValues& values) {
     constexpr double DRIFT = 0.01;
-    if (technique.kernel == nullptr || technique.kernel->bits != 16) return {};
+    if (!technique.has_moments() || technique.moment_kernel().bits != 16) return {};
     const double total = total_absorbance(ray);
     const auto stored = static_cast<double>(sum_moments(ray, technique, resolve(values, technique)).b0);
     if (std::abs(stored - total) <= DRIFT * total) return {};
@@ -185,9 +181,9 @@ PixelColors colors_of(const ViewRay& ray, const Technique& technique, const Para
 // others.
 bool harmful_renormalization(const ViewRay& ray, const Technique& technique, const ParameterValues& values,
                              const glm::vec3& behind, double error) {
-    if (!technique.uses(ParameterId::renormalize) || values[ParameterId::renormalize] == 0.0f) return false;
+    if (!technique.uses(ParameterId::renormalize) || !values.is_on(ParameterId::renormalize)) return false;
     ParameterValues without = values;
-    without.set(ParameterId::renormalize, 0.0f);
+    without.turn(ParameterId::renormalize, false);
     const PixelColors colors = colors_of(ray, technique, without, behind);
     return glm::length(glm::dvec3(colors.technique) - glm::dvec3(colors.truth)) < error;
 }
@@ -212,8 +208,8 @@ ErrorBreakdown pixel_error_breakdown(const ViewRay& ray, const Technique& techni
     breakdown.error = glm::length(shown - truth);
     ParameterValues chained = values;
     if (harmful_renormalization(ray, technique, values, behind, breakdown.error))
-        chained.set(ParameterId::renormalize, 0.0f);  // and it is the last step
-    std::vector<Step> steps = technique.pixel_state != nullptr
+        chained.turn(ParameterId::renormalize, false);  // and it is the last step
+    std::vector<Step> steps = technique.has_pixel_states()
                                   ? pixel_state_steps(ray, technique, chained, behind)
                                   : moment_steps(ray, technique, chained, behind);
     if (chained != values) steps.push_back({"renormalisation", shown});

@@ -153,29 +153,25 @@ std::optional<ExactFunction> with_nested_orders(const reference::PowerMoments<8,
     };
 }
 
-// A row's basis as a value, so that rows of bases without a reference compile too.
-enum class Basis { power, chebyshev, nested, trigonometric, other };
-
-constexpr Basis basis_of(std::string_view name) {
-    if (name == "power") return Basis::power;
-    if (name == "chebyshev") return Basis::chebyshev;
-    if (name == "nested") return Basis::nested;
-    return name == "trigonometric" ? Basis::trigonometric : Basis::other;
+// Those that core/reference has. Rows of other bases compile, too.
+constexpr bool has_reference(BasisId id) {
+    return id == BasisId::power || id == BasisId::chebyshev || id == BasisId::nested ||
+           id == BasisId::trigonometric;
 }
 
-template <Basis basis, std::size_t M, int bits>
+template <BasisId basis, std::size_t M, int bits>
 struct Exact {
     static std::optional<ExactFunction> of_masses(Masses masses, const ResolvedParameters& p) {
         const auto alpha = static_cast<Real>(p.alpha);
         const auto theta = static_cast<Real>(p.theta);
-        if constexpr (basis == Basis::power)
+        if constexpr (basis == BasisId::power)
             return on_the_line<M>(reference::power_moments<M>(masses), power_bias<M>(bits), alpha);
-        else if constexpr (basis == Basis::chebyshev)
+        else if constexpr (basis == BasisId::chebyshev)
             return on_the_line<M>(reference::power_moments<M>(masses), arcsine_moments<M>(), alpha);
-        else if constexpr (basis == Basis::nested)
+        else if constexpr (basis == BasisId::nested)
             return with_nested_orders(reference::power_moments<M>(masses), alpha,
                                       static_cast<Real>(p.tolerance));
-        else if constexpr (basis == Basis::trigonometric)
+        else if constexpr (basis == BasisId::trigonometric)
             return on_the_circle<M>(reference::trigonometric_moments<M>(masses, theta), alpha, theta);
         else
             return std::nullopt;
@@ -183,15 +179,15 @@ struct Exact {
 
     static std::optional<ExactFunction> of_stored(const MomentVector& stored, const ResolvedParameters& p) {
         const auto alpha = static_cast<Real>(p.alpha);
-        if constexpr (basis == Basis::power) {
+        if constexpr (basis == BasisId::power) {
             return on_the_line<M>(real_moments<M>(stored, bits, true), power_bias<M>(bits), alpha);
-        } else if constexpr (basis == Basis::chebyshev) {
+        } else if constexpr (basis == BasisId::chebyshev) {
             return on_the_line<M>(power_of_chebyshev<M>(real_moments<M>(stored, bits, false)),
                                   arcsine_moments<M>(), alpha);
-        } else if constexpr (basis == Basis::nested) {
+        } else if constexpr (basis == BasisId::nested) {
             return with_nested_orders(power_of_chebyshev<M>(real_moments<M>(stored, bits, false)), alpha,
                                       static_cast<Real>(p.tolerance));
-        } else if constexpr (basis == Basis::trigonometric) {
+        } else if constexpr (basis == BasisId::trigonometric) {
             const auto flat = real_moments<2 * M>(stored, bits, false);
             reference::TrigonometricMoments<M, Real> moments{};
             moments[0] = {flat[0], 0};
@@ -208,7 +204,7 @@ struct Exact {
 template <typename Use>
 std::optional<ExactFunction> with_exact(const Technique& technique, const Use& use) {
 #define MOMENT_TECHNIQUE(row, basis, count, bits, text, ...) \
-    if (std::string_view(technique.id) == (text)) return use(Exact<basis_of(#basis), count, bits>());
+    if (std::string_view(technique.id) == (text)) return use(Exact<BasisId::basis, count, bits>());
 #include "core/techniques/moment_techniques.def"
 #undef MOMENT_TECHNIQUE
     return std::nullopt;
@@ -254,7 +250,7 @@ std::vector<double> exact_absorbance(const std::optional<ExactFunction>& exact, 
 
 std::vector<float> unbiased_absorbance(const ViewRay& ray, const Technique& technique,
                                        const ResolvedParameters& parameters, std::span<const float> depths) {
-    if (technique.kernel == nullptr || basis_of(technique.basis) == Basis::other) return {};
+    if (!technique.has_moments() || !has_reference(technique.moments().basis->id)) return {};
     ResolvedParameters unbiased = parameters;
     unbiased.alpha = 0;
     const auto exact =

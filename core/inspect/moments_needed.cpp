@@ -29,7 +29,7 @@ double absorbance_at(const ViewRay& ray, float depth) {
 
 template <typename Measure>
 Needed first_within(const MomentOrders& orders, const ParameterValues& values, const Measure& measure) {
-    const auto tolerance = static_cast<double>(values[ParameterId::tolerance].value_or(0.0f));
+    const auto tolerance = static_cast<double>(values.number(ParameterId::tolerance));
     for (std::size_t i = 0; i < orders.size(); ++i)
         if (measure(*orders[i]) <= tolerance)
             return static_cast<Needed>(static_cast<std::size_t>(Needed::four) + i);

@@ -38,7 +38,7 @@ PixelColors pixel_colors(const ViewRay& ray, const std::vector<PixelHistoryRow>&
         absorbance += row.absorbance;
         weighted += row.source;
     }
-    if (technique.pixel_state != nullptr) {
+    if (technique.has_pixel_states()) {
         colors.technique = pixel_state_color(ray, technique, parameters, background);
         return colors;
     }

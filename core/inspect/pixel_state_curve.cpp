@@ -55,9 +55,9 @@ PixelState state_of(const std::vector<Fragment>& fragments, const ViewRay& ray,
 }  // namespace
 
 PixelState pixel_state(const ViewRay& ray, const Technique& technique, const PixelStateSettings& settings) {
-    const PixelStateKernel& kernel = *technique.pixel_state;
+    const PixelStateKernel& kernel = technique.pixel_state_kernel();
     PixelState state;
-    if (settings.divisor == 1 || ray.low_resolution_sources.empty()) {
+    if (resolution_divisor(settings) == 1 || ray.low_resolution_sources.empty()) {
         state = state_of(ray.fragments, ray, kernel, settings);
     } else {
         for (const LowResolutionSource& share : ray.low_resolution_sources) {
@@ -76,7 +76,7 @@ PixelState pixel_state(const ViewRay& ray, const Technique& technique, const Pix
 std::vector<float> pixel_state_transmittance(const ViewRay& ray, const Technique& technique,
                                              const PixelStateSettings& settings,
                                              std::span<const float> depths) {
-    assert(technique.pixel_state->has_depths());
+    assert(technique.pixel_state_kernel().has_depths());
     const PixelState state = pixel_state(ray, technique, settings);
     Fragment mean;
     for (const Fragment& fragment : ray.fragments)
@@ -88,7 +88,7 @@ std::vector<float> pixel_state_transmittance(const ViewRay& ray, const Technique
         mean.depth = depth;
         mean.view_depth = ray.warp.has_view_depths() ? to_view_depth(depth, ray.warp) : depth;
         t.push_back(ray.fragments.empty() ? 1.0f
-                                          : technique.pixel_state->transmittance_at(
+                                          : technique.pixel_state_kernel().transmittance_at(
                                                 state, pixel_state_fragment(ray, mean), settings));
     }
     return t;
@@ -96,7 +96,7 @@ std::vector<float> pixel_state_transmittance(const ViewRay& ray, const Technique
 
 std::vector<float> own_transmittance(const ViewRay& ray, const Technique& technique,
                                      const PixelStateSettings& settings) {
-    const PixelStateKernel& kernel = *technique.pixel_state;
+    const PixelStateKernel& kernel = technique.pixel_state_kernel();
     std::vector<float> t(ray.fragments.size());
     if (kernel.has_depths()) {
         const PixelState state = pixel_state(ray, technique, settings);
@@ -116,7 +116,7 @@ std::vector<float> own_transmittance(const ViewRay& ray, const Technique& techni
 
 glm::vec3 pixel_state_color(const ViewRay& ray, const Technique& technique,
                             const ResolvedParameters& parameters, const glm::vec3& background) {
-    const PixelStateKernel& kernel = *technique.pixel_state;
+    const PixelStateKernel& kernel = technique.pixel_state_kernel();
     const PixelState state = pixel_state(ray, technique, parameters.pixel_state);
     const Composited all = kernel.composited(state, parameters.pixel_state);
     glm::vec3 color(all.red, all.green, all.blue);

@@ -17,7 +17,7 @@ PixelStateFragment pixel_state_fragment(const ViewRay& ray, const Fragment& frag
 PixelState pixel_state(const ViewRay& ray, const Technique& technique, const PixelStateSettings& settings);
 
 /// T at `depths` in [-1, 1], for techniques whose weight depends on opacity, too, that of a fragment of the
-/// ray's mean opacity. Needs technique.pixel_state->has_depths().
+/// ray's mean opacity. Needs technique.pixel_state_kernel().has_depths().
 std::vector<float> pixel_state_transmittance(const ViewRay& ray, const Technique& technique,
                                              const PixelStateSettings& settings,
                                              std::span<const float> depths);

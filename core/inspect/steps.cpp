@@ -17,8 +17,8 @@ std::complex<double> matrix_entry(const Technique& technique, const MomentVector
     const auto moment = [&](int k) {
         return k == 0 ? 1.0 : static_cast<double>(normalised.b[static_cast<std::size_t>(k - 1)]);
     };
-    if (technique.on_chebyshev()) return 0.5 * (moment(i + j) + moment(std::abs(i - j)));
-    if (!technique.on_circle()) return moment(i + j);
+    if (technique.is_of(BasisFamily::chebyshev)) return 0.5 * (moment(i + j) + moment(std::abs(i - j)));
+    if (technique.is_of(BasisFamily::power)) return moment(i + j);
     if (i == j) return 1.0;
     const auto k = static_cast<std::size_t>(2 * (std::abs(i - j) - 1));
     const std::complex<double> b(static_cast<double>(normalised.b[k]),
@@ -27,7 +27,7 @@ std::complex<double> matrix_entry(const Technique& technique, const MomentVector
 }
 
 MomentMatrix matrix_of(const Technique& technique, const MomentVector& normalised) {
-    const int order = technique.kernel->node_count + 1;
+    const int order = technique.moment_kernel().node_count + 1;
     Eigen::MatrixXcd matrix(order, order);
     MomentMatrix result;
     result.order = static_cast<std::size_t>(order);
@@ -66,7 +66,7 @@ std::string matrix_numbers(const char* name, const MomentMatrix& matrix) {
 }
 
 std::size_t moment_floats(const Steps& steps) {
-    return static_cast<std::size_t>(steps.technique->kernel->moment_floats);
+    return static_cast<std::size_t>(steps.technique->moment_kernel().moment_floats);
 }
 
 StepText normalise_text(const Steps& s) {
@@ -88,7 +88,7 @@ StepText bias_text(const Steps& s) {
 
 StepText matrix_text(const Steps& s) {
     const bool circle = s.technique->on_circle();
-    const bool chebyshev = s.technique->on_chebyshev();
+    const bool chebyshev = s.technique->is_of(BasisFamily::chebyshev);
     const char* name = circle ? "Toeplitz matrix" : chebyshev ? "Gram matrix" : "Hankel matrix";
     const char* entry = circle ? "b_{i−j}" : chebyshev ? "(b_{i+j} + b_{|i−j|}) / 2" : "b_{i+j}";
     return {fmt::format("3  {}", name),
@@ -157,7 +157,7 @@ StepText result_text(const Steps& s) {
                 "The masses in front, plus the share β = {:.3g} of the mass at the query. w₀ b₀ = {:.5g} is "
                 "the gap between {}.",
                 s.parameters.beta, s.query_weight * s.stored.b0,
-                s.technique->has_bounds ? "the bounds" : "β = 0 and β = 1"),
+                s.technique->has_bounds() ? "the bounds" : "β = 0 and β = 1"),
             fmt::format("Σ w v = {:.6f}, + β w₀ = {:.6f}\nA = b₀ × that = {:.9g}\nT = exp(−A) = {:.9g}",
                         s.in_front, s.fraction, s.absorbance, s.transmittance)};
 }
@@ -169,9 +169,9 @@ Steps reconstruction_steps(const Curve& curve, float query) {
     result.technique = curve.technique;
     result.parameters = curve.parameters;
     result.query = query;
-    if (curve.technique == nullptr || curve.technique->kernel == nullptr || !(curve.moments.b0 > 0))
+    if (curve.technique == nullptr || !curve.technique->has_moments() || !(curve.moments.b0 > 0))
         return result;
-    const MomentKernel& kernel = *curve.technique->kernel;
+    const MomentKernel& kernel = curve.technique->moment_kernel();
     const auto nodes = static_cast<std::size_t>(kernel.node_count);
     const ReconstructionSteps steps = kernel.steps(curve.moments, settings_of(curve.parameters), query);
     result.empty = false;

@@ -6,16 +6,14 @@
 namespace momentscope {
 
 SubmissionOrder submission_order(const ParameterValues& values) {
-    return {static_cast<SubmissionOrder::Kind>(values[ParameterId::order].value_or(0.0f)),
-            static_cast<std::uint32_t>(values[ParameterId::order_seed].value_or(1.0f))};
+    return {values.get<OrderKind>(), static_cast<std::uint32_t>(values.count(ParameterId::order_seed))};
 }
 
-std::vector<std::uint32_t> ordered_numbers(std::size_t count, SubmissionOrder::Kind kind,
-                                           RandomNumbers& random) {
+std::vector<std::uint32_t> ordered_numbers(std::size_t count, OrderKind kind, RandomNumbers& random) {
     std::vector<std::uint32_t> numbers(count);
     std::iota(numbers.begin(), numbers.end(), 0U);
-    if (kind == SubmissionOrder::Kind::reversed) std::ranges::reverse(numbers);
-    for (std::size_t i = count; kind == SubmissionOrder::Kind::shuffled && i > 1; --i)
+    if (kind == OrderKind::reversed) std::ranges::reverse(numbers);
+    for (std::size_t i = count; kind == OrderKind::shuffled && i > 1; --i)
         std::swap(numbers[i - 1],
                   numbers[static_cast<std::size_t>(random.whole(0, static_cast<int>(i) - 1))]);
     return numbers;

@@ -30,12 +30,13 @@ Formats formats_of(const MomentKernel& kernel) {
 }  // namespace
 
 ShaderVariant moment_variant(const Technique& technique) {
-    const MomentKernel& kernel = *technique.kernel;
-    ShaderVariant variant = {.defines = {{"MOMENT_COUNT", std::to_string(technique.moment_count)},
-                                         {"MOMENT_BITS", std::to_string(kernel.bits)}},
-                             .technique = fmt::format("shared/{}_moments.glsl", technique.basis)};
-    if (kernel.bits == 16 && kernel.moment_floats == technique.moment_count)
-        variant.constants = quantisation_glsl(technique.moment_count);
+    const MomentKernel& kernel = technique.moment_kernel();
+    ShaderVariant variant = {
+        .defines = {{"MOMENT_COUNT", std::to_string(technique.moments().moment_count)},
+                    {"MOMENT_BITS", std::to_string(kernel.bits)}},
+        .technique = fmt::format("shared/{}_moments.glsl", technique.moments().basis->key)};
+    if (kernel.bits == 16 && kernel.moment_floats == technique.moments().moment_count)
+        variant.constants = quantisation_glsl(technique.moments().moment_count);
     return variant;
 }
 
@@ -57,8 +58,8 @@ MomentPasses::MomentPasses(const Technique& technique, glm::ivec2 size, GLuint d
     if (const std::string why = why_unavailable(technique, access); !why.empty())
         throw Error(
             fmt::format("{} cannot be drawn here. {} Choose a variant of 32 bits.", technique.name, why));
-    const int floats = technique.kernel->moment_floats;
-    const Formats formats = formats_of(*technique.kernel);
+    const int floats = technique.moment_kernel().moment_floats;
+    const Formats formats = formats_of(technique.moment_kernel());
     total_absorbance_ = make_texture(formats.total_absorbance, size);
     moments_1_to_4_ = make_texture(formats.four_moments, size);
     if (floats > 4)
@@ -78,8 +79,8 @@ void MomentPasses::draw_moments(const PassInput& input) {
     factored_bias_.reset();
     clear_colors(moment_target_, moments_5_to_8_ != 0 ? 3 : 2);
     if (by_images) {
-        const Formats formats = formats_of(*technique_.kernel);
-        const bool two = technique_.kernel->moment_floats == 6;
+        const Formats formats = formats_of(technique_.moment_kernel());
+        const bool two = technique_.moment_kernel().moment_floats == 6;
         glBindImageTexture(0, total_absorbance_, 0, GL_FALSE, 0, GL_READ_WRITE, formats.total_absorbance);
         glBindImageTexture(1, moments_1_to_4_, 0, GL_FALSE, 0, GL_READ_WRITE, formats.four_moments);
         if (moments_5_to_8_ != 0)
@@ -95,7 +96,7 @@ void MomentPasses::draw_moments(const PassInput& input) {
 
 void MomentPasses::make_factors() {
     std::vector<GLuint> targets;
-    for (int left = technique_.kernel->factor_floats; left > 0; left -= 4) {
+    for (int left = technique_.moment_kernel().factor_floats; left > 0; left -= 4) {
         factors_.push_back(make_texture(left == 1 ? GL_R32F : left == 2 ? GL_RG32F : GL_RGBA32F, size_));
         targets.push_back(factors_.back());
     }
@@ -154,7 +155,7 @@ std::vector<MomentVector> MomentPasses::read_moments(glm::ivec2 corner, glm::ive
                              static_cast<GLsizei>(values.size() * sizeof(float)), values.data());
         return values;
     };
-    const auto floats = static_cast<std::size_t>(technique_.kernel->moment_floats);
+    const auto floats = static_cast<std::size_t>(technique_.moment_kernel().moment_floats);
     const std::vector<float> absorbances = read(total_absorbance_, GL_RED, 1);
     const std::vector<float> first = read(moments_1_to_4_, GL_RGBA, 4);
     const std::vector<float> second = floats > 4 ? read(moments_5_to_8_, GL_RGBA, 4) : std::vector<float>();

@@ -115,8 +115,8 @@ void Renderer::update_frame_block(const View& view) {
     const glm::vec3 warp = depth_warp_factors(warp_);
     const float aspect = static_cast<float>(view.size.x) / static_cast<float>(view.size.y);
     std::array<float, MAX_BASIS_FLOATS> basis{};
-    if (const MomentKernel* kernel = view.technique->kernel)
-        basis = kernel->basis(basis_parameter(p, *view.technique));
+    if (view.technique->has_moments())
+        basis = view.technique->moment_kernel().basis(basis_parameter(p, *view.technique));
     const FrameBlock block = {view_matrix(view.camera),
                               projection_matrix(view.camera, aspect),
                               glm::vec4(warp.x, warp.y, NEAR_PLANE, FAR_PLANE),

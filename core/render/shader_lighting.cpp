@@ -20,9 +20,9 @@ ShaderNamespace opaque_namespace(const OpaqueShadow& row) {
 ShaderNamespace transparent_namespace(const Configuration& transparent) {
     const Technique& technique = *transparent.technique;
     ShaderVariant variant =
-        technique.kernel != nullptr
+        technique.has_moments()
             ? moment_variant(technique)
-            : state_variant(technique, technique.pixel_state_settings(transparent.values));
+            : state_variant(technique, technique.pixel_states().settings(transparent.values));
     return {std::move(variant.defines), std::move(variant.technique), std::move(variant.constants)};
 }
 

@@ -63,7 +63,7 @@ bool same_sums(const ShadowSettings& a, const ShadowSettings& b) {
     if (&technique != b.transparent.technique || a.casters != b.casters) return false;
     const ResolvedParameters before = resolve(a.transparent.values, technique);
     const ResolvedParameters after = resolve(b.transparent.values, technique);
-    return before.pixel_state.size == after.pixel_state.size &&
+    return texel_numbers(a.transparent) == texel_numbers(b.transparent) &&
            (!technique.on_circle() || before.theta == after.theta);
 }
 

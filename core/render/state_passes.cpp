@@ -27,16 +27,16 @@ Blending blending_of(Accumulation accumulation) {
 }  // namespace
 
 int texel_count(const Technique& technique, const PixelStateSettings& settings) {
-    return (technique.state_floats(settings) + 3) / 4;
+    return (technique.pixel_states().floats(settings) + 3) / 4;
 }
 
 ShaderVariant state_variant(const Technique& technique, const PixelStateSettings& settings) {
     ShaderVariant variant = {.defines = {{"PIXEL_STATE", "1"},
-                                         {"PIXEL_STATE_SIZE", std::to_string(settings.size)},
-                                         {"PIXEL_STATE_OPTION", std::to_string(settings.option)},
+                                         {"PIXEL_STATE_SETTINGS", glsl_arguments(settings)},
+                                         {"SAMPLE_COUNT", std::to_string(sample_count(settings))},
                                          {"STATE_TEXELS", std::to_string(texel_count(technique, settings))}},
-                             .technique = fmt::format("shared/{}.glsl", technique.math_file)};
-    if (settings.divisor > 1) variant.defines["LOW_RESOLUTION"] = "1";
+                             .technique = fmt::format("shared/{}.glsl", technique.pixel_states().math_file)};
+    if (resolution_divisor(settings) > 1) variant.defines["LOW_RESOLUTION"] = "1";
     if (technique.uses(ParameterId::read_format)) variant.constants = quantisation_glsl(4);
     return variant;
 }
@@ -56,9 +56,9 @@ StatePasses::StatePasses(const Technique& technique, glm::ivec2 size, GLuint dep
     if (const std::string why = why_unavailable(technique, access); !why.empty())
         throw Error(fmt::format("{} cannot be drawn here. {}", technique.name, why));
     depth_target_ = make_framebuffer({}, depth);
-    if (technique.pixel_state->holds_colors) return;
+    if (technique.pixel_state_kernel().holds_colors) return;
     weighted_color_ = make_texture(GL_RGBA32F, size);
-    if (technique.pixel_state->exact_absorbance_slot < 0) {
+    if (technique.pixel_state_kernel().exact_absorbance_slot < 0) {
         color_target_ = make_framebuffer({weighted_color_}, depth);
     } else {
         exact_absorbance_ = make_texture(GL_RGBA32F, size);
@@ -70,7 +70,8 @@ StatePasses::StatePasses(const Technique& technique, glm::ivec2 size, GLuint dep
 void StatePasses::make_states(const PixelStateSettings& settings) {
     const auto count = static_cast<std::size_t>(texel_count(technique_, settings));
     settings_ = settings;
-    if (technique_.pixel_state->accumulation == Accumulation::samples) make_samples(settings.size);
+    if (technique_.pixel_state_kernel().accumulation == Accumulation::samples)
+        make_samples(sample_count(settings));
     if (states_.size() == count) return;
     states_.clear();
     std::vector<GLuint> names;
@@ -79,7 +80,7 @@ void StatePasses::make_states(const PixelStateSettings& settings) {
         names.push_back(states_.back());
     }
     GLuint depth = depth_;
-    if (technique_.pixel_state->accumulation == Accumulation::nearest)
+    if (technique_.pixel_state_kernel().accumulation == Accumulation::nearest)
         depth = nearest_depth_ = make_texture(GL_DEPTH_COMPONENT32F, size_);
     state_target_ = make_framebuffer(names.data(), static_cast<int>(count), depth);
 }
@@ -95,7 +96,7 @@ void StatePasses::make_samples(int count) {
 }
 
 void StatePasses::clear_states() const {
-    const PixelState empty = technique_.pixel_state->empty_state(settings_);
+    const PixelState empty = technique_.pixel_state_kernel().empty_state(settings_);
     for (std::size_t i = 0; i < states_.size(); ++i)
         glClearNamedFramebufferfv(state_target_, GL_COLOR, static_cast<GLint>(i), &empty.f[4 * i]);
     const GLuint nothing = std::bit_cast<GLuint>(empty.f[1]);
@@ -114,7 +115,7 @@ void StatePasses::draw_moments(const PassInput& input) {
 }
 
 void StatePasses::draw_states(const PassInput& input) const {
-    if (technique_.pixel_state->accumulation == Accumulation::nearest) {
+    if (technique_.pixel_state_kernel().accumulation == Accumulation::nearest) {
         glBindTextureUnit(OPAQUE_DEPTH_UNIT, depth_);
         draw_nearest(input.scene, state_target_);
         return;
@@ -124,7 +125,7 @@ void StatePasses::draw_states(const PassInput& input) const {
     for (std::size_t i = 0; by_images && i < states_.size(); ++i)
         glBindImageTexture(static_cast<GLuint>(i), states_[i], 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
     draw_transparent(input.scene, by_images ? depth_target_ : state_target_,
-                     blending_of(technique_.pixel_state->accumulation));
+                     blending_of(technique_.pixel_state_kernel().accumulation));
     if (by_images || samples_ != 0)
         glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
                         GL_TEXTURE_UPDATE_BARRIER_BIT);
@@ -132,7 +133,7 @@ void StatePasses::draw_states(const PassInput& input) const {
 
 void StatePasses::draw_color(const PassInput& input) {
     settings_ = input.parameters.pixel_state;  // an option may have changed that stores nothing
-    if (technique_.pixel_state->holds_colors) return;
+    if (technique_.pixel_state_kernel().holds_colors) return;
     clear_colors(color_target_, exact_absorbance_ != 0 ? 2 : 1);
     glUseProgram(input.programs.get("passes/scene.vert", "passes/state_color.frag",
                                     input.lean(input.lit(state_variant(technique_, settings_)))));
@@ -152,7 +153,7 @@ void StatePasses::draw_composite(const PassInput& input) {
 }
 
 std::optional<ShaderVariant> StatePasses::bind_for_capture(const ResolvedParameters& parameters) const {
-    if (!technique_.pixel_state->has_depths()) return std::nullopt;
+    if (!technique_.pixel_state_kernel().has_depths()) return std::nullopt;
     bind_states();
     return state_variant(technique_, parameters.pixel_state);
 }

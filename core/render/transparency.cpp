@@ -11,19 +11,15 @@ namespace momentscope {
 
 std::unique_ptr<Transparency> make_transparency(const Technique& technique, glm::ivec2 size, GLuint depth,
                                                 OrderedAccess access) {
-    switch (technique.path) {
-        case RenderPath::sorted:
+    if (technique.has_moments()) return std::make_unique<MomentPasses>(technique, size, depth, access);
+    if (technique.is_truth()) {
+        if (technique.truth().way == GroundTruth::Way::sorting)
             return std::make_unique<SortedPasses>(size, depth);
-        case RenderPath::peeling:
-            return std::make_unique<PeelingPasses>(size, depth);
-        case RenderPath::states:
-            if (technique.pixel_state->accumulate_second_pass != nullptr)
-                return std::make_unique<LowResolutionPasses>(technique, size, depth, access);
-            return std::make_unique<StatePasses>(technique, size, depth, access);
-        case RenderPath::moments:
-            break;
+        return std::make_unique<PeelingPasses>(size, depth);
     }
-    return std::make_unique<MomentPasses>(technique, size, depth, access);
+    if (technique.pixel_state_kernel().accumulate_second_pass != nullptr)
+        return std::make_unique<LowResolutionPasses>(technique, size, depth, access);
+    return std::make_unique<StatePasses>(technique, size, depth, access);
 }
 
 std::string why_unavailable(const Technique& technique, OrderedAccess access) {

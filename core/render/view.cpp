@@ -41,12 +41,12 @@ Stage first_stale_stage(const View& before, const View& after) {
     const Stage first = first_stale_of_technique(before, after);
     if (!light_changed(before, after)) return first;
     const bool colors_first =
-        after.technique->pixel_state != nullptr && after.technique->pixel_state->holds_colors;
+        after.technique->has_pixel_states() && after.technique->pixel_state_kernel().holds_colors;
     return first <= Stage::moments || colors_first ? Stage::opaque : Stage::shading;
 }
 
 ToneMap tone_map_of(const ParameterValues& values) {
-    return static_cast<ToneMap>(static_cast<int>(values[ParameterId::tone_map].value_or(0.0f)));
+    return values.get<ToneMap>();
 }
 
 }  // namespace momentscope

@@ -57,7 +57,7 @@ std::string reason(const Contribution& cause, const Configuration& transparent) 
         return fmt::format(
             "wrong self-shadowing: β = {:g} counts mass at the receiver's own depth as in front, {:.0f} % of the "
             "light",
-            static_cast<double>(transparent.values[ParameterId::beta].value_or(0)), percent);
+            static_cast<double>(transparent.values.number(ParameterId::beta)), percent);
     if (cause.cause == "filtering")
         return fmt::format(
             "filtering mixes absorbances instead of what they let through, {:.0f} % of the light", percent);

@@ -77,11 +77,11 @@ float light_transmittance(const ShadowFilterSamples& bundle, const Configuration
     if (technique.is_truth()) return static_cast<float>(deep_transmittance(bundle, depth));
     assert(!bundle.sums.empty() && "the map of the bundle is of another technique");
     const ResolvedParameters parameters = resolve(transparent.values, technique);
-    if (technique.pixel_state != nullptr) {
+    if (technique.has_pixel_states()) {
         PixelState state;
         std::ranges::copy(bundle.sums, state.f.begin());
-        return technique.pixel_state->transmittance_at(state, receiver_fragment(depth),
-                                                       parameters.pixel_state);
+        return technique.pixel_state_kernel().transmittance_at(state, receiver_fragment(depth),
+                                                               parameters.pixel_state);
     }
     MomentVector moments;
     moments.b0 = bundle.sums.front();
@@ -89,8 +89,8 @@ float light_transmittance(const ShadowFilterSamples& bundle, const Configuration
     float reconstructed = 0, beta0 = 0, beta1 = 0;
     ReconstructionSettings settings = settings_of(parameters);
     settings.solver = Solver::robust;
-    technique.kernel->evaluate(moments, settings, {&depth, 1},
-                               {{&reconstructed, 1}, {&beta0, 1}, {&beta1, 1}});
+    technique.moment_kernel().evaluate(moments, settings, {&depth, 1},
+                                       {{&reconstructed, 1}, {&beta0, 1}, {&beta1, 1}});
     return transmittance(reconstructed);
 }
 

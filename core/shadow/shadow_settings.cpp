@@ -9,27 +9,27 @@ namespace momentscope {
 namespace {
 
 std::string_view chosen(const ParameterValues& values, ParameterId id) {
-    return parameter(id).choices[static_cast<std::size_t>(whole(values[id]))];
+    return parameter(id).choices[values.number_of_choice(id)];
 }
 
 const OpaqueShadow& opaque_row(const ParameterValues& values) {
-    return opaque_shadows()[static_cast<std::size_t>(whole(values[ParameterId::opaque_shadow]))];
+    return opaque_shadows()[values.number_of_choice(ParameterId::opaque_shadow)];
 }
 
 }  // namespace
 
 bool has_shadows(const ParameterValues& values) {
-    return values[ParameterId::shadows].value_or(0.0f) >= 0.5f;
+    return values.is_on(ParameterId::shadows);
 }
 
 Configuration light_configuration(const ParameterValues& values) {
     const std::string_view id = chosen(values, ParameterId::shadow_technique);
     Configuration result = {nullptr, values};
     result.values.set(ParameterId::beta, values[ParameterId::shadow_beta]);
-    result.values.set(ParameterId::solver, 0.0f);  // maps know the robust one alone
+    result.values.set(Solver::robust);  // maps know the robust one alone
     if (id.starts_with("fourier-")) {
         result.technique = &require_technique("fourier");
-        result.values.set(ParameterId::coefficients, id == "fourier-15" ? 1.0f : 0.0f);
+        result.values.set(id == "fourier-15" ? FourierCoefficients::fifteen : FourierCoefficients::seven);
     } else {
         result.technique = &require_technique(id == "deep" || id == "none" ? "sorted" : id);
     }
@@ -40,7 +40,7 @@ Configuration opaque_configuration(const ParameterValues& values) {
     const OpaqueShadow& row = opaque_row(values);
     Configuration result = {&require_technique("sorted"), values};
     result.values.set(ParameterId::beta, 0.0f);
-    result.values.set(ParameterId::solver, 0.0f);
+    result.values.set(Solver::robust);
     if (row.moment_count == 0) return result;
     const bool circle = row.moment_count == 2;
     result.technique = &require_technique(circle ? "trig2-32" : "power4-32");
@@ -53,8 +53,8 @@ ShadowSettings shadow_settings(const ParameterValues& values, const Light& of_sc
     return {.casters = chosen(values, ParameterId::shadow_technique) != "none",
             .transparent = light_configuration(values),
             .opaque = &opaque_row(values),
-            .size = whole(values[ParameterId::shadow_size]),
-            .radius = whole(values[ParameterId::shadow_radius]),
+            .size = values.count(ParameterId::shadow_size),
+            .radius = values.count(ParameterId::shadow_radius),
             .light = {values[ParameterId::light_azimuth].value_or(of_scene.azimuth),
                       values[ParameterId::light_elevation].value_or(of_scene.elevation)},
             .distance = values[ParameterId::light_distance]};
@@ -79,9 +79,9 @@ bool same_lookup(const ShadowSettings& a, const ShadowSettings& b) {
 
 int texel_numbers(const Configuration& configuration) {
     const Technique& technique = *configuration.technique;
-    if (technique.kernel != nullptr) return 1 + technique.kernel->moment_floats;
-    if (technique.pixel_state != nullptr)
-        return technique.state_floats(technique.pixel_state_settings(configuration.values));
+    if (technique.has_moments()) return 1 + technique.moment_kernel().moment_floats;
+    if (technique.has_pixel_states())
+        return technique.pixel_states().floats(technique.pixel_states().settings(configuration.values));
     return 0;
 }
 

@@ -16,7 +16,7 @@ namespace {
 using Make = decltype(Condition::make);
 
 int nodes_of(const Technique& technique) {
-    return technique.kernel == nullptr ? 4 : technique.kernel->node_count;
+    return !technique.has_moments() ? 4 : technique.moment_kernel().node_count;
 }
 
 // A condition that only says which ray.
@@ -161,7 +161,8 @@ void add_biases(std::vector<Condition>& rows) {
              [factor](RandomNumbers& random, const Technique& technique, const ParameterValues& base) {
                  StressCase result{random_ray(random, random.whole(2, 5)), base};
                  const float most = parameter(ParameterId::alpha).maximum;
-                 result.values.set(ParameterId::alpha, std::min(factor * technique.recommended_bias, most));
+                 result.values.set(ParameterId::alpha,
+                                   std::min(factor * technique.moments().recommended_bias, most));
                  return result;
              }});
 }

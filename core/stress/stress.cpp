@@ -49,7 +49,7 @@ public:
         const Technique& technique = *cell_.technique;
         const ResolvedParameters parameters = resolve(tried.values, technique);
         const ReconstructionSettings settings = settings_of(parameters);
-        const MomentKernel& kernel = *technique.kernel;
+        const MomentKernel& kernel = technique.moment_kernel();
         const MomentVector stored = sum_moments(tried.ray, technique, parameters);
         const MomentVector reordered = sum_moments(shuffled(tried.ray, random), technique, parameters);
         const auto exact = exact_function(tried.ray, technique, parameters);

@@ -79,7 +79,7 @@ void add_rays(std::span<const ViewRay> rays, const Technique& technique, const R
         depths.insert(depths.end(), own.begin(), own.end());
     }
     std::vector<float> fractions(depths.size());
-    technique.kernel->fractions(stored, settings_of(parameters), depths, fractions);
+    technique.moment_kernel().fractions(stored, settings_of(parameters), depths, fractions);
     for (const RayQueries& of_ray : queries)
         add_ray(*of_ray.ray, stored[of_ray.first], std::span(fractions).subspan(of_ray.first, of_ray.count),
                 technique, parameters, judged, sums);
@@ -136,8 +136,8 @@ std::vector<float> candidates(ParameterId id, const Technique& technique) {
         return values;
     }
     for (int i = -36; i <= -4; ++i) values.push_back(std::pow(10.0f, static_cast<float>(i) / 4));
-    values.insert(values.end(),
-                  {technique.recommended_bias, technique.robust_bias});  // the presets, to compare with
+    values.insert(values.end(), {technique.moments().recommended_bias,
+                                 technique.moments().robust_bias});  // the presets, to compare with
     std::ranges::sort(values);
     values.erase(std::unique(values.begin(), values.end()), values.end());
     return values;
@@ -172,7 +172,7 @@ const Trial* best_bias(const std::vector<Trial>& trials, double most_failures) {
 std::optional<TuneResult> tune(const std::vector<ViewRay>& all_rays, const TuneOptions& options,
                                std::stop_token stop,
                                const std::function<void(std::size_t done, std::size_t all)>& progress) {
-    if (options.technique->kernel == nullptr)
+    if (!options.technique->has_moments())
         throw Error(fmt::format("'{}' has no parameters to tune; choose a technique with moments.",
                                 options.technique->id));
     std::vector<ViewRay> rays;

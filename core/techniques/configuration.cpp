@@ -51,7 +51,7 @@ void set_parameter(Configuration& configuration, std::string_view setting) {
 int geometry_passes(const Configuration& configuration) {
     const Technique& technique = *configuration.technique;
     const bool twice = technique.uses(ParameterId::moment_passes) &&
-                       configuration.values[ParameterId::moment_passes].value_or(0.0f) > 0;
+                       configuration.values.get<MomentSets>() != MomentSets::one;
     return technique.geometry_passes + (twice ? 1 : 0);
 }
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <span>
 
+#include "core/parameter_choices.hpp"
+
 namespace momentscope {
 
 constexpr int MAX_MOMENT_FLOATS = 8;
@@ -17,15 +19,12 @@ struct MomentVector {
     std::array<float, MAX_MOMENT_FLOATS> b{};  // the first MomentKernel::moment_floats count
 };
 
-/// The project's own reconstruction, or Algorithms 1 and 2 as published.
-enum class Solver { robust, textbook };
-
 struct ReconstructionSettings {
-    float overestimation = 0.25f;   // beta in [0, 1]
-    float wrapping_zone_angle = 0;  // theta in [0, pi]; trigonometric moments only
-    float tolerance = 0;            // epsilon of nested orders, which choose their own
-    float bias = 0;                 // moment bias alpha in [0, 1]
-    Solver solver = Solver::robust;
+    float overestimation = 0.25f;    // beta in [0, 1]
+    float wrapping_zone_angle = 0;   // theta in [0, pi]; trigonometric moments only
+    float tolerance = 0;             // epsilon of nested orders, which choose their own
+    float bias = 0;                  // moment bias alpha in [0, 1]
+    Solver solver = Solver::robust;  // textbook: Algorithms 1 and 2 as published
 };
 
 /// Absorbances per depth, all in [0, b0]; the spans are as long as the depths.

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 
+#include "core/techniques/pixel_state_settings.hpp"
+
 namespace momentscope {
 
 constexpr int STATE_CAPACITY = 68;
@@ -11,17 +13,6 @@ constexpr int STATE_CAPACITY = 68;
 /// What a pixel stores; the math file of the technique says what which number is.
 struct PixelState {
     std::array<float, STATE_CAPACITY> f{};
-};
-
-/// Which variant of a technique: how many nodes, layers, samples or frequencies, and the choices of
-/// parameters.
-struct PixelStateSettings {
-    int size = 0;
-    int option = 0;
-    float overestimation = 0.25f;  // of techniques that have moments, too, as is
-    float bias = 0;
-    int divisor = 1;  // of the picture's resolution, which that of the moments is
-    friend bool operator==(const PixelStateSettings&, const PixelStateSettings&) = default;
 };
 
 /// shaders/shared/pixel_state.glsl. Depth in [0, 1] of the depth range; colour not multiplied by opacity.
@@ -52,13 +43,13 @@ struct PixelStateKernel {
     PixelState (*with_fragment)(const PixelState& state, const PixelStateFragment& fragment,
                                 const PixelStateSettings& settings);
 
-    /// Of a fragment, or of a depth with a fragment's opacity; null where it is none of depth, as of
-    /// fragments that are put over each other. Not bounded by 1 for every technique.
+    /// Of a fragment, or of a depth with a fragment's opacity. Null if the technique defines no transmittance
+    /// as a function of depth, such as plain alpha blending. Some techniques exceed 1.
     float (*transmittance_at)(const PixelState& state, const PixelStateFragment& fragment,
                               const PixelStateSettings& settings);
 
-    /// Where a second geometry pass adds to the state what it makes of the first one's; else null. `read` is
-    /// what the first one stored, filterable.
+    /// Adds a fragment in a second pass that stores states too; null for techniques without such a pass.
+    /// `read` is what the first pass stored, as `readable` gives it.
     PixelState (*accumulate_second_pass)(const PixelState& state, const PixelState& read,
                                          const PixelStateFragment& fragment,
                                          const PixelStateSettings& settings);

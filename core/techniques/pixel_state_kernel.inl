@@ -33,7 +33,8 @@ namespace g = glsl::KERNEL_ID;
 static_assert(g::STATE_FLOATS <= STATE_CAPACITY && g::STATE_FLOATS % 4 == 0);
 
 g::PixelStateSettings to_shared(const PixelStateSettings& settings) {
-    return {settings.size, settings.option, settings.overestimation, settings.bias};
+    return std::apply([](auto... members) { return g::PixelStateSettings{members...}; },
+                      std::get<KERNEL_SETTINGS>(settings).shared());
 }
 
 g::PixelStateFragment to_shared(const PixelStateFragment& f) {

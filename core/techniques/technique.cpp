@@ -14,12 +14,12 @@ namespace momentscope {
 
 namespace {
 
-// What a moment-based technique reads: the wrapping zone is a notion of bases on the circle alone, only
-// published algorithms have a textbook, and what is stored in 16 bits cannot be blended.
-std::vector<ParameterId> moment_parameters(const MomentKernel& kernel, std::string_view basis) {
+// The wrapping zone is a notion of the circle, only published algorithms have a textbook solver, and what is
+// stored in 16 bits cannot be blended.
+std::vector<ParameterId> moment_parameters(const MomentKernel& kernel, const Basis& basis) {
     std::vector<ParameterId> ids = {ParameterId::beta};
-    if (basis == "trigonometric") ids.push_back(ParameterId::theta);
-    if (basis == "nested") ids.push_back(ParameterId::tolerance);
+    if (basis.has_wrapping_zone()) ids.push_back(ParameterId::theta);
+    if (basis.chooses_order) ids.push_back(ParameterId::tolerance);
     ids.insert(ids.end(), {ParameterId::alpha, ParameterId::preset});
     if (kernel.has_textbook) ids.push_back(ParameterId::solver);
     // A stored factor takes more bits than storing moments in 16 bits saves.
@@ -29,71 +29,75 @@ std::vector<ParameterId> moment_parameters(const MomentKernel& kernel, std::stri
     return ids;
 }
 
-Technique moment_technique(const MomentKernel& kernel, const char* basis, int moment_count, const char* id,
-                           const char* name, float recommended_bias, float robust_bias, bool has_bounds,
+Technique moment_technique(const MomentKernel& kernel, const Basis& basis, int moment_count, const char* id,
+                           const char* name, float recommended_bias, float robust_bias,
                            const char* description, const char* source) {
     return {.id = id,
             .name = name,
             .description = description,
             .source = source,
-            .path = RenderPath::moments,
-            .kernel = &kernel,
-            .basis = basis,
-            .moment_count = moment_count,
+            .math = MomentMath{&kernel, &basis, moment_count, recommended_bias, robust_bias},
             .parameters = moment_parameters(kernel, basis),
-            .recommended_bias = recommended_bias,
-            .robust_bias = robust_bias,
-            .has_bounds = has_bounds,
             .geometry_passes = 2,
             .order_dependent = kernel.bits == 16};
 }
 
 /// Sets of five numbers: what is added up in floats, and what is read where it is converted.
-int moment_transparency_bits(const PixelStateSettings& settings) {
+int moment_transparency_bits(const MomentTransparencySettings& settings) {
     constexpr int READ_BITS[] = {0, 80, 96, 64};  // with b_0, a half float or a float
-    const int sets = settings.size / 8;
-    const int pixels = settings.divisor * settings.divisor;  // that share one
-    return (sets * (160 + READ_BITS[settings.option % 4]) + pixels - 1) / pixels;
+    const int sets = moment_sets(settings);
+    const int divisor = resolution_divisor(settings);
+    const int pixels = divisor * divisor;  // that share one
+    return (sets * (160 + READ_BITS[static_cast<std::size_t>(settings.read_format)]) + pixels - 1) / pixels;
 }
 
-Technique pixel_state_technique(const PixelStateKernel& kernel, const char* file, const char* id,
-                                const char* name, std::vector<ParameterId> parameters,
-                                PixelStateSettings (*settings)(const ParameterValues&),
-                                int (*state_floats)(const PixelStateSettings&),
-                                int (*bits)(const PixelStateSettings&), const char* description,
+Technique pixel_state_technique(const PixelStateMath& math, const char* id, const char* name,
+                                std::vector<ParameterId> parameters, const char* description,
                                 const char* source) {
     return {.id = id,
             .name = name,
             .description = description,
             .source = source,
-            .path = RenderPath::states,
-            .math_file = file,
-            .pixel_state = &kernel,
-            .pixel_state_settings = settings,
-            .state_floats = state_floats,
-            .state_bits = bits,
+            .math = math,
             .parameters = std::move(parameters),
-            .geometry_passes = kernel.holds_colors ? 1 : 2,
-            .order_dependent =
-                kernel.accumulation == Accumulation::over || kernel.accumulation == Accumulation::ordered};
+            .geometry_passes = math.kernel->holds_colors ? 1 : 2,
+            .order_dependent = math.kernel->accumulation == Accumulation::over ||
+                               math.kernel->accumulation == Accumulation::ordered};
 }
 
 std::vector<Technique> make_rows() {
     std::vector<Technique> rows = {
-#define MOMENT_TECHNIQUE(id, basis, count, bits, ...) \
-    moment_technique(moment_kernel(MomentKernelTag<MomentTechnique::id>()), #basis, count, __VA_ARGS__),
+#define MOMENT_TECHNIQUE(id, basis_id, count, bits, ...)                                                     \
+    moment_technique(moment_kernel(MomentKernelTag<MomentTechnique::id>()), basis(BasisId::basis_id), count, \
+                     __VA_ARGS__),
 #include "core/techniques/moment_techniques.def"
 #undef MOMENT_TECHNIQUE
     };
 #define PARAMETERS(...) {__VA_ARGS__}
-#define PIXEL_STATE_TECHNIQUE(id, file, key, name, parameters, settings, floats, bits, description, source) \
-    rows.push_back(pixel_state_technique(                                                                   \
-        pixel_state_kernel(PixelStateKernelTag<PixelStateTechnique::id>()), #file, key, name, parameters,   \
-        []([[maybe_unused]] const ParameterValues& values) { return PixelStateSettings(settings); },        \
-        []([[maybe_unused]] const PixelStateSettings& s) { return floats; },                                \
-        []([[maybe_unused]] const PixelStateSettings& s) { return bits; }, description, source));
+#define MEMBERS(...) \
+    { __VA_ARGS__ }
+#define PIXEL_STATE_TECHNIQUE(id, file, type, key, name, parameters, members, floats_of, bits_of, \
+                              description, source)                                                \
+    rows.push_back(pixel_state_technique(                                                         \
+        {.kernel = &pixel_state_kernel(PixelStateKernelTag<PixelStateTechnique::id>()),           \
+         .math_file = #file,                                                                      \
+         .settings = []([[maybe_unused]] const ParameterValues& values) -> PixelStateSettings {   \
+             return type MEMBERS members;                                                         \
+         },                                                                                       \
+         .floats =                                                                                \
+             [](const PixelStateSettings& settings) {                                             \
+                 [[maybe_unused]] const type& s = std::get<type>(settings);                       \
+                 return floats_of;                                                                \
+             },                                                                                   \
+         .bits =                                                                                  \
+             [](const PixelStateSettings& settings) {                                             \
+                 [[maybe_unused]] const type& s = std::get<type>(settings);                       \
+                 return bits_of;                                                                  \
+             }},                                                                                  \
+        key, name, parameters, description, source));
 #include "core/techniques/pixel_state_techniques.def"
 #undef PIXEL_STATE_TECHNIQUE
+#undef MEMBERS
 #undef PARAMETERS
     rows.push_back(
         {.id = "sorted",
@@ -102,7 +106,7 @@ std::vector<Technique> make_rows() {
              "The ground truth: every fragment of every pixel is captured, sorted by depth and "
              "composited front to back. Of fragments at the same depth the one that was submitted last lies on top.",
          .source = "Carpenter 1984; Yang et al. 2010",
-         .path = RenderPath::sorted});
+         .math = GroundTruth{GroundTruth::Way::sorting}});
     rows.push_back(
         {.id = "peeling",
          .name = "depth peeling",
@@ -111,8 +115,7 @@ std::vector<Technique> make_rows() {
              "another, and blending puts them together from front to back. One geometry pass per layer; of "
              "fragments at the same depth only one survives.",
          .source = "Everitt 2001",
-         .path = RenderPath::peeling,
-         .truth_bits = 64,  // two depth buffers
+         .math = GroundTruth{GroundTruth::Way::peeling, 64},  // two depth buffers
          .geometry_passes = 0});
     return rows;
 }
@@ -131,7 +134,7 @@ std::span<const Technique> techniques() {
 std::vector<const Technique*> moment_based_techniques() {
     std::vector<const Technique*> rows;
     for (const Technique& row : techniques())
-        if (row.kernel != nullptr) rows.push_back(&row);
+        if (row.has_moments()) rows.push_back(&row);
     return rows;
 }
 
@@ -149,41 +152,47 @@ const Technique& require_technique(std::string_view id) {
 }
 
 float automatic_bias(const ParameterValues& values, const Technique& technique) {
-    if (technique.pixel_state != nullptr) {
-        ParameterValues automatic = values;
-        automatic.set(ParameterId::alpha, std::nullopt);
-        return technique.pixel_state_settings(automatic).bias;
-    }
-    return values[ParameterId::preset].value_or(0.0f) >= 0.5f ? technique.robust_bias
-                                                              : technique.recommended_bias;
+    if (technique.has_moments())
+        return values.get<BiasPreset>() == BiasPreset::robust ? technique.moments().robust_bias
+                                                              : technique.moments().recommended_bias;
+    if (!technique.has_pixel_states()) return 0;
+    ParameterValues automatic = values;
+    automatic.set(ParameterId::alpha, std::nullopt);
+    const auto settings = technique.pixel_states().settings(automatic);
+    const auto* moments = std::get_if<MomentTransparencySettings>(&settings);
+    return moments != nullptr ? moments->bias : 0;
 }
 
 ResolvedParameters resolve(const ParameterValues& values, const Technique& technique) {
-    const auto on = [&](ParameterId id) { return technique.uses(id) && values[id].value_or(0.0f) >= 0.5f; };
-    return {.beta = values[ParameterId::beta].value_or(0.0f),
-            .theta = std::max(values[ParameterId::theta].value_or(0.0f), MIN_WRAPPING_ZONE),
-            .alpha = values[ParameterId::alpha].value_or(automatic_bias(values, technique)),
-            .textbook = on(ParameterId::solver),
-            .factored_once = technique.uses(ParameterId::factorisation) && !on(ParameterId::factorisation) &&
-                             !on(ParameterId::solver),
-            .tolerance = technique.uses(ParameterId::tolerance) ? *values[ParameterId::tolerance] : 0.0f,
-            .ordered = on(ParameterId::accumulation) || needs_order(technique),
-            .renormalize = values[ParameterId::renormalize].value_or(1.0f) >= 0.5f,
-            .pixel_state = technique.pixel_state != nullptr ? technique.pixel_state_settings(values)
-                                                            : PixelStateSettings()};
+    const bool textbook = technique.uses(ParameterId::solver) && values.get<Solver>() == Solver::textbook;
+    const bool ordered = technique.uses(ParameterId::accumulation) &&
+                         values.get<MomentAccumulation>() == MomentAccumulation::ordered;
+    return {
+        .beta = values.number(ParameterId::beta),
+        .theta = std::max(values.number(ParameterId::theta), MIN_WRAPPING_ZONE),
+        .alpha = values[ParameterId::alpha].value_or(automatic_bias(values, technique)),
+        .textbook = textbook,
+        .factored_once = technique.uses(ParameterId::factorisation) &&
+                         values.get<Factorisation>() == Factorisation::per_pixel && !textbook,
+        .tolerance = technique.uses(ParameterId::tolerance) ? values.number(ParameterId::tolerance) : 0.0f,
+        .ordered = ordered || needs_order(technique),
+        .renormalize = values.is_on(ParameterId::renormalize),
+        .pixel_state =
+            technique.has_pixel_states() ? technique.pixel_states().settings(values) : PixelStateSettings()};
 }
 
 int stored_bits(const Technique& technique, const ParameterValues& values) {
-    if (technique.pixel_state != nullptr) return technique.state_bits(technique.pixel_state_settings(values));
-    if (technique.kernel != nullptr) return technique.kernel->bits * (1 + technique.kernel->moment_floats);
-    return technique.truth_bits;
+    if (technique.has_moments())
+        return technique.moment_kernel().bits * (1 + technique.moment_kernel().moment_floats);
+    if (technique.is_truth()) return technique.truth().bits;
+    return technique.pixel_states().bits(technique.pixel_states().settings(values));
 }
 
 int bits_with_factor(const Technique& technique, const ParameterValues& values) {
     const int stored = stored_bits(technique, values);
-    if (technique.kernel == nullptr || !resolve(values, technique).factored_once) return stored;
+    if (!technique.has_moments() || !resolve(values, technique).factored_once) return stored;
     // The factor may take the place of the moments, whenever alpha rests; only the window keeps both.
-    return std::max(stored, technique.kernel->bits * (1 + technique.kernel->factor_floats));
+    return std::max(stored, technique.moment_kernel().bits * (1 + technique.moment_kernel().factor_floats));
 }
 
 std::string bits_text(const Technique& technique, int bits) {
@@ -192,21 +201,24 @@ std::string bits_text(const Technique& technique, int bits) {
 }
 
 const char* why_refused(const Technique& technique, const ParameterValues& values) {
-    const bool low = technique.uses(ParameterId::resolution) && values[ParameterId::resolution] != 0.0f;
-    if (low && values[ParameterId::read_format].value_or(0.0f) >= 2.0f)
+    const bool low =
+        technique.uses(ParameterId::resolution) && values.get<MomentResolution>() != MomentResolution::full;
+    const auto format = values.get<ReadFormat>();
+    if (low && (format == ReadFormat::nlqm64 || format == ReadFormat::nlqm32))
         return "Non-linearly quantised moments cannot be filtered: read them at full resolution, or choose the read "
                "format float or theta16.";
     return nullptr;
 }
 
 bool needs_order(const Technique& technique) {
-    return (technique.kernel != nullptr && technique.kernel->bits == 16) ||
-           (technique.pixel_state != nullptr && technique.pixel_state->accumulation == Accumulation::ordered);
+    if (technique.has_moments()) return technique.moment_kernel().bits == 16;
+    return technique.has_pixel_states() &&
+           technique.pixel_state_kernel().accumulation == Accumulation::ordered;
 }
 
 bool has_function(const Technique& technique) {
-    return technique.kernel != nullptr ||
-           (technique.pixel_state != nullptr && technique.pixel_state->has_depths());
+    return technique.has_moments() ||
+           (technique.has_pixel_states() && technique.pixel_state_kernel().has_depths());
 }
 
 float basis_parameter(const ResolvedParameters& parameters, const Technique& technique) {

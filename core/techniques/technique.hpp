@@ -3,9 +3,11 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "core/parameters.hpp"
+#include "core/techniques/basis.hpp"
 #include "core/techniques/pixel_state_kernel.hpp"
 
 namespace momentscope {
@@ -13,8 +15,29 @@ namespace momentscope {
 struct MomentKernel;
 struct ReconstructionSettings;
 
-/// Which passes render a technique (core/render).
-enum class RenderPath { moments, states, sorted, peeling };
+/// A technique that stores moments of the absorbance over depth and reconstructs the transmittance from them.
+struct MomentMath {
+    const MomentKernel* kernel;  // how C++ evaluates it on a view ray; never null
+    const Basis* basis;          // never null
+    int moment_count;            // m
+    float recommended_bias;      // what alpha = auto means with the preset table1
+    float robust_bias;           // and with the preset robust (docs/bias.md)
+};
+
+/// A technique that stores something else.
+struct PixelStateMath {
+    const PixelStateKernel* kernel;                          // never null
+    const char* math_file;                                   // shaders/shared/<math_file>.glsl
+    PixelStateSettings (*settings)(const ParameterValues&);  // what parameters choose of it
+    int (*floats)(const PixelStateSettings&);                // numbers that a pixel stores then
+    int (*bits)(const PixelStateSettings&);                  // bits that they need as published
+};
+
+/// The right picture, at whatever cost.
+struct GroundTruth {
+    enum class Way { sorting, peeling } way;
+    int bits = 0;  // that a pixel stores; 0 where they grow with the fragments
+};
 
 /// One row: everything that is said about a technique anywhere.
 struct Technique {
@@ -22,36 +45,35 @@ struct Technique {
     const char* name;
     const char* description;  // a short paragraph
     const char* source;       // paper, section, algorithm
-    RenderPath path;
-    const MomentKernel* kernel = nullptr;  // how C++ evaluates it on a view ray; null for the truth itself
-    const char* basis = nullptr;           // shaders/shared/<basis>_moments.glsl, or null
-    int moment_count = 0;                  // m
-    const char* math_file = nullptr;       // shaders/shared/<math_file>.glsl of techniques without moments
-    const PixelStateKernel* pixel_state = nullptr;  // of techniques that store something else than moments
-    PixelStateSettings (*pixel_state_settings)(const ParameterValues&) =
-        nullptr;                                               // what parameters choose of it
-    int (*state_floats)(const PixelStateSettings&) = nullptr;  // numbers that a pixel stores then
-    int (*state_bits)(const PixelStateSettings&) = nullptr;    // bits that they need as published
-    std::vector<ParameterId> parameters = {};                  // those that it reads
-    float recommended_bias = 0;    // what alpha = auto means with the preset table1
-    float robust_bias = 0;         // and with the preset robust (docs/bias.md)
-    bool has_bounds = false;       // beta = 0 and beta = 1 bound the truth (of the biased moments)
-    int truth_bits = 0;            // stored bits of a truth; 0 where they grow with the fragments
+    std::variant<MomentMath, PixelStateMath, GroundTruth> math;
+    std::vector<ParameterId> parameters = {};  // those that it reads
     int geometry_passes = 1;       // of the transparent geometry; 0 where it grows with the layers
     bool order_dependent = false;  // does the submission order of geometry change the picture?
 
     bool uses(ParameterId parameter_id) const;
-    bool on_circle() const { return basis != nullptr && std::string_view(basis) == "trigonometric"; }
-    bool on_chebyshev() const {  // are its moments those of Chebyshev polynomials?
-        return basis != nullptr &&
-               (std::string_view(basis) == "chebyshev" || std::string_view(basis) == "nested");
+
+    bool has_moments() const { return std::holds_alternative<MomentMath>(math); }
+    bool has_pixel_states() const { return std::holds_alternative<PixelStateMath>(math); }
+    bool is_truth() const { return std::holds_alternative<GroundTruth>(math); }
+
+    // Each throws std::bad_variant_access unless the technique is of that kind.
+    const MomentMath& moments() const { return std::get<MomentMath>(math); }
+    const MomentKernel& moment_kernel() const { return *moments().kernel; }
+    const PixelStateMath& pixel_states() const { return std::get<PixelStateMath>(math); }
+    const PixelStateKernel& pixel_state_kernel() const { return *pixel_states().kernel; }
+    const GroundTruth& truth() const { return std::get<GroundTruth>(math); }
+
+    // False for techniques without moments.
+    bool on_circle() const { return has_moments() && moments().basis->on_circle(); }
+    bool has_bounds() const {  // do beta = 0 and beta = 1 bound the truth (of the biased moments)?
+        return has_moments() && moments().basis->has_bounds();
     }
-    bool is_truth() const { return kernel == nullptr && pixel_state == nullptr; }
+    bool is_of(BasisFamily family) const { return has_moments() && moments().basis->family == family; }
 };
 
 /// All techniques, in the order in which they are listed; ids are unique.
 std::span<const Technique> techniques();
-std::vector<const Technique*> moment_based_techniques();  // those with a moment kernel
+std::vector<const Technique*> moment_based_techniques();  // those that have moments
 const Technique* find_technique(std::string_view id);     // nullptr when there is none
 
 /// The technique with that id. Throws Error that lists the ids.

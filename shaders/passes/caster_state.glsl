@@ -4,12 +4,7 @@ struct CasterSums { float f[16]; };
 
 FN PixelStateSettings caster_settings()
 {
-    PixelStateSettings settings;
-    settings.size = PIXEL_STATE_SIZE;
-    settings.option = PIXEL_STATE_OPTION;
-    settings.overestimation = 0.0;
-    settings.bias = 0.0;
-    return settings;
+    return PixelStateSettings(PIXEL_STATE_SETTINGS);
 }
 
 /// What it knows of a caster or a receiver is its depth, in [-1, 1].

@@ -12,12 +12,7 @@ PixelState with_texel(PixelState state, int i, vec4 texel)
 
 PixelStateSettings pixel_state_settings()
 {
-    PixelStateSettings settings;
-    settings.size = PIXEL_STATE_SIZE;
-    settings.option = PIXEL_STATE_OPTION;
-    settings.overestimation = frame.parameters.x;
-    settings.bias = frame.parameters.y;
-    return settings;
+    return PixelStateSettings(PIXEL_STATE_SETTINGS);
 }
 
 #ifdef TRANSPARENT_FRAGMENT

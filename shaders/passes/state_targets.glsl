@@ -48,7 +48,7 @@ void write_state(PixelState state)
     }
 #ifdef STATE_SAMPLES
     // Depths are not negative, so that their bits have their order.
-    for (int s = 0; s < PIXEL_STATE_SIZE; ++s)
+    for (int s = 0; s < SAMPLE_COUNT; ++s)
         imageAtomicMin(sample_images, ivec3(ivec2(gl_FragCoord.xy), s), floatBitsToUint(state.f[1 + s]));
 #endif
 }

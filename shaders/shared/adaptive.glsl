@@ -1,7 +1,9 @@
 // adaptive.glsl -- adaptive transparency (Salvi, Montgomery and Lefohn 2011): the transmittance as a step function of few nodes,
-// which loses the one that matters least. Settings: size nodes, 2 to 8.
+// which loses the one that matters least.
 #define MAX_STATE_FLOATS 16
 #define STATE_ORDERED
+#define HAS_SETTINGS
+struct PixelStateSettings { int nodes; };   // 2 to 8
 #include "pixel_state.glsl"
 
 const int MAX_NODES = 8;
@@ -64,13 +66,13 @@ FN int least_node(IN(NodeList) list, int size)
 
 FN PixelState with_fragment(IN(PixelState) stored, IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
-    NodeList list = with_node(stored, fragment, settings.size);
-    int removed = least_node(list, settings.size);
+    NodeList list = with_node(stored, fragment, settings.nodes);
+    int removed = least_node(list, settings.nodes);
     PixelState state = empty_state(settings);
     UNROLL
     for (int i = 0; i < MAX_NODES; ++i)
     {
-        bool there = i < settings.size;
+        bool there = i < settings.nodes;
         state.f[2 * i] = there ? (i < removed ? list.depth[i] : list.depth[i + 1]) : NO_DEPTH;
         state.f[2 * i + 1] = i < removed - 1 ? list.t[i] : list.t[i + 1];   // underestimates T between the two
     }
@@ -82,11 +84,11 @@ FN float transmittance_at(IN(PixelState) state, IN(PixelStateFragment) fragment,
 {
     float t = 1.0f;
     UNROLL
-    for (int i = 0; i < MAX_NODES; ++i) t = i < settings.size && state.f[2 * i] < fragment.depth ? state.f[2 * i + 1] : t;
+    for (int i = 0; i < MAX_NODES; ++i) t = i < settings.nodes && state.f[2 * i] < fragment.depth ? state.f[2 * i + 1] : t;
     return t;
 }
 
 FN Composited composited(IN(PixelState) state, IN(PixelStateSettings) settings)
 {
-    return transparent(state.f[2 * settings.size - 1]);
+    return transparent(state.f[2 * settings.nodes - 1]);
 }

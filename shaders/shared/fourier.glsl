@@ -1,7 +1,8 @@
-// fourier.glsl -- Fourier opacity mapping (Jansen and Bavoil 2010): the absorption over depth as a Fourier series. Settings: size
-// is the greatest frequency K, 3 or 7; option 1 damps the series by Lanczos' sigma factors.
+// fourier.glsl -- Fourier opacity mapping (Jansen and Bavoil 2010): the absorption over depth as a Fourier series.
 #define MAX_STATE_FLOATS 16
 #define STATE_SUMS
+#define HAS_SETTINGS
+struct PixelStateSettings { int frequencies; bool lanczos; };   // K, 3 or 7; are terms damped by Lanczos' sigma factors?
 #include "pixel_state.glsl"
 
 const int MAX_FREQUENCY = 7;
@@ -54,7 +55,7 @@ FN PixelState fragment_state(IN(PixelStateFragment) fragment, IN(PixelStateSetti
     UNROLL
     for (int k = 1; k <= MAX_FREQUENCY; ++k)
     {
-        bool there = k <= settings.size;
+        bool there = k <= settings.frequencies;
         state.f[2 * k - 1] = there ? 2.0f * absorbance * waves.cosine[k] : 0.0f;
         state.f[2 * k] = there ? 2.0f * absorbance * waves.sine[k] : 0.0f;
     }
@@ -65,16 +66,16 @@ FN PixelState fragment_state(IN(PixelStateFragment) fragment, IN(PixelStateSetti
 FN float absorbance_at(IN(PixelState) state, float depth, IN(PixelStateSettings) settings)
 {
     Waves waves = depth_waves(depth);
-    float lanczos_angle = PI / (float(settings.size) + 1.0f);
+    float lanczos_angle = PI / (float(settings.frequencies) + 1.0f);
     Waves lanczos = waves_of(portable_sincos(lanczos_angle));
     PRECISE float absorbance = 0.5f * state.f[0] * depth;
     UNROLL
     for (int k = 1; k <= MAX_FREQUENCY; ++k)
     {
-        float sigma = settings.option == 1 ? lanczos.sine[k] / (lanczos_angle * float(k)) : 1.0f;
+        float sigma = settings.lanczos ? lanczos.sine[k] / (lanczos_angle * float(k)) : 1.0f;
         PRECISE float wave = (state.f[2 * k - 1] * waves.sine[k] + state.f[2 * k] * (1.0f - waves.cosine[k]))
             / (2.0f * PI * float(k));
-        absorbance = absorbance + (k <= settings.size ? sigma * wave : 0.0f);
+        absorbance = absorbance + (k <= settings.frequencies ? sigma * wave : 0.0f);
     }
     return absorbance;
 }

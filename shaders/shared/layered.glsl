@@ -1,9 +1,13 @@
 // layered.glsl -- multi-layer alpha blending (Salvi and Vaidyanathan 2014): the nearest fragments in layers of their own, all others
-// merged into the last one as they come. Settings: size layers, 1 to 6; option 0 for 16 bits per number, 1 for 8 bits per colour
-// and transmittance, 2 for floats.
+// merged into the last one as they come.
 #define MAX_STATE_FLOATS 32
 #define STATE_ORDERED
 #define HOLDS_COLORS
+#define HAS_SETTINGS
+struct PixelStateSettings { int layers; int bits; };   // 1 to 6 layers, each stored in one of these:
+const int LAYERS_IN_16_BITS = 0;   // half floats for colours, 16 bits for depth and transmittance
+const int LAYERS_IN_8_BITS = 1;    // 8 bits for colours and transmittance, 16 for depth
+const int LAYERS_IN_FLOATS = 2;    // nothing is rounded
 #include "pixel_state.glsl"
 #include "rounding.glsl"
 
@@ -25,14 +29,16 @@ FN Layer layer_of(IN(PixelState) state, int i)
 }
 
 /// Colours beyond 1 are lost in 8 bits.
-FN float stored_color(float x, int option)
+FN float stored_color(float x, int bits)
 {
-    return option == 0 ? rounded_to_half(x) : (option == 1 ? rounded_to_unorm8(x) : x);
+    if (bits == LAYERS_IN_FLOATS) return x;
+    return bits == LAYERS_IN_8_BITS ? rounded_to_unorm8(x) : rounded_to_half(x);
 }
 
-FN float stored_transmittance(float x, int option)
+FN float stored_transmittance(float x, int bits)
 {
-    return option == 0 ? rounded_to_unorm16(x) : (option == 1 ? rounded_to_unorm8(x) : x);
+    if (bits == LAYERS_IN_FLOATS) return x;
+    return bits == LAYERS_IN_8_BITS ? rounded_to_unorm8(x) : rounded_to_unorm16(x);
 }
 
 FN PixelState empty_state(IN(PixelStateSettings) settings)
@@ -67,7 +73,7 @@ FN PixelState with_fragment(IN(PixelState) stored, IN(PixelStateFragment) fragme
 {
     PixelState state = empty_state(settings);
     Layer carried;
-    carried.depth = settings.option == 2 ? fragment.depth : rounded_to_unorm16(fragment.depth);
+    carried.depth = settings.bits == LAYERS_IN_FLOATS ? fragment.depth : rounded_to_unorm16(fragment.depth);
     carried.red = fragment.red * fragment.opacity;
     carried.green = fragment.green * fragment.opacity;
     carried.blue = fragment.blue * fragment.opacity;
@@ -83,14 +89,14 @@ FN PixelState with_fragment(IN(PixelState) stored, IN(PixelStateFragment) fragme
             front = carried;
             behind = layer;
         }
-        bool last = i == settings.size - 1;
+        bool last = i == settings.layers - 1;
         if (last) front = merged(front, behind);
-        bool there = i < settings.size;
+        bool there = i < settings.layers;
         state.f[5 * i] = there ? front.depth : NO_DEPTH;
-        state.f[5 * i + 1] = there ? stored_color(front.red, settings.option) : 0.0f;
-        state.f[5 * i + 2] = there ? stored_color(front.green, settings.option) : 0.0f;
-        state.f[5 * i + 3] = there ? stored_color(front.blue, settings.option) : 0.0f;
-        state.f[5 * i + 4] = there ? stored_transmittance(front.transmittance, settings.option) : 1.0f;
+        state.f[5 * i + 1] = there ? stored_color(front.red, settings.bits) : 0.0f;
+        state.f[5 * i + 2] = there ? stored_color(front.green, settings.bits) : 0.0f;
+        state.f[5 * i + 3] = there ? stored_color(front.blue, settings.bits) : 0.0f;
+        state.f[5 * i + 4] = there ? stored_transmittance(front.transmittance, settings.bits) : 1.0f;
         carried = behind;
     }
     return state;
@@ -99,7 +105,7 @@ FN PixelState with_fragment(IN(PixelState) stored, IN(PixelStateFragment) fragme
 /// The product of the layers strictly in front.
 FN float transmittance_at(IN(PixelState) state, IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
-    float depth = settings.option == 2 ? fragment.depth : rounded_to_unorm16(fragment.depth);
+    float depth = settings.bits == LAYERS_IN_FLOATS ? fragment.depth : rounded_to_unorm16(fragment.depth);
     float t = 1.0f;
     UNROLL
     for (int i = 0; i < MAX_LAYERS; ++i) t = state.f[5 * i] < depth ? t * state.f[5 * i + 4] : t;

@@ -1,9 +1,18 @@
 // moment_transparency.glsl -- Moment Transparency (Sharpe 2018): four power moments over the camera's own depth range, at low
-// resolution if wanted, read in fewer bits, and a second set of moments that knows the first. Settings: option is read format
-// (0 floats, 1 moments in 16 bits, 2 and 3 non-linearly quantised in 64 and 32 bits) + 4 * moment passes (0 one, 1 and 2 two, of
-// opacity and of visibility) + 12 * depth range (0 [-1, 1], 1 [0, 1] as published).
+// resolution if wanted, read in fewer bits, and a second set of moments that knows the first.
 #define MAX_STATE_FLOATS 16
 #define STATE_SUMS
+#define HAS_SETTINGS
+struct PixelStateSettings { int read_format; int moment_passes; int depth_range; float overestimation; float bias; };
+const int READ_FLOATS = 0;          // read_format: as they are stored
+const int READ_THETA16 = 1;         // 16 bits each, after the transform Theta_4
+const int READ_NLQM64 = 2;          // non-linearly quantised in 64 bits
+const int READ_NLQM32 = 3;          // and in 32 bits
+const int ONE_PASS = 0;             // moment_passes: one set of moments
+const int SECOND_OF_OPACITY = 1;    // a second set, of opacities as the first set lets them be seen
+const int SECOND_OF_VISIBILITY = 2; // a second set, of the visibility itself
+const int DEPTHS_CORRECTED = 0;     // depth_range: [-1, 1], to which the bias vector belongs
+const int DEPTHS_PUBLISHED = 1;     // [0, 1]
 #define SECOND_STATE         // second_fragment_state
 #define EXACT_ABSORBANCE_SLOT 5     // where the absorbance of the very pixel stands, which the second pass adds up
 #include "pixel_state.glsl"
@@ -17,21 +26,10 @@
 
 const int SECOND = 8;   // f[0 ... 4]: b_0 ... b_4, f[8 ... 12]: those of the second pass
 
-FN int read_format(IN(PixelStateSettings) settings)
-{
-    return settings.option % 4;
-}
-
-/// 0: one pass; 1: a second set of moments, of opacities as the first lets them be seen; 2: of the visibility itself.
-FN int second_set(IN(PixelStateSettings) settings)
-{
-    return (settings.option / 4) % 3;
-}
-
 /// Equation 6, and mapped to [-1, 1] unless as published.
 FN float moment_depth(IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
-    return settings.option >= 12 ? fragment.plane_depth : 2.0f * fragment.plane_depth - 1.0f;
+    return settings.depth_range == DEPTHS_PUBLISHED ? fragment.plane_depth : 2.0f * fragment.plane_depth - 1.0f;
 }
 
 FN PixelState empty_state(IN(PixelStateSettings) settings)
@@ -68,7 +66,7 @@ FN PixelState fragment_state(IN(PixelStateFragment) fragment, IN(PixelStateSetti
 /// Towards the moments that suit the numbers' rounding (Peters and Klein 2015; Peters et al. 2017).
 FN BiasedMoments biased_for(IN(Moments) moments, IN(PixelStateSettings) settings)
 {
-    float target = read_format(settings) == 1 ? 0.628f : 0.375f;
+    float target = settings.read_format == READ_THETA16 ? 0.628f : 0.375f;
     BiasedMoments biased;
     biased.b0 = moments.b0;
     UNROLL
@@ -84,9 +82,9 @@ FN BiasedMoments biased_for(IN(Moments) moments, IN(PixelStateSettings) settings
 /// One set of moments as the read format holds it.
 FN Moments in_read_format(IN(Moments) moments, IN(PixelStateSettings) settings)
 {
-    if (read_format(settings) == 0 || is_empty(moments)) return moments;
+    if (settings.read_format == READ_FLOATS || is_empty(moments)) return moments;
     Moments result;
-    if (read_format(settings) == 1)
+    if (settings.read_format == READ_THETA16)
     {
         Moments nothing;
         nothing.b0 = 0.0f;
@@ -105,7 +103,7 @@ FN Moments in_read_format(IN(Moments) moments, IN(PixelStateSettings) settings)
     }
     TwoDepths exact = two_depths(b[0], b[1], b[2], b[3]);
     TwoDepths quantised = exact;
-    if (read_format(settings) == 2) quantised = rounded_to_64_bits(exact);
+    if (settings.read_format == READ_NLQM64) quantised = rounded_to_64_bits(exact);
     else quantised = rounded_to_32_bits(exact);
     result.b0 = moments.b0;   // stays a float beside them
     result.b[0] = quantised.near;
@@ -125,7 +123,7 @@ FN PixelState converted(IN(PixelState) state, IN(PixelStateSettings) settings)
 /// What may be mixed of neighbouring pixels: moments that are not normalised. Non-linearly quantised ones may not.
 FN PixelState filterable(IN(PixelState) state, IN(PixelStateSettings) settings)
 {
-    if (read_format(settings) != 1) return state;
+    if (settings.read_format != READ_THETA16) return state;
     PixelState first = with_moments(state, 0, unpacked_moments(moments_in(state, 0)));
     return with_moments(first, SECOND, unpacked_moments(moments_in(state, SECOND)));
 }
@@ -133,7 +131,7 @@ FN PixelState filterable(IN(PixelState) state, IN(PixelStateSettings) settings)
 /// The share of a set's mass in front of a depth.
 FN float fraction_of(IN(Moments) moments, float depth, IN(PixelStateSettings) settings)
 {
-    if (read_format(settings) >= 2)
+    if (settings.read_format >= READ_NLQM64)
     {
         TwoDepths quantised;
         quantised.near = moments.b[0];
@@ -159,7 +157,7 @@ FN float first_transmittance(IN(PixelState) state, IN(PixelStateFragment) fragme
 FN PixelState second_fragment_state(IN(PixelState) state, IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     float visibility = fragment.opacity * first_transmittance(state, fragment, settings);
-    float mass = second_set(settings) == 2 ? visibility : absorbance_of_opacity(visibility);
+    float mass = settings.moment_passes == SECOND_OF_VISIBILITY ? visibility : absorbance_of_opacity(visibility);
     Moments moments = fragment_moments(moment_depth(fragment, settings), mass, make_basis(0.0f));
     return with_moments(zero_state(), SECOND, moments);
 }
@@ -169,9 +167,9 @@ FN PixelState second_fragment_state(IN(PixelState) state, IN(PixelStateFragment)
 FN float transmittance_at(IN(PixelState) state, IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     Moments second = moments_in(state, SECOND);
-    if (second_set(settings) == 0 || is_empty(second)) return first_transmittance(state, fragment, settings);
+    if (settings.moment_passes == ONE_PASS || is_empty(second)) return first_transmittance(state, fragment, settings);
     float fraction = fraction_of(second, moment_depth(fragment, settings), settings);
-    if (second_set(settings) == 1) return transmittance_of(state.f[0] * fraction);
+    if (settings.moment_passes == SECOND_OF_OPACITY) return transmittance_of(state.f[0] * fraction);
     return 1.0f - (1.0f - transmittance_of(state.f[0])) * fraction;
 }
 

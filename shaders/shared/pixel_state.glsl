@@ -10,9 +10,11 @@
 
 struct PixelState { float f[MAX_STATE_FLOATS]; };
 
-/// Which variant of the technique: how many nodes, layers, samples or frequencies, and the choices of parameters; overestimation
-/// weight and moment bias for those that have moments, too.
-struct PixelStateSettings { int size; int option; float overestimation; float bias; };
+// A technique whose parameters choose something defines HAS_SETTINGS and `struct PixelStateSettings` before it includes this; its
+// twin in C++ is in core/techniques/pixel_state_settings.hpp.
+#ifndef HAS_SETTINGS
+struct PixelStateSettings { int none; };   // GLSL asks for a member
+#endif
 
 /// One transparent fragment. Depth is 0 at the near end of the depth range and 1 at its far end, window depth that of the
 /// depth buffer, plane depth the same logarithmically; colour is not multiplied by opacity. seed: random_bits.glsl; threshold:

@@ -1,8 +1,10 @@
 // stochastic.glsl -- stochastic transparency (Enderton et al. 2010): a fragment covers each sample of its pixel with a
 // probability of its opacity, samples keep the nearest depth, and the share of samples that see a depth estimates its
-// transmittance without bias. Settings: size samples, 1 to 64; option 1 for alpha correction.
+// transmittance without bias.
 #define MAX_STATE_FLOATS 68
 #define STATE_SAMPLES
+#define HAS_SETTINGS
+struct PixelStateSettings { int samples; bool alpha_correction; };   // 1 to 64 samples
 #include "pixel_state.glsl"
 
 const float NO_DEPTH = 2.0f;   // of a sample that nothing covers
@@ -19,7 +21,7 @@ FN PixelState fragment_state(IN(PixelStateFragment) fragment, IN(PixelStateSetti
 {
     PixelState state = empty_state(settings);
     state.f[0] = absorbance_of_opacity(fragment.opacity);
-    for (int s = 0; s < settings.size; ++s)
+    for (int s = 0; s < settings.samples; ++s)
         state.f[1 + s] = unit_random(fragment.seed, s) < fragment.opacity ? fragment.depth : NO_DEPTH;
     return state;
 }
@@ -28,14 +30,14 @@ FN PixelState fragment_state(IN(PixelStateFragment) fragment, IN(PixelStateSetti
 FN float transmittance_at(IN(PixelState) state, IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     float seeing = 0.0f;
-    for (int s = 0; s < settings.size; ++s) seeing = state.f[1 + s] >= fragment.depth ? seeing + 1.0f : seeing;
-    return seeing / float(settings.size);
+    for (int s = 0; s < settings.samples; ++s) seeing = state.f[1 + s] >= fragment.depth ? seeing + 1.0f : seeing;
+    return seeing / float(settings.samples);
 }
 
 /// Without alpha correction the background, too, is seen through the samples that nothing covers.
 FN Composited composited(IN(PixelState) state, IN(PixelStateSettings) settings)
 {
     float empty = 0.0f;
-    for (int s = 0; s < settings.size; ++s) empty = state.f[1 + s] == NO_DEPTH ? empty + 1.0f : empty;
-    return transparent(settings.option == 1 ? transmittance_of(state.f[0]) : empty / float(settings.size));
+    for (int s = 0; s < settings.samples; ++s) empty = state.f[1 + s] == NO_DEPTH ? empty + 1.0f : empty;
+    return transparent(settings.alpha_correction ? transmittance_of(state.f[0]) : empty / float(settings.samples));
 }

@@ -1,8 +1,13 @@
 // weighted.glsl -- weighted blended transparency (McGuire and Bavoil 2013): colours weighted by a guess of what is seen of them,
-// from their own depth and opacity alone. Settings: option chooses the weight.
+// from their own depth and opacity alone.
 #define MAX_STATE_FLOATS 8
 #define STATE_SUMS
 #define HOLDS_COLORS
+#define HAS_SETTINGS
+struct PixelStateSettings { int weight; };   // one of these:
+const int WEIGHT_OF_WINDOW_DEPTH = 0;
+const int WEIGHT_OF_VIEW_DEPTH = 1;          // McGuire and Bavoil 2013
+const int WEIGHT_OF_G3D = 2;                 // McGuire and Mara 2017
 #include "pixel_state.glsl"
 
 FN PixelState empty_state(IN(PixelStateSettings) settings)
@@ -10,7 +15,7 @@ FN PixelState empty_state(IN(PixelStateSettings) settings)
     return zero_state();
 }
 
-/// 0: clamp((10 (1 - .99 z) alpha)^3, .01, 30) of window depth z. 1: of view depth (2013). 2: as in G3D (2016).
+/// Of window depth z and opacity alpha: clamp((10 (1 - .99 z) alpha)^3, .01, 30).
 FN float blending_weight(IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     float near_and_opaque = 10.0f * (1.0f - 0.99f * fragment.window_depth) * fragment.opacity;
@@ -21,7 +26,8 @@ FN float blending_weight(IN(PixelStateFragment) fragment, IN(PixelStateSettings)
     float bright = min(1.0f, 40.0f * max(brightest, fragment.opacity) + 0.01f);
     float g3d = (8.0f * fragment.opacity + 0.01f) * (1.0f - 0.95f * fragment.window_depth);
     float g3d_weight = clamp(1.0e3f * g3d * g3d * g3d, 0.01f, 300.0f);
-    return settings.option == 0 ? phenomenological : (settings.option == 1 ? falloff * bright * bright : g3d_weight);
+    if (settings.weight == WEIGHT_OF_VIEW_DEPTH) return falloff * bright * bright;
+    return settings.weight == WEIGHT_OF_G3D ? g3d_weight : phenomenological;
 }
 
 /// Weighted colour, weighted opacity, absorbance.

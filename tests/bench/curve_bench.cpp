@@ -52,8 +52,8 @@ Work work_for(const Technique& technique) {
 }
 
 void evaluate(const Work& work, const std::vector<float>& depths, std::vector<float> (&curves)[3]) {
-    work.technique->kernel->evaluate(work.moments, settings_of(work.parameters), depths,
-                                     {curves[0], curves[1], curves[2]});
+    work.technique->moment_kernel().evaluate(work.moments, settings_of(work.parameters), depths,
+                                             {curves[0], curves[1], curves[2]});
     benchmark::DoNotOptimize(curves[0].data());
     benchmark::ClobberMemory();
 }
@@ -74,7 +74,7 @@ void run_pixels(benchmark::State& state, const Work& work) {
     const std::vector<MomentVector> moments(SAMPLES, work.moments);
     std::vector<float> fractions(SAMPLES);
     for (auto _ : state) {
-        work.technique->kernel->fractions(moments, settings, depths, fractions);
+        work.technique->moment_kernel().fractions(moments, settings, depths, fractions);
         benchmark::DoNotOptimize(fractions.data());
         benchmark::ClobberMemory();
     }
@@ -88,7 +88,7 @@ void run_scalar(benchmark::State& state, Work work, bool textbook) {
     const std::vector<float> depths = even_depths(SAMPLES);
     for (auto _ : state)
         for (const float depth : depths)
-            benchmark::DoNotOptimize(work.technique->kernel->fraction(work.moments, settings, depth));
+            benchmark::DoNotOptimize(work.technique->moment_kernel().fraction(work.moments, settings, depth));
     state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * SAMPLES));
 }
 
@@ -133,7 +133,7 @@ int main(int argc, char** argv) {
     using namespace momentscope;
     std::vector<Work> all;
     for (const Technique& technique : techniques())
-        if (technique.kernel != nullptr) all.push_back(work_for(technique));
+        if (technique.has_moments()) all.push_back(work_for(technique));
     for (const Work& work : all)
         benchmark::RegisterBenchmark(work.technique->id,
                                      [work](benchmark::State& state) { run(state, {work}); });
@@ -143,7 +143,7 @@ int main(int argc, char** argv) {
     benchmark::RegisterBenchmark("every technique's curve, from fragments", run_everything)
         ->Unit(benchmark::kMicrosecond);
     for (const Technique& technique : techniques())
-        if (technique.pixel_state != nullptr && has_function(technique))
+        if (technique.has_pixel_states() && has_function(technique))
             benchmark::RegisterBenchmark(technique.id, [&technique](benchmark::State& state) {
                 run_pixel_state(state, technique);
             })->Unit(benchmark::kMicrosecond);
@@ -153,7 +153,7 @@ int main(int argc, char** argv) {
                                      [work](benchmark::State& state) { run_pixels(state, work); });
         benchmark::RegisterBenchmark((id + " scalar").c_str(),
                                      [work](benchmark::State& state) { run_scalar(state, work, false); });
-        if (work.technique->kernel->has_textbook)
+        if (work.technique->moment_kernel().has_textbook)
             benchmark::RegisterBenchmark((id + " textbook").c_str(),
                                          [work](benchmark::State& state) { run_scalar(state, work, true); });
     }

@@ -54,7 +54,7 @@ double updates_per_second(HeadlessWindow& window, const Drag& drag, int moves) {
 void run(int moves, std::string_view only) {
     fmt::print("{:<12}{:<12}{:>16}{:>16}\n", "technique", "drag", "full picture", "draft");
     for (const Technique* technique : moment_based_techniques()) {
-        if (technique->kernel->bits != 32 || !is_wanted(only, technique->id)) continue;
+        if (technique->moment_kernel().bits != 32 || !is_wanted(only, technique->id)) continue;
         for (const Drag& drag : {Drag{"beta", "parameter.beta", 0}, Drag{"camera", "scene", 1}}) {
             double rates[2];
             for (const bool draft : {false, true}) {

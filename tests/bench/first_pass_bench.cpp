@@ -74,7 +74,7 @@ Times median_times(const Scene& scene, const Technique& technique, int rounds) {
     Renderer renderer;
     renderer.set_scene(scene);
     renderer.render({scene.camera, BENCH_SIZE, &technique, {}});
-    BlendOnly plain(scene, technique.kernel->moment_floats);
+    BlendOnly plain(scene, technique.moment_kernel().moment_floats);
     plain.draw_opaque();
     std::vector<double> moments, blending;
     for (int round = 0; round <= rounds; ++round) {
@@ -96,7 +96,7 @@ void run(int rounds, std::string_view only) {
         const Scene scene = load_scene(id, BENCH_OPACITY);
         median_times(scene, require_technique("cheb4-32"), 1);  // what is measured first takes twice as long
         for (const Technique* technique : moment_based_techniques()) {
-            if (technique->kernel->bits != 32) continue;
+            if (technique->moment_kernel().bits != 32) continue;
             if (!is_wanted(only, technique->id)) continue;
             const Times times = median_times(scene, *technique, rounds);
             fmt::print("{:<10}{:<12}{:>12.1f}{:>12.1f}{:>8.2f}\n", id, technique->id, times.blending,

@@ -26,7 +26,7 @@ enum class Way { textbook, per_fragment, per_pixel };
 constexpr Way WAYS[] = {Way::textbook, Way::per_fragment, Way::per_pixel};
 
 bool can(const Row& row, Way way) {
-    return way != Way::textbook || row.technique->kernel->has_textbook;
+    return way != Way::textbook || row.technique->moment_kernel().has_textbook;
 }
 
 /// One round of all. Bias differs from round to round by a ten-thousandth, so that nothing that the last one
@@ -38,8 +38,8 @@ void run_round(Renderer& renderer, const Scene& scene, std::vector<Row>& rows, i
             ParameterValues values;
             values.set(ParameterId::alpha,
                        automatic_bias(values, *row.technique) * (1.0f + 1.0e-4f * static_cast<float>(round)));
-            values.set(ParameterId::solver, way == Way::textbook ? 1.0f : 0.0f);
-            values.set(ParameterId::factorisation, way == Way::per_fragment ? 1.0f : 0.0f);
+            values.set(way == Way::textbook ? Solver::textbook : Solver::robust);
+            values.set(way == Way::per_fragment ? Factorisation::per_fragment : Factorisation::per_pixel);
             // Twice, because a way that is new makes its textures and programs first.
             renderer.render({scene.camera, BENCH_SIZE, row.technique, values});
             values.set(ParameterId::alpha, *values[ParameterId::alpha] * 1.00005f);

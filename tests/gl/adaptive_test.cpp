@@ -26,7 +26,7 @@ protected:
         if (tolerance) values.set(ParameterId::tolerance, tolerance);
         // Whose moments are its own, with its bias.
         if (std::string_view(technique).starts_with("cheb"))
-            values.set(ParameterId::alpha, require_technique("adaptive").recommended_bias);
+            values.set(ParameterId::alpha, require_technique("adaptive").moments().recommended_bias);
         renderer_->render({camera, SIZE, &require_technique(technique), values});
         return renderer_->read_picture();
     }

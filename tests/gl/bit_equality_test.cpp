@@ -54,11 +54,11 @@ Result evaluate(const Technique& technique, const ResolvedParameters& p, const I
     MomentVector moments{item.b0, {}};
     std::ranges::copy(item.b, moments.b.begin());
     Result result{};
-    result.absorbance = technique.kernel->steps(moments, settings_of(p), item.depth).absorbance;
+    result.absorbance = technique.moment_kernel().steps(moments, settings_of(p), item.depth).absorbance;
     result.transmittance = transmittance(result.absorbance);
     result.warped = to_depth(item.view_depth, {DepthWarp::Kind::logarithmic, Z_MIN, Z_MAX});
-    technique.kernel->add_fragment(moments, result.warped, fragment_absorbance(item.opacity),
-                                   basis_parameter(p, technique));
+    technique.moment_kernel().add_fragment(moments, result.warped, fragment_absorbance(item.opacity),
+                                           basis_parameter(p, technique));
     result.b0_with_fragment = moments.b0;
     std::ranges::copy(moments.b, result.b_with_fragment);
     return result;
@@ -110,7 +110,7 @@ protected:
             different[1] += differs(cpp.transmittance, gl[i].transmittance);
             different[2] += differs(cpp.warped, gl[i].warped);
             different[3] += differs(cpp.b0_with_fragment, gl[i].b0_with_fragment);
-            for (int k = 0; k < GetParam()->kernel->moment_floats; ++k)
+            for (int k = 0; k < GetParam()->moment_kernel().moment_floats; ++k)
                 different[4] += differs(cpp.b_with_fragment[k], gl[i].b_with_fragment[k]);
             worst = std::max(worst, std::abs(cpp.transmittance - gl[i].transmittance));
         }

@@ -91,10 +91,10 @@ TEST_F(Refusals, NonlinearMomentsAtLowResolution) {
     const Scene scene = load_scene("planes", 0.4f);
     renderer.set_scene(scene);
     View view = view_of(scene, "mt", {32, 18});
-    view.parameters.set(ParameterId::resolution, 2.0f);
-    view.parameters.set(ParameterId::read_format, 3.0f);
+    view.parameters.set(MomentResolution::quarter);
+    view.parameters.set(ReadFormat::nlqm32);
     EXPECT_THROW(renderer.render(view), Error);
-    view.parameters.set(ParameterId::read_format, 1.0f);
+    view.parameters.set(ReadFormat::theta16);
     EXPECT_NO_THROW(renderer.render(view));
 }
 

@@ -17,7 +17,7 @@ constexpr glm::ivec2 FACTORISATION_SIZE{96, 54};
 
 ParameterValues values_for(bool once, float alpha_scale, const Technique& technique) {
     ParameterValues values;
-    values.set(ParameterId::factorisation, once ? 0.0f : 1.0f);
+    values.set(once ? Factorisation::per_pixel : Factorisation::per_fragment);
     values.set(ParameterId::alpha, alpha_scale * automatic_bias(values, technique));
     return values;
 }

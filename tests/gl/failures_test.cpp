@@ -28,7 +28,7 @@ protected:
 TEST_P(Failures, AreNextToNoneOnTheScenesWithTheRobustBias) {
     const Technique& technique = *GetParam();
     ParameterValues values;
-    values.set(ParameterId::preset, 1.0f);
+    values.set(BiasPreset::robust);
     const ResolvedParameters parameters = resolve(values, technique);
     const auto beta = static_cast<Real>(parameters.beta);
     long fragments = 0, outside = 0, off = 0;
@@ -67,7 +67,7 @@ class TextbookFailures : public Failures {};
 
 TEST_P(TextbookFailures, WithoutBiasAreSeen) {
     ParameterValues values;
-    values.set(ParameterId::solver, 1.0f);
+    values.set(Solver::textbook);
     values.set(ParameterId::alpha, 0.0f);
     EXPECT_GT(count("planes", values).failed, 100) << GetParam()->id;
     values.set(ParameterId::alpha, 0.01f);
@@ -76,7 +76,7 @@ TEST_P(TextbookFailures, WithoutBiasAreSeen) {
 
 INSTANTIATE_TEST_SUITE_P(Techniques, TextbookFailures,
                          testing::ValuesIn(moment_techniques_where([](const Technique& row) {
-                             return row.kernel->has_textbook && row.kernel->bits == 32;
+                             return row.moment_kernel().has_textbook && row.moment_kernel().bits == 32;
                          })),
                          [](const auto& row) { return test_name(*row.param); });
 

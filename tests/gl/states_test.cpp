@@ -18,7 +18,7 @@ constexpr std::size_t PIXELS = 200;
 std::vector<const Technique*> pixel_state_techniques() {
     std::vector<const Technique*> rows;
     for (const Technique& row : techniques())
-        if (row.pixel_state != nullptr) rows.push_back(&row);
+        if (row.has_pixel_states()) rows.push_back(&row);
     return rows;
 }
 
@@ -80,19 +80,20 @@ float distance_between(const glm::vec3& a, const glm::vec3& b) {
 class StatesTest : public GlTest<::testing::TestWithParam<const Technique*>> {};
 
 // Eight bits: a product that rounds the other way is 1/255, and is merged into what follows.
-float tolerance_of(const Technique& technique, const ResolvedParameters& parameters) {
-    return technique.uses(ParameterId::layer_bits) && parameters.pixel_state.option == 1 ? 8e-3f : 2e-4f;
+float tolerance_of(const ResolvedParameters& parameters) {
+    const auto* layers = std::get_if<LayeredSettings>(&parameters.pixel_state);
+    return layers != nullptr && layers->bits == LayerBits::bits_8 ? 8e-3f : 2e-4f;
 }
 
 void expect_composed(const Technique& technique, const ParameterValues& values,
                      const std::vector<Covered>& pixels, const std::string& scene) {
     const ResolvedParameters parameters = resolve(values, technique);
-    const float tolerance = tolerance_of(technique, parameters);
+    const float tolerance = tolerance_of(parameters);
     float worst = 0;
     for (const auto& [shown, capture] : pixels) {
         worst = std::max(worst, distance_between(shown, pixel_state_color(capture.ray, technique, parameters,
                                                                           capture.behind)));
-        if (!technique.pixel_state->has_depths()) continue;
+        if (!technique.pixel_state_kernel().has_depths()) continue;
         for (const PixelHistoryRow& row :
              pixel_history(capture.ray, capture.transmittance, technique, values))
             EXPECT_NEAR(*row.gl_transmittance, row.transmittance,

@@ -32,11 +32,12 @@ protected:
             const MomentVector cpp = sum_moments(capture.ray, technique, resolve(values, technique));
             different += capture.stored->b0 != cpp.b0 ? 1 : 0;
             ++numbers;
-            for (std::size_t k = 0; k < static_cast<std::size_t>(technique.kernel->moment_floats); ++k) {
+            for (std::size_t k = 0; k < static_cast<std::size_t>(technique.moment_kernel().moment_floats);
+                 ++k) {
                 float gl = capture.stored->b[k];
                 float own = cpp.b[k];
                 // A texture unit may be off by an ulp in code / 65535, and the shaders round that away.
-                if (technique.kernel->bits == 16)
+                if (technique.moment_kernel().bits == 16)
                     gl = std::round(gl * 65535.0f), own = std::round(own * 65535.0f);
                 different += gl == own ? 0 : 1;
                 ++numbers;
@@ -58,7 +59,7 @@ class OrderedStorage : public Storage {};
 
 TEST_P(OrderedStorage, HoldsTheBitsOfCpp) {
     ParameterValues values;
-    values.set(ParameterId::accumulation, 1.0f);
+    values.set(MomentAccumulation::ordered);
     compare(values);
 }
 
@@ -86,7 +87,7 @@ TEST_F(WithoutOrder, SixteenBitsSayWhyAndTheLastPictureStays) {
         EXPECT_NE(std::string(error.what()).find("32 bits"), std::string::npos) << "what to do";
     }
     View ordered = view_of(scene, "power4-32", {32, 18});
-    ordered.parameters.set(ParameterId::accumulation, 1.0f);
+    ordered.parameters.set(MomentAccumulation::ordered);
     EXPECT_THROW(renderer.render(ordered), Error);
     EXPECT_NO_THROW(renderer.render(view_of(scene, "power4-32", {32, 18})));
 }
@@ -95,7 +96,7 @@ TEST_F(WithoutOrder, AvailabilityFollowsTheAccess) {
     for (const Technique& technique : techniques()) {
         EXPECT_EQ(why_unavailable(technique, OrderedAccess::interlock), "");
         EXPECT_EQ(why_unavailable(technique, OrderedAccess::framebuffer_fetch), "");
-        const bool sixteen = technique.kernel != nullptr && technique.kernel->bits == 16;
+        const bool sixteen = technique.has_moments() && technique.moment_kernel().bits == 16;
         const bool changes_nodes = technique.id == std::string("at") || technique.id == std::string("mlab");
         EXPECT_EQ(why_unavailable(technique, OrderedAccess::none).empty(), !sixteen && !changes_nodes)
             << technique.id;

@@ -99,7 +99,7 @@ TEST_F(LightTest, ShadowsTurnedOffShowTheEyesRay) {
     settle();
     play("key V");
     explorer().state().marked = 200;
-    explorer().state().parameters.set(ParameterId::shadows, 0.0f);
+    explorer().state().parameters.turn(ParameterId::shadows, false);
     settle();
     EXPECT_EQ(state().viewpoint, ui::Viewpoint::eye);
     EXPECT_EQ(state().marked, 3U) << "as before";
@@ -109,7 +109,7 @@ TEST_F(LightTest, ShadowsTurnedOffShowTheEyesRay) {
 TEST_F(LightTest, TheTextbookIsTheEyesAlone) {
     ui::ExplorerState wanted;
     wanted.scene = "cloud";
-    wanted.parameters.set(ParameterId::solver, 1.0f);
+    wanted.parameters.set(Solver::textbook);
     open(wanted);
     play("key V");
     EXPECT_FALSE(measurement().curve.parameters.textbook) << "maps are looked up by the robust solver";

@@ -80,7 +80,7 @@ void measure_ray(const Technique& technique, const ParameterValues& values, RayM
     for (const Fragment& fragment : ray.fragments) b0 -= std::log1p(-static_cast<Real>(fragment.opacity));
     ++result.rays;
     result.floored_pivots +=
-        technique.kernel->steps(curve.moments, settings_of(curve.parameters), 0.0f).floored_pivots;
+        technique.moment_kernel().steps(curve.moments, settings_of(curve.parameters), 0.0f).floored_pivots;
     if (!from_stored) ++result.without_exact_result;
     for (std::size_t i = 0; i < depths.size(); ++i) {
         const Real depth = static_cast<Real>(depths[i]);
@@ -135,7 +135,7 @@ constexpr Tolerance OF_16_BITS = {2.3e-4, 3e-3, 1e-1, 2e-6};
 /// measured over 10^5 rays. That their arithmetic is no worse is tested at Table 1's bias.
 Tolerance tolerance_of(const Technique& technique) {
     const std::string_view id = technique.id;
-    if (technique.kernel->bits == 16) return OF_16_BITS;
+    if (technique.moment_kernel().bits == 16) return OF_16_BITS;
     if (id == "cheb6-32") return {2.5e-5, 2e-4, 5e-2, 3e-7};
     if (id == "cheb8-32" || id == "adaptive") return {7e-5, 1e-3, 5e-2, 4e-7};
     return AT_TABLE_1;
@@ -144,7 +144,7 @@ Tolerance tolerance_of(const Technique& technique) {
 /// Where surfaces all but tie, rounding of the moments decides: a hundred times as much as elsewhere. About
 /// half as much again as was measured of the technique that fares worst, over 10,000 rays.
 Tolerance tolerance_on_clusters(const Technique& technique) {
-    if (technique.kernel->bits == 16) return {7e-3, 0.11, 0.95, 1.2e-4};
+    if (technique.moment_kernel().bits == 16) return {7e-3, 0.11, 0.95, 1.2e-4};
     return {2e-3, 5e-2, 0.22, 2e-5};
 }
 
@@ -192,9 +192,9 @@ class ChebyshevAccuracy : public Accuracy {};
 
 TEST_P(ChebyshevAccuracy, IsThatOfPowerMomentsAtTable1sBias) {
     const Technique& technique = *GetParam();
-    const Technique& power = require_technique(fmt::format("power{}-32", technique.moment_count));
+    const Technique& power = require_technique(fmt::format("power{}-32", technique.moments().moment_count));
     ParameterValues values;
-    values.set(ParameterId::alpha, power.recommended_bias);
+    values.set(ParameterId::alpha, power.moments().recommended_bias);
     Measurement measured = measure(technique, values, scattered_ray, effort(10'000, 1'000'000));
     for (std::size_t k = 0; k < BETAS.size(); ++k)
         check(technique, BETAS[k], scattered_ray, AT_TABLE_1, measured.by_beta[k]);
@@ -202,7 +202,8 @@ TEST_P(ChebyshevAccuracy, IsThatOfPowerMomentsAtTable1sBias) {
 
 INSTANTIATE_TEST_SUITE_P(Techniques, ChebyshevAccuracy,
                          testing::ValuesIn(moment_techniques_where([](const Technique& row) {
-                             return row.on_chebyshev() && !row.uses(ParameterId::tolerance);  // fixed counts
+                             return row.is_of(BasisFamily::chebyshev) &&
+                                    !row.uses(ParameterId::tolerance);  // fixed counts
                          })),
                          [](const auto& row) { return test_name(*row.param); });
 INSTANTIATE_TEST_SUITE_P(Techniques, Accuracy, testing::ValuesIn(moment_based_techniques()),

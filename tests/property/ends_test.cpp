@@ -47,7 +47,8 @@ protected:
         const std::vector<double> exactly = exact_absorbance(exact, ray, parameters.beta, depths);
         long failed = 0;
         for (std::size_t k = 0; k < depths.size(); ++k) {
-            const float fraction = technique.kernel->fraction(stored, settings_of(parameters), depths[k]);
+            const float fraction =
+                technique.moment_kernel().fraction(stored, settings_of(parameters), depths[k]);
             const double t = transmittance_of_fraction(fraction, stored.b0);
             if (classify(fraction, t, std::exp(-exactly[k])) != Outcome::ok) ++failed;
         }
@@ -58,7 +59,7 @@ protected:
     long count(float theta, Also also, bool textbook, int rays) {
         ParameterValues values;
         values.set(ParameterId::theta, theta);
-        values.set(ParameterId::solver, textbook ? 1.0f : 0.0f);
+        values.set(textbook ? Solver::textbook : Solver::robust);
         random_.seed(17);
         long failed = 0;
         for (int i = rays; i > 0; --i) failed += failures(ray_at_an_end(i, also), values);
@@ -75,7 +76,7 @@ protected:
 
 TEST_P(EndsOfTheDepthRange, HoldNoSurprise) {
     const int rays = effort(1'000, 100'000);
-    const bool floats = GetParam()->kernel->bits == 32;
+    const bool floats = GetParam()->moment_kernel().bits == 32;
     for (const float theta : THETAS) {
         if (!GetParam()->uses(ParameterId::theta) && theta != THETAS[0]) break;
         for (const Also also : {Also::nothing, Also::other_end, Also::anywhere}) {
@@ -101,7 +102,7 @@ TEST(Trigonometric, MomentsOfOneSurfaceLieOnTheCircle) {
     constexpr int SURFACES = 5000, POWERS = 4;
     for (int i = 0; i < SURFACES; ++i) {
         MomentVector moments;
-        technique.kernel->add_fragment(moments, anywhere(random), 1.0f, 0.3f);
+        technique.moment_kernel().add_fragment(moments, anywhere(random), 1.0f, 0.3f);
         for (std::size_t k = 0; k < POWERS; ++k)
             sum += std::abs(
                 std::hypot(static_cast<double>(moments.b[2 * k]), static_cast<double>(moments.b[2 * k + 1])) -

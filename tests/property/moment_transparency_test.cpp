@@ -59,7 +59,7 @@ TEST(MomentTransparency, IsFourExactMomentsBetweenThePlanes) {
         for (int i = 0; i < 2000; ++i) {
             const ViewRay ray = ray_between_planes(random, 1 + i % 8);
             const ParameterValues values = values_with({{ParameterId::depth_range, published ? 1.0f : 0.0f}});
-            const auto own = own_transmittance(ray, technique, technique.pixel_state_settings(values));
+            const auto own = own_transmittance(ray, technique, technique.pixel_states().settings(values));
             const ViewRay mapped = between_planes(ray, published);
             const auto exact = exact_function(mapped, require_technique("power4-32"), {.alpha = 3e-7f});
             std::vector<float> depths;
@@ -86,8 +86,8 @@ TEST(MomentTransparency, TheSecondSetKnowsTheFirst) {
             const ViewRay ray = ray_between_planes(random, 1 + i % 8);
             const ParameterValues values =
                 values_with({{ParameterId::moment_passes, static_cast<float>(passes)}});
-            const auto own = own_transmittance(ray, technique, technique.pixel_state_settings(values));
-            const auto first = own_transmittance(ray, technique, technique.pixel_state_settings({}));
+            const auto own = own_transmittance(ray, technique, technique.pixel_states().settings(values));
+            const auto first = own_transmittance(ray, technique, technique.pixel_states().settings({}));
             ViewRay seen = between_planes(ray, false);
             std::vector<float> depths;
             for (std::size_t k = 0; k < first.size(); ++k) {
@@ -121,7 +121,7 @@ TEST(MomentTransparency, ReadFormatsRoundAsMuchAsTheyShould) {
         const auto with_format = [&](int format, float bias) {
             return pixel_state_transmittance(
                 ray, technique,
-                technique.pixel_state_settings(values_with(
+                technique.pixel_states().settings(values_with(
                     {{ParameterId::read_format, static_cast<float>(format)}, {ParameterId::alpha, bias}})),
                 even_depths(31));
         };
@@ -149,7 +149,7 @@ TEST(MomentTransparency, TwoDepthsAreAlgorithmOneInAnotherForm) {
         const ViewRay ray = random_ray(random, 3 + i % 8);
         MomentVector sum;
         for (const Fragment& f : ray.fragments)
-            moments.kernel->add_fragment(sum, f.depth, fragment_absorbance(f.opacity), 0);
+            moments.moment_kernel().add_fragment(sum, f.depth, fragment_absorbance(f.opacity), 0);
         float b[4];
         const float targets[4] = {0, 0.375f, 0, 0.375f};
         for (std::size_t k = 0; k < 4; ++k)
@@ -158,7 +158,7 @@ TEST(MomentTransparency, TwoDepthsAreAlgorithmOneInAnotherForm) {
         for (const float depth : {-0.9f, -0.5f, -0.1f, 0.2f, 0.6f, 0.95f})
             for (const float beta : {0.0f, 0.25f, 1.0f}) {
                 const double fraction = static_cast<double>(
-                    moments.kernel->fraction(sum, {.overestimation = beta, .bias = 1e-4f}, depth));
+                    moments.moment_kernel().fraction(sum, {.overestimation = beta, .bias = 1e-4f}, depth));
                 errors.push_back(std::abs(
                     fraction - static_cast<double>(parts::fraction_of_two_depths(exact, depth, beta))));
             }

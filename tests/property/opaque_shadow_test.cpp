@@ -187,7 +187,7 @@ TEST(OpaqueShadow, MomentsAreThoseOfTransparency) {
     } rows[] = {{"hamburger-32", "power4-32", 3e-7f, 0}, {"trigonometric", "trig2-32", 4e-7f, 0.314159265f}};
     for (const auto& [map, id, bias, theta] : rows) {
         const OpaqueShadow& row = require_opaque_shadow(map);
-        const MomentKernel& kernel = *require_technique(id).kernel;
+        const MomentKernel& kernel = require_technique(id).moment_kernel();
         RandomNumbers random(9);
         for (int i = 0; i < 1000; ++i) {
             const ShadowTexel texel = mean_texel(row, random_region(random, 1 + i % 9));

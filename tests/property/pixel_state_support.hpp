@@ -40,8 +40,9 @@ inline glm::dvec4 true_color(const ViewRay& ray) {
 }
 
 inline glm::dvec4 color_of(const ViewRay& ray, const Technique& technique, const ParameterValues& values) {
-    const PixelStateSettings settings = technique.pixel_state_settings(values);
-    const Composited all = technique.pixel_state->composited(pixel_state(ray, technique, settings), settings);
+    const PixelStateSettings settings = technique.pixel_states().settings(values);
+    const Composited all =
+        technique.pixel_state_kernel().composited(pixel_state(ray, technique, settings), settings);
     return {all.red, all.green, all.blue, all.transmittance};
 }
 

@@ -16,7 +16,7 @@ class Robustness : public testing::TestWithParam<const Technique*> {
 protected:
     // Checks unclamped fractions and weights at one depth, and counts what floors and clamps did.
     void check(const MomentVector& moments, const ReconstructionSettings& settings, float depth) {
-        const ReconstructionSteps steps = GetParam()->kernel->steps(moments, settings, depth);
+        const ReconstructionSteps steps = GetParam()->moment_kernel().steps(moments, settings, depth);
         const float beta0 = steps.in_front;
         const float beta1 = steps.in_front + steps.query_weight;
         const bool fine = beta0 >= -1e-4f && beta1 <= 1 + 1e-4f && beta1 >= beta0 && steps.absorbance >= 0 &&
@@ -57,7 +57,7 @@ TEST_P(Robustness, RandomRaysAtOwnAndRandomDepths) {
 
 TEST_P(Robustness, RandomRaysWithTheRobustBias) {
     ParameterValues values;
-    values.set(ParameterId::preset, 1.0f);
+    values.set(BiasPreset::robust);
     std::mt19937 random(4);
     for (int i = effort(100'000, 1'000'000); i > 0; --i) {
         const ViewRay ray = random_ray(random);

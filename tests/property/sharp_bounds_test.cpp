@@ -58,7 +58,7 @@ TEST_P(SharpBoundsOf, RandomRaysHoldTheTruth) {
 // m/2 surfaces are determined by m moments of a basis on the line, m by m trigonometric ones.
 TEST_P(SharpBoundsOf, FewSurfacesAreTheTruth) {
     const bool circle = GetParam()->on_circle();
-    const int most = circle ? GetParam()->moment_count : GetParam()->moment_count / 2;
+    const int most = circle ? GetParam()->moments().moment_count : GetParam()->moments().moment_count / 2;
     ViewRay ray;
     for (int i = 0; i < most; ++i) {
         const float depth = -0.8f + 1.6f * (static_cast<float>(i) + 0.5f) / static_cast<float>(most);
@@ -175,8 +175,8 @@ TEST(SharpBounds, OfTheLineAreThoseOfALinearProgram) {
             ASSERT_TRUE(sharp);
             const double total = total_absorbance(ray);
             for (std::size_t d = 0; d < depths.size(); ++d) {
-                const double lower = bound_on_grid(ray, technique.moment_count, depths[d], false);
-                const double upper = bound_on_grid(ray, technique.moment_count, depths[d], true);
+                const double lower = bound_on_grid(ray, technique.moments().moment_count, depths[d], false);
+                const double upper = bound_on_grid(ray, technique.moments().moment_count, depths[d], true);
                 const double low = static_cast<double>(sharp->lower[d]) / total;
                 const double high = static_cast<double>(sharp->upper[d]) / total;
                 EXPECT_LE(low, lower + 2e-4) << id << " at " << depths[d];

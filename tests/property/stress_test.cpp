@@ -67,12 +67,12 @@ TEST(Stress, IsTheSameWhateverTheThreadsDo) {
 
 TEST(Stress, SeesTheTextbookBreakWithoutBiasAndTheRobustSolverHold) {
     StressOptions options = options_of({"power4-32", "power6-32", "power8-32"}, {"alpha-0"});
-    options.values.set(ParameterId::solver, 1.0f);
+    options.values.set(Solver::textbook);
     for (const StressCell& cell : run_stress(options, {}, NO_REPORT)) {
         EXPECT_GT(cell.failures(), cell.queries / 200) << cell.technique->id;
         EXPECT_FALSE(cell.worst_case.ray.fragments.empty());
     }
-    options.values.set(ParameterId::solver, 0.0f);
+    options.values.set(Solver::robust);
     for (const StressCell& cell : run_stress(options, {}, NO_REPORT)) {
         EXPECT_EQ(cell.not_numbers + cell.outside, 0) << cell.technique->id;
         EXPECT_LT(cell.failure_rate(), 0.03) << cell.technique->id;
@@ -124,9 +124,9 @@ TEST(Tune, FindsLessBiasWithTheRobustSolverThanWithTheTextbook) {
     const auto rays = tuning_rays(4000, 1);
     TuneOptions options;
     options.technique = &require_technique("power8-32");
-    const float table1 = options.technique->recommended_bias;
+    const float table1 = options.technique->moments().recommended_bias;
     const auto robust = tune(rays, options, {}, NO_REPORT);
-    options.values.set(ParameterId::solver, 1.0f);
+    options.values.set(Solver::textbook);
     const auto textbook = tune(rays, options, {}, NO_REPORT);
     ASSERT_TRUE(robust && textbook);
     const float robust_alpha = *robust->values[ParameterId::alpha];
@@ -201,7 +201,7 @@ TEST(RobustBias, OfEightPowerMomentsIsSharperThanTableOne) {
         }
         return std::sqrt(squares / static_cast<double>(count));
     };
-    const double ratio = rms(technique.robust_bias) / rms(technique.recommended_bias);
+    const double ratio = rms(technique.moments().robust_bias) / rms(technique.moments().recommended_bias);
     fmt::print("power8-32, robust to Table 1: {:.3f}\n", ratio);
     EXPECT_LE(ratio, 0.65);
 }

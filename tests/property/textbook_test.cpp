@@ -24,7 +24,7 @@ protected:
     static Outcome measure(float alpha, int rays, int least_fragments, int most_fragments) {
         const Technique& technique = *GetParam();
         ParameterValues values;
-        values.set(ParameterId::solver, 1.0f);
+        values.set(Solver::textbook);
         values.set(ParameterId::alpha, alpha);
         const ResolvedParameters parameters = resolve(values, technique);
         std::mt19937 random(11);
@@ -38,7 +38,8 @@ protected:
             if (!exact) continue;
             const double b0 = total_absorbance(ray);
             for (const float depth : own_depths(ray)) {
-                const float fraction = technique.kernel->fraction(stored, settings_of(parameters), depth);
+                const float fraction =
+                    technique.moment_kernel().fraction(stored, settings_of(parameters), depth);
                 ++outcome.queries;
                 if (!(fraction > -1e-3f && fraction < 1.001f)) {
                     ++outcome.failures;
@@ -67,7 +68,7 @@ TEST_P(Textbook, IsRightWhereTheMatrixIsRegular) {
     EXPECT_EQ(outcome.failures, 0);
     // A few ulps, magnified by a matrix whose smallest pivot is of the order of the bias; 16-bit moments are
     // off by 1e-5.
-    const bool floats = GetParam()->kernel->bits == 32;
+    const bool floats = GetParam()->moment_kernel().bits == 32;
     EXPECT_LT(median, floats ? 2e-7 : 2e-5);
     EXPECT_LT(percentile_99, floats ? 1e-5 : 1e-3);
 }
@@ -79,7 +80,7 @@ class TextbookInFloats : public Textbook {};
 TEST_P(TextbookInFloats, BreaksWithoutBias) {
     const Technique& technique = *GetParam();
     ParameterValues values;
-    values.set(ParameterId::solver, 1.0f);
+    values.set(Solver::textbook);
     values.set(ParameterId::alpha, 0.0f);
     const ResolvedParameters parameters = resolve(values, technique);
     std::mt19937 random(12);
@@ -89,7 +90,7 @@ TEST_P(TextbookInFloats, BreaksWithoutBias) {
         const ViewRay ray = random_ray(random, 2);
         const MomentVector stored = sum_moments(ray, technique, parameters);
         const float fraction =
-            technique.kernel->fraction(stored, settings_of(parameters), ray.fragments.front().depth);
+            technique.moment_kernel().fraction(stored, settings_of(parameters), ray.fragments.front().depth);
         failures += fraction > -1e-3f && fraction < 1.001f ? 0 : 1;
     }
     fmt::print("{}: {} of {} rays of one or two fragments fail without bias\n", technique.id, failures,
@@ -99,12 +100,12 @@ TEST_P(TextbookInFloats, BreaksWithoutBias) {
 
 INSTANTIATE_TEST_SUITE_P(Techniques, Textbook,
                          testing::ValuesIn(moment_techniques_where([](const Technique& row) {
-                             return row.kernel->has_textbook;
+                             return row.moment_kernel().has_textbook;
                          })),
                          [](const auto& row) { return test_name(*row.param); });
 INSTANTIATE_TEST_SUITE_P(Techniques, TextbookInFloats,
                          testing::ValuesIn(moment_techniques_where([](const Technique& row) {
-                             return row.kernel->has_textbook && row.kernel->bits == 32;
+                             return row.moment_kernel().has_textbook && row.moment_kernel().bits == 32;
                          })),
                          [](const auto& row) { return test_name(*row.param); });
 

@@ -21,17 +21,17 @@ TEST_P(Wide, EqualsScalar) {
         const ReconstructionSettings settings = settings_of(curve.parameters);
         for (std::size_t k = 0; k < curve.depth.size(); ++k)
             ASSERT_EQ(curve.reconstructed[k],
-                      GetParam()->kernel->steps(curve.moments, settings, curve.depth[k]).absorbance);
+                      GetParam()->moment_kernel().steps(curve.moments, settings, curve.depth[k]).absorbance);
     }
 }
 
 TEST_P(Wide, ManyPixelsEqualOne) {
     constexpr std::size_t PIXELS = 1003;  // full batches and a rest
-    const MomentKernel& kernel = *GetParam()->kernel;
+    const MomentKernel& kernel = GetParam()->moment_kernel();
     for (const bool textbook : {false, true}) {
         if (textbook && !kernel.has_textbook) continue;
         ParameterValues values;
-        values.set(ParameterId::solver, textbook ? 1.0f : 0.0f);
+        values.set(textbook ? Solver::textbook : Solver::robust);
         const ResolvedParameters parameters = resolve(values, *GetParam());
         const ReconstructionSettings settings = settings_of(parameters);
         std::mt19937 random(5);

@@ -205,7 +205,7 @@ TEST(Families, HoldEveryTechniqueWithMomentsByItsBasis) {
     for (const Technique* technique : moment_based_techniques()) {
         const std::string_view name = family_of(*technique).name;
         EXPECT_TRUE(name.ends_with(" moments")) << technique->id << " is among " << name;
-        EXPECT_EQ(name.starts_with("Chebyshev"), technique->on_chebyshev()) << technique->id;
+        EXPECT_EQ(name.starts_with("Chebyshev"), technique->is_of(BasisFamily::chebyshev)) << technique->id;
     }
 }
 

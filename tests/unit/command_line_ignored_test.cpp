@@ -17,7 +17,7 @@ TEST_F(CommandLine, RefusesWhatWouldChangeNothing) {
     const std::pair<const char*, const char*> ignored[] = {
         {"--beta 0.5 render --scene planes -o out/x.png", "--beta stands before 'render'"},
         {"--size 64x48 list scenes", "--size stands before 'list'"},
-        {"inspect --ray ray.json --size junk -o out/x", "--size changes nothing beside --ray"},
+        {"inspect --ray ray.json --size 8x8 -o out/x", "--size changes nothing beside --ray"},
         {"inspect --ray ray.json --samples 5 --depths 0 -o out/x",
          "--samples changes nothing beside --depths"},
         {"inspect --ray ray.json --steps --samples 5 -o out/x", "--samples"},
@@ -44,7 +44,7 @@ TEST_F(CommandLine, RefusesWhatWouldChangeNothing) {
         {"tune --ray ray.json --nodes 4", "--nodes"},
         {"chart --scene planes --technique wboit --beta 0.5", "--beta"},
         {"chart --scene planes --metric flip -o out/x.csv", "--metric changes nothing in a .csv"},
-        {"chart --scene planes --shadows --metric junk", "--metric changes nothing beside --shadows"},
+        {"chart --scene planes --shadows --metric flip", "--metric changes nothing beside --shadows"},
         {"advise --scene planes --max-error 0.1 --technique wboit --nodes 4", "--nodes"},
         {"merge one.csv --metric flip -o out/x.csv", "--metric"},
         {"explore --headless --screenshot out/x.png --ray ray.json --compare at", "--compare"},

@@ -4,8 +4,10 @@
 #include "tests/unit/command_line_fixture.hpp"
 
 #include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 
 using namespace momentscope;
 using namespace momentscope::test;
@@ -309,6 +311,15 @@ TEST_F(CommandLine, HelpSucceedsAndNamesEveryParameter) {
     const std::string help = expect_success("inspect --help").output;
     for (const Parameter& row : parameters())
         EXPECT_NE(help.find(std::string("--") + row.key + " "), std::string::npos) << row.key;
+}
+
+// docs/cli.md is what the program knows of itself.
+TEST_F(CommandLine, HasItsPage) {
+    std::ifstream file("docs/cli.md");
+    std::stringstream text;
+    text << file.rdbuf();
+    EXPECT_EQ(expect_success("list options --format markdown").output, text.str())
+        << "momentscope list options --format markdown > docs/cli.md";
 }
 
 }  // namespace

@@ -16,10 +16,56 @@ namespace {
 constexpr float NO_NUMBER = std::numeric_limits<float>::quiet_NaN();
 constexpr float ENDLESS = std::numeric_limits<float>::infinity();
 
-TEST(ParameterValues, StartAtTheirStandards) {
+TEST(ParameterValues, StartAtTheirDefaults) {
     const ParameterValues values;
     for (const Parameter& row : parameters()) EXPECT_EQ(values[row.id], row.default_value) << row.key;
     EXPECT_EQ(values[ParameterId::alpha], std::nullopt);
+}
+
+/// Every value of an enum has a name, and the name means the value.
+template <typename Choice>
+void expect_named(const std::vector<Choice>& all) {
+    const Parameter& row = parameter(ParameterOf<Choice>::ID);
+    SCOPED_TRACE(row.key);
+    ASSERT_EQ(row.scale, Scale::choice);
+    ASSERT_EQ(row.choices.size(), all.size());
+    EXPECT_EQ(row.minimum, 0);
+    EXPECT_EQ(row.maximum, static_cast<float>(all.size() - 1));
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        ParameterValues values;
+        values.set(row.id, parse_parameter(row, row.choices[i]));
+        EXPECT_EQ(values.get<Choice>(), all[i]);
+        ParameterValues typed;
+        typed.set(all[i]);
+        EXPECT_EQ(typed, values);
+    }
+}
+
+TEST(ParameterValues, NameTheirChoices) {
+#define VALUE(enumerator, text) enumerator
+#define CHOICE(type, parameter, ...)       \
+    {                                      \
+        using enum type;                   \
+        expect_named<type>({__VA_ARGS__}); \
+    }
+#include "core/parameter_choices.def"
+#undef CHOICE
+#undef VALUE
+    EXPECT_EQ(ParameterValues().get<Solver>(), Solver::robust);
+    ParameterValues values;
+    values.set(ParameterId::read_format, parse_parameter(parameter(ParameterId::read_format), "nlqm64"));
+    EXPECT_EQ(values.get<ReadFormat>(), ReadFormat::nlqm64);
+}
+
+TEST(ParameterValues, AreReadAsWhatTheyAre) {
+    ParameterValues values;
+    EXPECT_TRUE(values.is_on(ParameterId::renormalize));
+    values.turn(ParameterId::renormalize, false);
+    EXPECT_FALSE(values.is_on(ParameterId::renormalize));
+    values.set(ParameterId::nodes, 7.0f);
+    EXPECT_EQ(values.count(ParameterId::nodes), 7);
+    EXPECT_EQ(values.number(ParameterId::beta), 0.25f);
+    EXPECT_THROW(values.number(ParameterId::alpha), std::bad_optional_access) << "it is automatic";
 }
 
 TEST(ParameterValues, TakeBothEndsOfTheRangeAndNothingBeyond) {

@@ -70,7 +70,7 @@ TEST(Quantisation, InversesInvert) {
 std::vector<const Technique*> of_16_bits() {
     std::vector<const Technique*> rows;
     for (const Technique& row : techniques())
-        if (row.kernel != nullptr && row.kernel->bits == 16) rows.push_back(&row);
+        if (row.has_moments() && row.moment_kernel().bits == 16) rows.push_back(&row);
     return rows;
 }
 
@@ -94,9 +94,9 @@ TEST(Quantisation, StoresMultiplesAndHalves) {
             MomentVector stored;
             for (int i = 0; i < 3; ++i) {
                 const float before = stored.b0;
-                technique->kernel->add_fragment(stored, depth(random), absorbance, 0.3f);
+                technique->moment_kernel().add_fragment(stored, depth(random), absorbance, 0.3f);
                 EXPECT_EQ(stored.b0, nearest_half(before + absorbance)) << technique->id;
-                for (int k = 0; k < technique->kernel->moment_floats; ++k) {
+                for (int k = 0; k < technique->moment_kernel().moment_floats; ++k) {
                     const float code = std::round(stored.b[static_cast<std::size_t>(k)] * 65535.0f);
                     EXPECT_EQ(stored.b[static_cast<std::size_t>(k)], code / 65535.0f);
                     EXPECT_TRUE(code >= 0 && code <= 65535);
@@ -114,10 +114,10 @@ TEST(Quantisation, OneFragmentComesBack) {
         for (int step = -1000; step <= 1000; ++step) {
             const float z = static_cast<float>(step) * 1e-3f;
             MomentVector stored;
-            technique->kernel->add_fragment(stored, z, 1.0f, 0.3f);
+            technique->moment_kernel().add_fragment(stored, z, 1.0f, 0.3f);
             EXPECT_EQ(stored.b0, 1.0f);
-            const MomentVector back = technique->kernel->moments_of(stored);
-            for (int k = 0; k < technique->kernel->moment_floats; ++k) {
+            const MomentVector back = technique->moment_kernel().moments_of(stored);
+            for (int k = 0; k < technique->moment_kernel().moment_floats; ++k) {
                 double exact = std::pow(static_cast<double>(z), k + 1);
                 if (technique->on_circle()) {
                     const double phase =

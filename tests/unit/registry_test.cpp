@@ -76,8 +76,8 @@ TEST(Techniques, HaveUniqueWellFormedIdsAndFullRows) {
         EXPECT_FALSE(std::string(technique.name).empty());
         expect_prose(technique.description);
         EXPECT_TRUE(std::regex_search(technique.source, std::regex("(19|20)[0-9][0-9]"))) << "names a year";
-        EXPECT_EQ(technique.geometry_passes == 0,
-                  technique.path == RenderPath::peeling);  // grows with the layers
+        EXPECT_EQ(technique.geometry_passes == 0, technique.id == std::string("peeling"))
+            << "grows with the layers";
         EXPECT_EQ(find_technique(technique.id), &technique);
         EXPECT_EQ(&require_technique(technique.id), &technique);
     }
@@ -94,13 +94,14 @@ TEST(Techniques, HaveTheirPage) {
 
 TEST(Techniques, WithoutMomentsHaveStatesThatFit) {
     for (const Technique& technique : techniques()) {
-        if (technique.pixel_state == nullptr) continue;
+        if (!technique.has_pixel_states()) continue;
         SCOPED_TRACE(technique.id);
         for (const ParameterId id : technique.parameters)
             for (float value = parameter(id).minimum; value <= parameter(id).maximum; ++value) {
                 ParameterValues values;
                 values.set(id, value);
-                EXPECT_LE(technique.state_floats(technique.pixel_state_settings(values)), STATE_CAPACITY);
+                EXPECT_LE(technique.pixel_states().floats(technique.pixel_states().settings(values)),
+                          STATE_CAPACITY);
             }
     }
 }
@@ -111,7 +112,7 @@ TEST(Techniques, OfMomentsHaveTableOnesBiasAndTheBitsOfTheirId) {
     for (const auto& [id, bias] : TABLE_1) {
         SCOPED_TRACE(id);
         const Technique& technique = require_technique(id);
-        EXPECT_EQ(technique.recommended_bias, bias);
+        EXPECT_EQ(technique.moments().recommended_bias, bias);
         const int count = id[id.find('-') - 1] - '0', bits = std::stoi(id.substr(id.find('-') + 1));
         const bool circle = id.starts_with("trig");
         const int numbers = circle ? 2 * count : count;
@@ -121,13 +122,12 @@ TEST(Techniques, OfMomentsHaveTableOnesBiasAndTheBitsOfTheirId) {
         const int factor = circle && bits == 32 ? 3 * count : numbers;
         EXPECT_EQ(bits_with_factor(technique, {}), (factor + 1) * bits);
         ParameterValues per_fragment;
-        per_fragment.set(ParameterId::factorisation, 1.0f);
+        per_fragment.set(Factorisation::per_fragment);
         EXPECT_EQ(bits_with_factor(technique, per_fragment), stored_bits(technique, {}));
-        EXPECT_EQ(technique.moment_count, count);
-        ASSERT_NE(technique.kernel, nullptr);
-        EXPECT_EQ(technique.kernel->moment_floats, numbers);
-        EXPECT_EQ(technique.kernel->bits, bits);
-        EXPECT_EQ(technique.has_bounds, !circle) << "Algorithm 2 gives none";
+        EXPECT_EQ(technique.moments().moment_count, count);
+        EXPECT_EQ(technique.moment_kernel().moment_floats, numbers);
+        EXPECT_EQ(technique.moment_kernel().bits, bits);
+        EXPECT_EQ(technique.has_bounds(), !circle) << "Algorithm 2 gives none";
         EXPECT_EQ(technique.order_dependent, bits == 16) << "rounded after every fragment";
     }
 }
@@ -148,7 +148,7 @@ TEST(Techniques, ResolveAutoToTheirOwnBiasAndKeepWhatIsSet) {
     values.set(ParameterId::alpha, 0.0f);  // a set 0 is no `auto`
     values.set(ParameterId::beta, 0.75f);
     values.set(ParameterId::theta, 0.5f);
-    values.set(ParameterId::renormalize, 0.0f);
+    values.turn(ParameterId::renormalize, false);
     const ResolvedParameters resolved = resolve(values, require_technique("trig3-32"));
     EXPECT_EQ(resolved.alpha, 0.0f);
     EXPECT_EQ(resolved.beta, 0.75f);
@@ -187,10 +187,12 @@ TEST(Parameters, HaveThePapersDefaults) {
                 1e-7f);  // pi / 10, to an ulp or two
     EXPECT_EQ(parameter(ParameterId::alpha).default_value, std::nullopt);
     EXPECT_EQ(parameter(ParameterId::renormalize).default_value, 1.0f);
-    for (const Technique& technique : techniques()) {  // so that what `auto` means can also be typed
-        EXPECT_GE(technique.recommended_bias, parameter(ParameterId::alpha).minimum);
-        EXPECT_LE(technique.recommended_bias, parameter(ParameterId::alpha).maximum);
-    }
+    for (const Technique* technique :
+         moment_based_techniques())  // so that what `auto` means can also be typed
+        for (const float bias : {technique->moments().recommended_bias, technique->moments().robust_bias}) {
+            EXPECT_GE(bias, parameter(ParameterId::alpha).minimum);
+            EXPECT_LE(bias, parameter(ParameterId::alpha).maximum);
+        }
 }
 
 /// (1, b*_1, ..., b*_M) of a shader's table.

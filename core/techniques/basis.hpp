@@ -1,0 +1,40 @@
+// basis.hpp -- the registry of bases: the functions of depth against which moments are taken.
+#pragma once
+#include <span>
+
+namespace momentscope {
+
+enum class BasisId {
+#define BASIS(id, ...) id,
+#include "core/techniques/bases.def"
+#undef BASIS
+};
+
+enum class BasisFamily { power, chebyshev, trigonometric };
+enum class BasisDomain { line, circle };
+
+/// One row of bases.def, which explains the columns.
+struct Basis {
+    BasisId id;
+    const char* key;  // shaders/shared/<key>_moments.glsl
+    BasisFamily family;
+    BasisDomain domain;
+    float length;        // of the depth range in the line's variable
+    bool chooses_order;  // by the parameter `tolerance`
+
+    bool on_circle() const { return domain == BasisDomain::circle; }
+    bool has_bounds() const { return domain == BasisDomain::line; }
+    bool has_wrapping_zone() const { return on_circle(); }
+
+    /// Of a step of 1 in the line's variable.
+    float depth_per_unit() const { return 2 / length; }
+};
+
+/// All bases, in the order of BasisId.
+std::span<const Basis> bases();
+const Basis& basis(BasisId id);
+
+/// "power", "Chebyshev" or "trigonometric".
+const char* family_name(BasisFamily family);
+
+}  // namespace momentscope
