@@ -49,18 +49,9 @@ struct Command {
 /// In the order of --help. The first one runs where no command is named.
 std::span<const Command> command_rows();
 
-// One file for each.
-std::unique_ptr<ParsedCommand> add_explore(CLI::App& app);
-std::unique_ptr<ParsedCommand> add_render(CLI::App& app);
-std::unique_ptr<ParsedCommand> add_inspect(CLI::App& app);
-std::unique_ptr<ParsedCommand> add_compare(CLI::App& app);
-std::unique_ptr<ParsedCommand> add_figure(CLI::App& app);
-std::unique_ptr<ParsedCommand> add_needed(CLI::App& app);
-std::unique_ptr<ParsedCommand> add_stress(CLI::App& app);
-std::unique_ptr<ParsedCommand> add_tune(CLI::App& app);
-std::unique_ptr<ParsedCommand> add_chart(CLI::App& app);
-std::unique_ptr<ParsedCommand> add_advise(CLI::App& app);
-std::unique_ptr<ParsedCommand> add_merge(CLI::App& app);
-std::unique_ptr<ParsedCommand> add_list(CLI::App& app);
+// add_render and the like: each in a file of its own.
+#define COMMAND(name, ...) std::unique_ptr<ParsedCommand> add_##name(CLI::App& app);
+#include "app/commands.def"
+#undef COMMAND
 
 }  // namespace momentscope

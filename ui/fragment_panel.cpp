@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/stress/judge.hpp"
+#include "core/stress/classify.hpp"
 #include "ui/side_panels.hpp"
 
 namespace momentscope::ui {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/inspect/exact.hpp"
-#include "core/stress/judge.hpp"
+#include "core/stress/classify.hpp"
 
 namespace momentscope::ui {
 

@@ -63,7 +63,7 @@ bool draw_value(const Ui& ui, const Parameter& row, const Technique& technique, 
         case Scale::logarithmic:
             return draw_logarithmic(row, value);
         case Scale::toggle: {
-            bool on = value >= 0.5f;
+            bool on = value != 0;
             const bool changed = ImGui::Checkbox("##value", &on);
             value = on ? 1.0f : 0.0f;
             return changed;

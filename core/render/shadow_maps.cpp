@@ -90,7 +90,7 @@ void ShadowMaps::run(ShadowStage& stage, const Draw& draw) {
 }
 
 void ShadowMaps::update(const SceneBuffers& scene, const Sphere& casters, const ShadowSettings& settings) {
-    const LightCamera frame = light_frame(settings, casters);
+    const LightCamera frame = light_camera(settings, casters);
     require_fitting(settings);
     const std::optional<ShadowSettings> last = std::exchange(settings_, std::nullopt);  // until all went well
     const bool size = !last || last->size != settings.size;

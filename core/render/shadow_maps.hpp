@@ -8,7 +8,7 @@
 #include "core/render/fragment_list.hpp"
 #include "core/render/pass_timing.hpp"
 #include "core/render/shader_lighting.hpp"
-#include "core/shadow/light_frame.hpp"
+#include "core/shadow/light_camera.hpp"
 #include "core/shadow/light_ray.hpp"
 
 namespace momentscope {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/ray/view_ray.hpp"
-#include "core/shadow/light_frame.hpp"
+#include "core/shadow/light_camera.hpp"
 #include "core/shadow/opaque_shadow.hpp"
 #include "core/techniques/moment_kernel.hpp"
 

@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "core/inspect/exact.hpp"
-#include "core/stress/judge.hpp"
+#include "core/stress/classify.hpp"
 #include "core/techniques/moment_kernel.hpp"
 
 namespace momentscope {

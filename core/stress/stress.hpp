@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/stress/condition.hpp"
-#include "core/stress/judge.hpp"
+#include "core/stress/classify.hpp"
 #include "core/table/run_table.hpp"
 
 namespace momentscope {

@@ -10,7 +10,7 @@
 
 #include "core/error.hpp"
 #include "core/inspect/exact.hpp"
-#include "core/stress/judge.hpp"
+#include "core/stress/classify.hpp"
 #include "core/techniques/moment_kernel.hpp"
 
 namespace momentscope {

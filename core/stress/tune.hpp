@@ -18,7 +18,7 @@ struct Trial {
     ParameterId parameter;
     float value = 0;
     double error = 0;          // root mean square of T - true T at the fragments' own depths
-    double failure_rate = 0;   // of queries, as in judge.hpp
+    double failure_rate = 0;   // of queries, as in classify.hpp
     double inherent_rate = 0;  // of queries that exact arithmetic on the stored moments would fail, too, or
                                // whose rounded moments leave nothing to reconstruct
 };

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/stress/judge.hpp"
+#include "core/stress/classify.hpp"
 #include "core/techniques/moment_kernel.hpp"
 #include "tests/effort.hpp"
 #include "tests/property/moment_rows.hpp"

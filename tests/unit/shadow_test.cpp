@@ -81,7 +81,7 @@ TEST(LightCamera, SeesEveryCasterWithinItsDepthRange) {
              {std::optional<float>(), std::optional(1.06f * casters.radius)}) {
             ShadowSettings settings = shadow_settings({}, scene.light);
             settings.distance = distance;
-            const LightCamera frame = light_frame(settings, casters);
+            const LightCamera frame = light_camera(settings, casters);
             for (const Object& object : scene.objects) {
                 if (!object.casts_shadow) continue;
                 const std::vector<glm::vec3>& positions = scene.meshes[object.mesh].positions;
@@ -99,7 +99,7 @@ TEST(LightCamera, SeesEveryCasterWithinItsDepthRange) {
 TEST(LightCamera, RefusesALightAmongTheCasters) {
     ShadowSettings settings = shadow_settings({}, {});
     settings.distance = 1.0f;
-    expect_error([&] { light_frame(settings, {glm::vec3(0), 2.0f}); }, "--light-distance of 2.1");
+    expect_error([&] { light_camera(settings, {glm::vec3(0), 2.0f}); }, "--light-distance of 2.1");
 }
 
 TEST(ShadowSettings, ThePlotOfOpaqueCastersHasTheBiasOfTheirMap) {

@@ -1,4 +1,4 @@
-// light_frame.hpp -- the light as a camera that sees all casters.
+// light_camera.hpp -- the light as a camera that sees all casters.
 #pragma once
 #include <glm/glm.hpp>
 
@@ -27,7 +27,7 @@ float standard_light_distance(const Sphere& casters);
 
 /// The frustum around a sphere. Throws Error when the light stands inside of it, or almost. Around nothing,
 /// any frustum.
-LightCamera light_frame(const ShadowSettings& settings, const Sphere& casters);
+LightCamera light_camera(const ShadowSettings& settings, const Sphere& casters);
 
 /// As shaders/passes/light.glsl computes it. world: a point in the world.
 ShadowMapPosition light_place(const LightCamera& frame, int map_size, const glm::vec3& world);

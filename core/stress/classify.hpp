@@ -1,4 +1,4 @@
-// judge.hpp -- one query of a reconstruction against the exact result at the same moment bias: what stress
+// classify.hpp -- one query of a reconstruction against the exact result at the same moment bias: what stress
 // and tune count.
 #pragma once
 #include <vector>

@@ -1,4 +1,4 @@
-#include "core/stress/judge.hpp"
+#include "core/stress/classify.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/shadow/light_frame.hpp"
+#include "core/shadow/light_camera.hpp"
 
 #include <fmt/format.h>
 
@@ -27,7 +27,7 @@ float standard_light_distance(const Sphere& casters) {
     return STANDARD_DISTANCE * std::max(casters.radius, 1e-3f);  // nothing casts: any frame will do
 }
 
-LightCamera light_frame(const ShadowSettings& settings, const Sphere& casters) {
+LightCamera light_camera(const ShadowSettings& settings, const Sphere& casters) {
     const float radius = std::max(casters.radius, 1e-3f);
     const float distance = settings.distance.value_or(standard_light_distance(casters));
     if (!(distance >= MIN_DISTANCE * radius))
