@@ -39,7 +39,7 @@ const std::vector<Command> COMMANDS = {
       "render --technique mt --resolution quarter --order shuffled -o mt.png",
       "render --scene cloud --shadows --shadow-beta 0.5 -o shadows.png"}},
     {"inspect",
-     "print the functions behind a pixel or along a ray",
+     "print the functions of depth of a pixel or a view ray",
      add_inspect,
      {"inspect --scene teapots --pixel 528,259 --technique power6-32,trig3-32 --format csv",
       "inspect --ray ray.json --depths=-0.5,0,0.5 --format table",
@@ -47,23 +47,23 @@ const std::vector<Command> COMMANDS = {
       "inspect --ray ray.json --technique trig2-32 --sharp-bounds --format csv",
       "inspect --scene cloud --pixel 480,400 --light --depths 0 --format table"}},
     {"compare",
-     "tell how far a picture is from a reference",
+     "measure how far a picture is from a reference",
      add_compare,
      {"compare sorted wboit --scene teapots", "compare picture.png mt.png --metric flip -o map.png"}},
     {"figure",
-     "redo a figure of the papers, and measure what they say of it",
+     "draw a figure of the papers with our scenes, and check its claims",
      add_figure,
      {"figure fig8 -o figures"}},
     {"needed",
-     "tell how many moments the pixels of a scene need, by bounds and by error",
+     "measure how many moments the pixels of a scene need, by bounds and by error",
      add_needed,
      {"needed --scene teapots -o needed.png"}},
     {"stress",
-     "try techniques under hard conditions and count failures",
+     "test techniques under difficult conditions and count failures",
      add_stress,
      {"stress --technique power8-32,trig3-16 -o stress.html"}},
     {"tune",
-     "find the moment bias, θ and β of least error",
+     "find the moment bias, θ and β with the least error",
      add_tune,
      {"tune --technique power8-32 --random 20000"}},
     {"chart",
@@ -72,13 +72,10 @@ const std::vector<Command> COMMANDS = {
      {"chart --scene teapots,ship,cloud -o chart.html", "chart --scene ship,cloud --shadows -o shadows.md",
       "chart --scene all --shard 1/4 -o chart-1.csv"}},
     {"advise",
-     "find the cheapest technique that meets bounds",
+     "find the cheapest technique that meets given bounds",
      add_advise,
      {"advise --scene spheres --max-error 0.01 --max-bits 256 -o recipe.json"}},
-    {"merge",
-     "put the shards of a chart or stress run together",
-     add_merge,
-     {"merge chart-*.csv -o chart.html"}},
+    {"merge", "join the shards of a chart or stress run", add_merge, {"merge chart-*.csv -o chart.html"}},
     {"list", "print a registry", add_list, {"list techniques", "list parameters --format json"}},
 };
 
@@ -109,7 +106,7 @@ void refuse_window_options_before(const CLI::App& app, const std::string& comman
     for (const CLI::Option* option : app.get_options())
         if (option->count() > 0)
             throw Error(fmt::format(
-                "{} stands before '{}', where it belongs to the window; write it after the command.",
+                "{} stands before '{}' and would apply to the window; write it after the command.",
                 option->get_name(), command));
 }
 
@@ -130,7 +127,7 @@ void parse_and_run(int argc, const char* const* argv) {
         print(text.str());
         return require_printed();
     } catch (const CLI::ParseError& error) {
-        throw Error(fmt::format("{}; momentscope --help lists what there is.", error.what()));
+        throw Error(fmt::format("{}; momentscope --help lists commands and options.", error.what()));
     }
     const auto chosen = app.get_subcommands();
     refuse_empty_switches(chosen.empty() ? app : *chosen.front());
@@ -164,10 +161,11 @@ int run_command_line(int argc, const char* const* argv) {
         return fail("Memory ran out; try a smaller --size or a smaller scene.");
     } catch (const std::system_error& error) {  // a thread, for instance
         return fail(fmt::format(
-            "The system refuses what the program needs ({}); close other programs, or check limits.",
+            "The system refuses a resource that the program needs ({}); close other programs, or check limits.",
             error.code().message()));
     } catch (const std::exception& error) {  // what nobody thought of must not end in a stack trace
-        return fail(fmt::format("Something failed that should not: {}; please report it.", error.what()));
+        return fail(
+            fmt::format("Something failed that should not fail: {}; please report it.", error.what()));
     }
 }
 

@@ -32,7 +32,7 @@ PixelRegion parse_region(const std::string& text, const Image& image) {
     }
     if (numbers.size() != 4 || split_list({text}).size() != 4)
         throw Error(
-            fmt::format("'{}' is not a region; give x,y,width,height in pixels, as 10,20,64,48.", text));
+            fmt::format("'{}' is not a region; give x,y,width,height in pixels, such as 10,20,64,48.", text));
     const PixelRegion region = {numbers[0], numbers[1], numbers[2], numbers[3]};
     if (region.width < 1 || region.height < 1 || region.x + region.width > image.width ||
         region.y + region.height > image.height)
@@ -80,8 +80,7 @@ std::string note_on_alpha(const Image& reference, const Image& test) {
     }
     if (least >= 1 && most == 0) return "";
     return fmt::format(
-        "alpha: colours are compared as they are stored, whatever their alpha, which differs by {:.6g} at "
-        "most.",
+        "alpha: colours are compared as stored, regardless of their alpha values, which differ by at most {:.6g}.",
         most);
 }
 
@@ -105,14 +104,15 @@ public:
     explicit Compare(CLI::App& app) : ParsedCommand(app) {
         app.add_option(
                "pictures", pictures_,
-               "reference and test: picture files, or techniques that draw the scene, as at or at:nodes=8")
+               "reference and test: picture files, or techniques that draw the scene, such as at or at:nodes=8")
             ->required()
             ->expected(2);
         add_scene(app, scene_);
         add_size(app, size_);
-        add_parsed<const MetricRow*>(app, "--metric", metric_, "rmse, delta-e or flip; all if left out",
+        add_parsed<const MetricRow*>(app, "--metric", metric_, "rmse, delta-e or flip [all]",
                                      [](const std::string& key) { return &require_metric(key); });
-        app.add_option("--region", region_, "x,y,width,height to average over, instead of all");
+        app.add_option("--region", region_,
+                       "x,y,width,height of the region to average over [the whole picture]");
         app.add_option("-o,--output", output_, "where to write a map of the metric as .png");
         parameters_.add_to(app);
     }
@@ -137,9 +137,10 @@ public:
 
     void run() const override {
         if (!output_.empty()) {
-            if (metric_ == nullptr) throw Error("A map shows one metric; give --metric beside -o.");
+            if (metric_ == nullptr)
+                throw Error("A map shows a single metric; give --metric together with -o.");
             if (!ends_in(output_, ".png"))
-                throw Error("A map of differences ends in .png; give -o such a name.");
+                throw Error("A map of differences is a .png file; give -o such a name.");
             require_writable(output_);
         }
         std::string text;
@@ -176,7 +177,7 @@ private:
             text += fmt::format("{:<32}{:.6g}\n", fmt::format("{} ({})", row.name, row.key), mean);
             if (output_.empty()) continue;
             map = false_color(differences, reference.width, reference.height, row.full_scale);
-            text += fmt::format("map: black is 0, the brightest {:g} and more\n", row.full_scale);
+            text += fmt::format("map: black is 0, the brightest colour is {:g} and more\n", row.full_scale);
         }
         if (const std::string note = note_on_alpha(reference, test); !note.empty()) text += note + "\n";
         return text;

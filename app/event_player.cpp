@@ -151,10 +151,10 @@ void EventPlayer::wait(double seconds) {
 // It replaces an older picture, as events that are played again must, but nothing else.
 void EventPlayer::screenshot(const std::string& path) const {
     if (std::filesystem::path(path).extension() != ".png")
-        throw Error(fmt::format("a screenshot is a .png; '{}' is not", path));
+        throw Error(fmt::format("a screenshot is a .png file; '{}' is not", path));
     for (const std::string& file : kept_)
         if (same_file(path, file))
-            throw Error(fmt::format("'{}' is a file of this command line; give another name", path));
+            throw Error(fmt::format("'{}' is already used by this command line; give another name", path));
     window_.write_png(path);
 }
 
@@ -166,7 +166,7 @@ void EventPlayer::expect(const std::string& pointer, const std::string& value) c
     try {
         found = session.at(nlohmann::json::json_pointer(pointer));
     } catch (const nlohmann::json::exception&) {
-        throw Error(fmt::format("there is no '{}' in a session", pointer));
+        throw Error(fmt::format("a session has no '{}'", pointer));
     }
     const bool close =
         found.is_number() && wanted.is_number() &&

@@ -24,8 +24,8 @@ namespace {
 float parse_scale(const std::string& text) {
     const auto scale = parse_number<float>(text);
     if (!scale || !(*scale >= 0.5f && *scale <= 4))
-        throw Error(
-            fmt::format("'{}' is not a scale of the window's text; give --ui-scale from 0.5 to 4.", text));
+        throw Error(fmt::format(
+            "'{}' is not a scale for the window's text; give --ui-scale a number from 0.5 to 4.", text));
     return *scale;
 }
 
@@ -147,22 +147,23 @@ public:
         CLI::Option* scene = add_scene(app, scene_);
         add_size(app, size_);
         CLI::Option* pixel =
-            app.add_option("--pixel", pixel_.text, "picked pixel of the scene's picture, as 320,200");
+            app.add_option("--pixel", pixel_.text, "picked pixel of the scene's picture, such as 320,200");
         CLI::Option* ray =
-            app.add_option("--ray", ray_, "JSON file of a view ray, instead of a pixel of a scene");
+            app.add_option("--ray", ray_, "JSON file with a view ray, instead of a pixel of a scene");
         ray->excludes(scene, pixel);
         CLI::Option* techniques = add_techniques(
             app, techniques_,
-            "ids of techniques (momentscope list techniques); those after the first are only plotted");
+            "ids of techniques (momentscope list techniques); all after the first are only plotted");
         add_parsed<const Technique*>(app, "--compare", reference_,
                                      "id of the technique that the picture is compared with [sorted]",
                                      [](const std::string& id) { return &require_technique(id); });
-        app.add_option("--session", session_, "JSON file that the window saved, to go on from there")
+        app.add_option("--session", session_, "JSON file that the window saved, to continue from there")
             ->excludes(scene, ray, techniques);
         app.add_flag("--headless", headless_, "draw without a display");
         app.add_option("--screenshot", screenshot_, "with --headless: where to write the window as .png");
-        app.add_option("--events", events_, "with --headless: file of mouse and keyboard events to replay");
-        app.add_option("--log", log_, "where to write which frames were drawn and what they computed");
+        app.add_option("--events", events_, "with --headless: file with mouse and keyboard events to replay");
+        app.add_option("--log", log_,
+                       "where to write a log of the frames that were drawn and what they computed");
         add_parsed<float>(app, "--ui-scale", scale_, "size of the window's text, 0.5 to 4", parse_scale)
             ->default_str("1");
         add_parsed<std::optional<ui::ThemeKind>>(app, "--theme", theme_, "dark or light [dark]", parse_theme);
@@ -171,7 +172,8 @@ public:
 
     // The window keeps every parameter for the technique and the scene that one chooses there.
     void refuse_ignored() const override {
-        refuse_ignored_options(app(), {{"--compare", !ray_.empty(), "beside --ray, which has no picture"}});
+        refuse_ignored_options(
+            app(), {{"--compare", !ray_.empty(), "together with --ray, because a view ray has no picture"}});
     }
 
     FileUse files() const override {
@@ -183,18 +185,18 @@ public:
     void run() const override {
         if (headless_) return run_headless();
         if (!screenshot_.empty() || !events_.empty())
-            throw Error("--screenshot and --events need --headless; add it.");
+            throw Error("--screenshot and --events work only with --headless; add it.");
         OpenWindow({initial_state(), size_, scale_, pixel_, log_}).run();
     }
 
 private:
     void run_headless() const {
         if (screenshot_.empty() && events_.empty())
-            throw Error("--headless draws into a file; add --screenshot FILE.png, or --events FILE.");
+            throw Error("--headless has no window to show; add --screenshot FILE.png, or --events FILE.");
         if (!screenshot_.empty()) {
             require_writable(screenshot_);
             if (!ends_in(screenshot_, ".png"))
-                throw Error(fmt::format("A screenshot is a .png; '{}' is not.", screenshot_));
+                throw Error(fmt::format("A screenshot is a .png file; '{}' is not.", screenshot_));
         }
         FrameLog log(log_);
         HeadlessWindow window(size_, initial_state(), {.scale = scale_, .show_times = false}, log);
@@ -224,7 +226,7 @@ private:
     ui::ExplorerState state_of_session() const {
         ui::Session session = ui::read_session_file(session_);
         if (!session.ignored.empty())
-            warn(fmt::format("The session has what this version does not know: {}.",
+            warn(fmt::format("The session has keys that this version does not know: {}.",
                              fmt::join(session.ignored, ", ")));
         session.state.parameters = parameters_.over(session.state.parameters);
         return session.state;

@@ -60,7 +60,8 @@ void FrameLog::line(const std::string& text) {
 void FrameLog::require_written() {
     if (replaces_) return write_file(held_, path_);
     if (!path_.empty() && !file_)
-        throw Error(fmt::format("The log '{}' could not be written; free space, or write elsewhere.", path_));
+        throw Error(
+            fmt::format("The log '{}' could not be written; free some space, or write it elsewhere.", path_));
 }
 
 }  // namespace momentscope

@@ -74,7 +74,7 @@ public:
             osmesa().make_current(context_, pixels_.data(), GL_UNSIGNED_BYTE, size.x, size.y) == GL_FALSE ||
             gladLoadGL(osmesa().get_address) == 0)
             throw Error(
-                "OSMesa gives no OpenGL 4.5 context; install libosmesa6 22 or newer, or give the program more memory.");
+                "OSMesa does not provide OpenGL 4.5; install libosmesa6 22 or newer, or give the program more memory.");
     }
     ~OsMesaContext() override { osmesa().destroy_context(context_); }
     OsMesaContext(const OsMesaContext&) = delete;
@@ -89,15 +89,14 @@ class GlfwContext : public GlContext {
 public:
     explicit GlfwContext(glm::ivec2 size) {
         if (glfwInit() == GLFW_FALSE)
-            throw Error(
-                "There is no display to open a window on; use --headless --screenshot FILE.png instead.");
+            throw Error("There is no display for a window; use --headless --screenshot FILE.png instead.");
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
         glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
         window_ = glfwCreateWindow(size.x, size.y, "Momentscope", nullptr, nullptr);
         if (window_ == nullptr) {
             glfwTerminate();
-            throw Error("This display gives no OpenGL 4.5 window; update its driver, or use --headless.");
+            throw Error("This display does not provide OpenGL 4.5; update its driver, or use --headless.");
         }
         glfwMakeContextCurrent(window_);
         glfwSwapInterval(1);

@@ -22,7 +22,7 @@ public:
 
 private:
     CrashSentence crash_{
-        "OpenGL crashed; leave GALLIUM_DRIVER unset, give the program more memory or a smaller --size, and report it "
+        "OpenGL crashed; unset GALLIUM_DRIVER, give the program more memory or a smaller --size, and report the crash "
         "if nothing helps."};
 };
 

@@ -47,14 +47,15 @@ std::vector<fs::path> recovery_folders() {
 }
 
 std::string last_words(const ui::ExplorerState& state) {
-    std::string why = "There is no folder for it.";
+    std::string why = "there is no folder for it.";
     for (const fs::path& folder : recovery_folders()) try {
             std::error_code status;
             fs::create_directories(folder, status);  // writing tells what failed
             const fs::path path = new_file(folder);
             ui::write_session_file(state, path);
-            return fmt::format("The display was lost; open the session that was saved with --session '{}'.",
-                               path.string());
+            return fmt::format(
+                "The display was lost, and the session was saved; open it with --session '{}'.",
+                path.string());
         } catch (const std::exception& error) {
             why = error.what();
         }

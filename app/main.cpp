@@ -5,7 +5,7 @@ namespace {
 
 void guard_libraries(int /*argc*/, char** /*argv*/, char** /*environment*/) {
     momentscope::say_on_crash(
-        "A library crashed while the program started; give it more memory, or install its libraries anew.");
+        "A library crashed while the program started; give the program more memory, or reinstall its libraries.");
 }
 
 // The dynamic loader calls it before the libraries make their static objects, for which little memory may not

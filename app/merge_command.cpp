@@ -16,12 +16,13 @@ public:
     explicit Merge(CLI::App& app) : ParsedCommand(app) {
         app.add_option("files", files_, "the .csv files of all shards of one run")->required();
         add_metric(app, metric_, "error of drawings: rmse, delta-e or flip [rmse]");
-        app.add_option("-o,--output", output_, ".csv, or of a chart .md, .svg, .html or .png")->required();
+        app.add_option("-o,--output", output_, ".csv, or for a chart also .md, .svg, .html or .png")
+            ->required();
     }
 
     void refuse_ignored() const override {
-        refuse_ignored_options(app(),
-                               {{"--metric", ends_in(output_, ".csv"), "in a .csv, which has all metrics"}});
+        refuse_ignored_options(
+            app(), {{"--metric", ends_in(output_, ".csv"), "in a .csv, because it has all metrics"}});
     }
 
     FileUse files() const override { return {files_, {{"-o", output_}}}; }

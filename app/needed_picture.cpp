@@ -26,7 +26,7 @@ constexpr std::array<glm::vec3, 4> AGREEMENT_COLORS = {
     glm::vec3(0.93f, 0.93f, 0.93f), glm::vec3(0.80f, 0.80f, 0.80f), glm::vec3(0.34f, 0.55f, 0.75f),
     glm::vec3(0.90f, 0.45f, 0.05f)};
 constexpr std::array AGREEMENT_TEXTS = {"no fragments", "both say the same", "the certificate asks for more",
-                                        "the error asks for more: bias and rounding are in no bound"};
+                                        "the error asks for more: the bounds ignore bias and rounding"};
 
 Agreement agreement_of(const PixelNeed& pixel) {
     if (pixel.by_error == Needed::nothing) return Agreement::nothing;

@@ -53,7 +53,7 @@ Progress::Progress(std::string what, std::function<std::string()> farewell)
       terminal_(errors_ >= 0 && ::isatty(errors_) != 0) {
     if (!farewell_)
         farewell_ = [this] {
-            return fmt::format("{} was ended before it was done; nothing was written.", what_);
+            return fmt::format("{} was stopped before it was finished; nothing was written.", what_);
         };
     interrupting = 0;
     for (std::size_t i = 0; i < handlers_.size(); ++i) {
@@ -104,7 +104,7 @@ void Progress::show(std::size_t done, std::size_t all) {
     percent_ = percent;
     const double left = seconds_since(begin_) * static_cast<double>(all - done) /
                         static_cast<double>(std::max<std::size_t>(done, 1));
-    show_line(fmt::format("{}: {} of {}, {:.0f} s left (Ctrl+C ends it)", what_, done, all, left));
+    show_line(fmt::format("{}: {} of {}, {:.0f} s left (Ctrl+C stops it)", what_, done, all, left));
 }
 
 void Progress::show_stage(std::string stage) {
@@ -117,7 +117,7 @@ void Progress::show_stage(std::string stage) {
 void Progress::show_seconds() {
     const std::scoped_lock lock(mutex_);
     if (percent_) return;
-    show_line(fmt::format("{}: {}{:.0f} s (Ctrl+C ends it)", what_, stage_.empty() ? "" : stage_ + ", ",
+    show_line(fmt::format("{}: {}{:.0f} s (Ctrl+C stops it)", what_, stage_.empty() ? "" : stage_ + ", ",
                           seconds_since(stage_begin_)));
 }
 

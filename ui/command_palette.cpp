@@ -105,7 +105,7 @@ const Command* CommandPalette::draw(const Ui& ui, const Explorer& explorer) {
         if (draw_entry(ui, *found[i], selected) || (selected && accepted)) chosen = found[i];
         if (selected && chosen_ != before) ImGui::SetScrollHereY();
     }
-    if (found.empty()) ImGui::TextDisabled("No command has these words.");
+    if (found.empty()) ImGui::TextDisabled("No command contains these words.");
     ImGui::EndChild();
     open_ = chosen == nullptr;
     if (!open_) ImGui::CloseCurrentPopup();

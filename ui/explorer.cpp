@@ -63,7 +63,7 @@ void Explorer::toggle_pin() {
     if (state_.pins.size() < MAX_PINS)
         state_.pins.push_back(here);
     else
-        message_ = "Four pixels are pinned, which is as many as there is room for; remove one first.";
+        message_ = "Four pixels are pinned already, and there is no room for more; remove one first.";
 }
 
 void Explorer::mark_next(int step) {

@@ -33,7 +33,7 @@ void Explorer::update_comparison(const View& view, Stage stage) {
     if (!numbers) {
         comparison_.stop();
         if (worst_wanted_)
-            message_ = "The picture is drawn by the reference itself; choose another reference.";
+            message_ = "The picture is drawn with the reference itself; choose another reference.";
         worst_wanted_ = false;
         return;
     }
@@ -64,7 +64,8 @@ void Explorer::pick_next_worst() {
     const PixelRegion region = pixels_of(compare.region, comparison_.size());
     const auto pixel = comparison_.next_worst(compare.metric, region);
     if (!pixel) {
-        message_ = fmt::format("No pixel of the {} differs.", compare.region ? "region" : "picture");
+        message_ = fmt::format("No pixel of the {} differs from the reference.",
+                               compare.region ? "region" : "picture");
         return;
     }
     pick(state_, fraction_of(*pixel, comparison_.size()));
@@ -89,7 +90,7 @@ void Explorer::choose_picture() {
     }
     if (compare.mode == CompareMode::off) return;
     if (!has_comparison()) {
-        picture_.title = "nothing to compare: this is the reference itself";
+        picture_.title = "nothing to compare: the picture is the reference itself";
         return;
     }
     if (compare.mode == CompareMode::wipe) {

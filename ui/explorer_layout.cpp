@@ -28,7 +28,7 @@ void splitter(const Ui& ui, const char* name, bool vertical, ImVec2 size, float 
     ImGui::InvisibleButton(name, {std::max(size.x, 1.0f), std::max(size.y, 1.0f)});
     ui.record_widget_rect(name);
     const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
-    tooltip("Drag to divide the room; double-click to divide it as at first.");
+    tooltip("Drag to divide the space; double-click to restore the original division.");
     if (hot) ImGui::SetMouseCursor(vertical ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
     const float moved = vertical ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y;
     if (ImGui::IsItemActive() && room > 1) share = std::clamp(share + moved / room, MIN_SHARE, MAX_SHARE);
@@ -162,11 +162,11 @@ void Explorer::draw_right_side(const Ui& ui, ImVec2 size) {
 
 void Explorer::draw_tabs(const Ui& ui) {
     constexpr const char* HELP[] = {"Scene, technique and parameters.",
-                                    "The pixel's history: every fragment with its T.",
-                                    "What the technique is and costs.",
+                                    "The history of the pixel: every fragment with its transmittance T.",
+                                    "What the technique does and what it costs.",
                                     "The reconstruction at the query depth, step by step.",
                                     "Move, add and colour fragments by hand.",
-                                    "Where techniques break: all of them under hard conditions.",
+                                    "Where techniques fail: all of them under difficult conditions.",
                                     "How far the picture is from a reference.",
                                     "Time against error of all techniques, and advice."};
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
@@ -231,9 +231,8 @@ void Explorer::draw_status(const Ui& ui) {
         tooltip(message_);
         return;
     }
-    if (measurement_.curve.technique == nullptr)
-        return ImGui::TextUnformatted("The first scene is being read.");
-    std::string status = state_.ray ? std::string("view ray of its own")
+    if (measurement_.curve.technique == nullptr) return ImGui::TextUnformatted("Reading the first scene.");
+    std::string status = state_.ray ? std::string("view ray without a scene")
                                     : fmt::format("pixel {}, {}", measurement_.pixel.x, measurement_.pixel.y);
     status += fmt::format("   {}   absorbance {:.4g}",
                           fragment_count_text(measurement_.capture.ray.fragments.size()),
@@ -246,7 +245,7 @@ void Explorer::draw_status(const Ui& ui) {
     ImGui::TextUnformatted(status.c_str());
     ui.record_widget_rect("status");
     tooltip(
-        "The picked pixel, what lies on its ray, and how long the GL took for each pass when it last ran.");
+        "The picked pixel, what lies on its ray, and the time that the GL took for the last run of each pass.");
     const std::string gl = gl_.software ? fmt::format("no GPU: {}", gl_.renderer) : gl_.renderer;
     const float width = std::min(ImGui::CalcTextSize(gl.c_str()).x, 0.35f * ImGui::GetContentRegionMax().x);
     ImGui::SameLine(std::max(ImGui::GetContentRegionMax().x - width, 1.0f));
@@ -277,7 +276,7 @@ void Explorer::draw_loading(const Ui& ui) {
     ImGui::ProgressBar(sweep, {-1, 0}, fmt::format("{:.1f} s", seconds).c_str());
     if (ImGui::Button("Cancel", {6 * em(), 0}) || pressed({.key = 256})) loader_.cancel();
     ui.record_widget_rect("loading.cancel");
-    tooltip("Stops reading; the last scene stays.", "Escape");
+    tooltip("Stops reading; the previous scene stays.", "Escape");
     ImGui::End();
 }
 

@@ -9,7 +9,7 @@ void Explorer::see_from_light(glm::ivec2 pixel) {
     measurement_.light = view_from_light(renderer_, pixel, measurement_.capture, state_.receiver);
     if (!measurement_.light) {
         message_ =
-            "This pixel shows nothing that could receive light; the plot shows the eye's ray. Pick another one.";
+            "This pixel shows nothing that could receive light, so the plot shows the eye's ray; pick another one.";
         set_viewpoint(state_, Viewpoint::eye);
         return;
     }

@@ -105,7 +105,7 @@ void FileDialog::draw_entries(const Ui& ui, bool& accept) {
             ImGui::TextDisabled("%s", size_text(entry.bytes).c_str());
         }
     }
-    if (entries_.empty()) ImGui::TextDisabled("Nothing of this kind is here.");
+    if (entries_.empty()) ImGui::TextDisabled("There are no files of this kind here.");
     ImGui::EndChild();
     if (entered) enter(*entered);
 }
@@ -155,7 +155,7 @@ void FileDialog::draw_kinds(const Ui& ui) {
         ImGui::EndCombo();
     }
     ui.record_widget_rect("file.kind");
-    tooltip("What is written.");
+    tooltip("The kind of file to write.");
 }
 
 // The name and the two buttons.
@@ -166,14 +166,14 @@ void FileDialog::draw_answer(const Ui& ui, bool& accept, bool& cancel) {
     accept |= ImGui::InputTextWithHint("##name", "name of the file, or a path", &name_,
                                        ImGuiInputTextFlags_EnterReturnsTrue);
     ui.record_widget_rect("file.name");
-    tooltip("A name in this folder, or a whole path.");
+    tooltip("A name in this folder, or a full path.");
     accept |= ImGui::Button(mode_ == Mode::save ? "Save" : "Open", {6 * em(), 0});
     ui.record_widget_rect("file.accept");
     tooltip(mode_ == Mode::save ? "Writes the file." : "Opens the file, or enters the folder.", "Enter");
     ImGui::SameLine();
     cancel |= ImGui::Button("Cancel", {6 * em(), 0}) || pressed({.key = 256});
     ui.record_widget_rect("file.cancel");
-    tooltip("Closes the dialog and changes nothing.", "Escape");
+    tooltip("Closes the dialog without a change.", "Escape");
 }
 
 std::optional<FileDialog::Choice> FileDialog::draw(const Ui& ui) {

@@ -16,17 +16,17 @@ struct Column {
     const char* help;
 };
 constexpr Column COLUMNS[] = {
-    {"#", "Place from front to back, and after the stroke the place in which it was submitted."},
-    {"z", "Depth, warped to [−1, 1]."},
+    {"#", "Position from front to back, and after the slash the position in the order of submission."},
+    {"z", "Warped depth in [−1, 1]."},
     {"opac. α_l", "Opacity α_l of the fragment."},
     {"absorb.", "Absorbance −ln(1 − α_l), as the shaders compute it."},
-    {"T true", "Transmittance of everything strictly in front of it."},
-    {"T GL", "Transmittance that the GL's second pass computed for it."},
-    {"T C++", "The same from the same source, compiled as C++."},
-    {"error", "T C++ minus T true: positive where the fragment shines through too much."},
-    {"weight", "T α_l: what its colour is multiplied by."},
+    {"T true", "Transmittance of everything strictly in front of the fragment."},
+    {"T GL", "Transmittance that the second pass on the GL computed for the fragment."},
+    {"T C++", "The same transmittance from the same source, compiled as C++."},
+    {"error", "T C++ minus T true: positive if the fragment is too visible."},
+    {"weight", "T α_l, the factor of the fragment's colour."},
     {"adds", "Colour that blending adds (source); the tooltip of a row has the numbers."},
-    {"onto", "Sum that blending adds to (destination), of what was submitted before."}};
+    {"onto", "Sum that blending adds to (destination), from the fragments submitted before."}};
 
 std::string submitted_place(const PixelHistoryRow& row) {
     return fmt::format("{}", row.fragment + 1);
@@ -119,8 +119,8 @@ std::string summary(const Measurement& m) {
 
 std::string breakdown_help(const ErrorBreakdown& breakdown) {
     std::string text =
-        "What the pixel's error is made of, step by step from the truth to what is shown; negative shares make "
-        "up for others. Distances in linear RGB.";
+        "The parts of the pixel's error, step by step from the truth to the shown colour. Negative shares "
+        "compensate others. Distances are in linear RGB.";
     for (const Contribution& one : breakdown.contributions)
         text += fmt::format("\n{:+.4f}  {}", one.share, one.cause);
     return text;
@@ -129,8 +129,9 @@ std::string breakdown_help(const ErrorBreakdown& breakdown) {
 std::string light_help(const LightView& light) {
     const LightBreakdown& v = light.breakdown;
     std::string text = fmt::format(
-        "Shares of the light. Transparent casters let {:.4f} through, {:.4f} by the truth of a deep shadow map with the same "
-        "filter; opaque ones {:.4f}, {:.4f} by comparing every texel. The GL shades with {:.4f}.\nWhat the difference is made of:",
+        "Shares of the light. Transparent casters let {:.4f} through (truth, by a deep shadow map with the same filter: "
+        "{:.4f}), opaque ones {:.4f} (truth, by comparing every texel: {:.4f}). The GL shades with {:.4f}.\n"
+        "The parts of the difference:",
         v.transmittance, v.true_transmittance, 1 - v.shadowed, 1 - v.true_shadowed, light.visibility);
     for (const Contribution& one : v.contributions)
         text += fmt::format("\n{:+.4f}  {}", one.share, one.cause);
@@ -139,7 +140,7 @@ std::string light_help(const LightView& light) {
 
 std::string light_summary(const LightView& light) {
     return fmt::format(
-        "Seen from the light: {} of {} filtered texels, opacities as much as their texel weighs.",
+        "Seen from the light: {} of {} filtered texels, with absorbances multiplied by the weight of their texel.",
         fragment_count_text(light.ray.fragments.size()), light.bundle.texels.size());
 }
 

@@ -140,8 +140,8 @@ void measure_query(Measurement& m, const ExplorerState& state) {
 }
 
 std::string empty_ray_text(const Measurement& measurement) {
-    return measurement.light ? "The light's map has no such caster there."
-                             : "No transparent surface covers this pixel. Click one in the scene.";
+    return measurement.light ? "The light's map has no caster of this kind here."
+                             : "No transparent surface covers this pixel. Click on one in the scene.";
 }
 
 }  // namespace momentscope::ui

@@ -124,7 +124,8 @@ bool is_slider(const Parameter& row) {
 }
 
 void draw_tooltip(const Parameter& row) {
-    tooltip(parameter_help(row), is_slider(row) ? "Ctrl+click types a value, double-click resets it." : "");
+    tooltip(parameter_help(row),
+            is_slider(row) ? "Ctrl+click to type a value, double-click to reset it." : "");
 }
 
 bool double_clicked() {
@@ -135,7 +136,7 @@ bool double_clicked() {
 
 std::string parameter_help(const Parameter& row) {
     const std::string unit = row.default_value && *row.unit != '\0' ? fmt::format(" {}", row.unit) : "";
-    return fmt::format("{}. {}\n--{}, {}; normally {}{}. Source: {}.", shown_name(row), row.help, row.key,
+    return fmt::format("{}. {}\n--{}, {}; default {}{}. Source: {}.", shown_name(row), row.help, row.key,
                        parameter_values_text(row), parameter_text(row, row.default_value), unit, row.source);
 }
 
@@ -172,9 +173,10 @@ void draw_parameter_control(const Ui& ui, const Parameter& row, const Technique&
         bool on = !values[row.id].has_value();
         if (ImGui::Checkbox("auto", &on)) values.set(row.id, on ? std::nullopt : std::optional(value));
         ui.record_widget_rect(fmt::format("parameter.{}.auto", row.key));
-        tooltip(automatic ? fmt::format("The scene's own, {:.3g}.", static_cast<double>(recommended))
-                          : fmt::format("What the bias preset says for this technique, {:.1e}.",
-                                        static_cast<double>(recommended)));
+        tooltip(automatic
+                    ? fmt::format("Takes the scene's own value, {:.3g}.", static_cast<double>(recommended))
+                    : fmt::format("Takes the bias preset's value for this technique, {:.1e}.",
+                                  static_cast<double>(recommended)));
     }
     ImGui::PopID();
 }

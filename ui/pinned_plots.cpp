@@ -48,7 +48,7 @@ void draw_pinned_plots(const Ui& ui, const Measurement& m, ExplorerState& state,
         const bool on_cross = mouse.x > area.high.x - cross && mouse.y < low.y + cross;
         ui.widget_rects[fmt::format("pin.{}.remove", i + 1)] = {{area.high.x - cross, low.y},
                                                                 {area.high.x, low.y + cross}};
-        tooltip(on_cross ? "Remove this pin." : "Click to go to this pixel.");
+        tooltip(on_cross ? "Removes this pin." : "Click to go to this pixel.");
         draw_small_plot(ui, m.pins[i], i + 1, state.plot, area);
         if (clicked && on_cross) removed = i;
         if (clicked && !on_cross) pick(state, state.pins[i]);

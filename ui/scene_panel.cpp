@@ -43,7 +43,7 @@ void draw_failure_counts(ImDrawList& list, const Rect& area, const ScenePicture&
     const std::string counts = picture.failures
                                    ? fmt::format("failed: {} pixels (hatched)   clamped: {} pixels (plain)",
                                                  picture.failures->failed, picture.failures->clamped)
-                                   : std::string("no moments, so no reconstruction could fail");
+                                   : std::string("no moments, so no reconstruction can fail");
     draw_label(list, {area.low.x + pad, area.high.y - pad - ImGui::GetTextLineHeight() - above}, counts,
                colors);
 }
@@ -85,10 +85,10 @@ void ScenePanel::draw_tools(const Ui& ui, const Measurement& m, const ScenePictu
         tooltip(help, key);
     };
     if (ImGui::Button("reset view")) state.camera.reset();
-    explain("scene.reset", "Back to the scene's own camera.", "Home");
+    explain("scene.reset", "Returns to the scene's own camera.", "Home");
     next("views ▾");
     if (ImGui::Button("views ▾")) ImGui::OpenPopup("views");
-    explain("scene.views", "Look from a named direction.", "");
+    explain("scene.views", "Looks from a named direction.", "");
     if (ImGui::BeginPopup("views")) {
         for (const NamedView& view : named_views())
             if (ImGui::Selectable(view.name))
@@ -97,28 +97,28 @@ void ScenePanel::draw_tools(const Ui& ui, const Measurement& m, const ScenePictu
     }
     next("lens");
     if (toggle_button("lens", state.lens)) state.lens = !state.lens;
-    explain("scene.lens", "Magnify the pixels around the picked one, with their values.", "L");
+    explain("scene.lens", "Magnifies the pixels around the picked one and shows their values.", "L");
     next("failures");
     if (toggle_button("failures", state.failures)) state.failures = !state.failures;
     explain(
         "scene.failures",
-        "Mark pixels with a fragment whose matrix was singular in floats (hatched) or whose sum left [0, 1] "
-        "and "
-        "was clamped (plain).",
+        "Marks pixels with a fragment whose matrix was singular in floats (hatched), or whose sum left [0, 1] "
+        "and was clamped (plain).",
         "O");
     next("flip");
     ImGui::Button("flip");
     flip_held_ = ImGui::IsItemActive();
-    explain("scene.flip", "Shows the picture of the reference as long as it is held.", "G, held");
+    explain("scene.flip", "Shows the picture of the reference while the button is held.", "G, held");
     next("wipe");
     if (toggle_button("wipe", state.compare.mode == CompareMode::wipe))
         toggle(state.compare, CompareMode::wipe);
-    explain("scene.wipe", "Shows reference and picture side by side; drag the line between them.", "W");
+    explain("scene.wipe", "Shows the reference and the picture side by side; drag the line between them.",
+            "W");
     const float width = 6.5f * em();
     flow(width, right, 0.2f * em());
     ImGui::SetNextItemWidth(std::max(std::min(width, ImGui::GetContentRegionAvail().x), 20.0f));
     draw_go_to(m.picture_size, state, message);
-    explain("scene.goto", "Type the column and row of a pixel and press Enter.", "Ctrl+G");
+    explain("scene.goto", "Type the column and the row of a pixel and press Enter.", "Ctrl+G");
 }
 
 void ScenePanel::draw_go_to(glm::ivec2 size, ExplorerState& state, std::string& message) {
@@ -220,7 +220,7 @@ void ScenePanel::draw_picture(const Ui& ui, const Measurement& m, const ScenePic
         list.AddRectFilled(area.low, area.high, ui.colors.plot_background);
         list.AddText(
             {area.low.x + pad, area.low.y + pad}, ui.colors.text,
-            "A view ray of its own: it has a function, but no picture.\nThe ray editor leads back to the scene.");
+            "A view ray without a scene has no picture.\nUse the ray editor to go back to the scene.");
         return;
     }
     if (picture.texture == 0) return list.AddRectFilled(area.low, area.high, ui.colors.plot_background);

@@ -116,8 +116,8 @@ void draw_kernel(const Ui& ui, const Steps& steps) {
     ImGui::Dummy(size);
     ui.record_widget_rect("steps.kernel");
     tooltip(
-        "The kernel polynomial over depth, with the dots where it vanishes: nodes of the canonical "
-        "representation. Drawn as its n-th root, so that small bumps show.");
+        "The kernel polynomial over depth. The dots are its roots, the nodes of the canonical representation. "
+        "The plot shows the n-th root of the polynomial, so that small bumps are visible.");
 }
 
 // Nodes on the unit circle, the wrapping zone as an arc.
@@ -151,8 +151,8 @@ void draw_circle(const Ui& ui, const Steps& steps) {
     ImGui::Dummy({2 * radius + 5 * em(), 2 * radius + 2.4f * em()});
     ui.record_widget_rect("steps.circle");
     tooltip(
-        "Depths on the unit circle: the near end at the right, then counter-clockwise. The thick arc is the wrapping zone. Dots "
-        "are the nodes, larger for greater masses.");
+        "Depths on the unit circle, from the near end at the right counter-clockwise. The thick arc is the wrapping zone. The "
+        "dots are the nodes; larger dots stand for greater masses.");
 }
 
 void draw_figures(const Ui& ui, const Steps& steps, const std::string& title, bool circle) {
@@ -174,19 +174,19 @@ void draw_figures(const Ui& ui, const Steps& steps, const std::string& title, bo
 void draw_steps_panel(const Ui& ui, const Measurement& m) {
     if (!m.curve.technique->has_moments()) {
         ImGui::TextWrapped(
-            "%s has no steps: it has no moments to reconstruct from. Choose a technique with moments.",
+            "%s has no steps, because it does not reconstruct from moments. Choose a technique with moments.",
             m.curve.technique->name);
         return;
     }
     const Steps& steps = m.steps;
     if (steps.empty) {
-        ImGui::TextWrapped("No transparent surface lies on this ray. Click one in the scene.");
+        ImGui::TextWrapped("No transparent surface lies on this ray. Click on one in the scene.");
         return;
     }
     if (steps.parameters.textbook)
         ImGui::TextWrapped(
-            "These are the steps of the robust solver. The picture is drawn by the textbook's, which takes the same "
-            "way with fewer precautions.");
+            "These are the steps of the robust solver. The picture is drawn with the textbook solver, which takes the same "
+            "steps with fewer precautions.");
     const bool circle = m.curve.technique->on_circle();
     for (const StepText& step : step_texts(steps)) {
         ImGui::PushFont(bold_font());

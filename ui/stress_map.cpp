@@ -87,7 +87,7 @@ bool draw_cell(const StressCell& cell, ImVec2 low, ImVec2 high) {
     const bool clicked = ImGui::InvisibleButton("cell", {high.x - low.x, high.y - low.y});
     tooltip(fmt::format("{}, {} {}. {}\n{}", cell.technique->id, cell.condition->group, cell.condition->name,
                         cell.condition->help, cell_sentence(cell)),
-            "Click to open its worst ray in the editor.");
+            "Click to open the worst ray of this cell in the editor.");
     ImGui::PopID();
     return clicked;
 }

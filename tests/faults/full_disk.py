@@ -185,7 +185,7 @@ def main():
             server = Server(program, folder, output)
             for name in printed:
                 code, said = server.run(PRINTED[name])
-                if code != 1 or "Standard output cannot be written" not in said:
+                if code != 1 or "Standard output could not be written" not in said:
                     failed += 1
                     print(f"{name} on {place}: exit code {code}, '{said[:200]}'", flush=True)
             server.close()

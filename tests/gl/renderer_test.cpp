@@ -266,7 +266,7 @@ TEST_F(RendererTest, RefusesScenesThatAreTooLargeBeforeTheyTakeMemory) {
     EXPECT_EQ(
         bytes,
         "The scene needs 7.1 GiB of graphics memory for 200000000 vertices, 100000000 triangles, 1 objects and 0 "
-        "texels, more than the 4 GiB that are used; simplify it.");
+        "texels, more than the limit of 4 GiB; simplify it.");
     const std::string count = refusal([] { require_drawable({3, 2'147'483'649, 1, 0, 2'147'483'649}); });
     EXPECT_NE(count.find("715827883 triangles, more than the 715827882"), std::string::npos) << count;
 

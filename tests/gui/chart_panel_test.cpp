@@ -116,13 +116,13 @@ TEST_F(ChartPanelTest, MeasuresBetweenFramesAndCanBeEnded) {
     const std::size_t kept = rows().size();
     EXPECT_GT(kept, 0U);
     settle();
-    EXPECT_EQ(rows().size(), kept) << "rows that are done stay";
+    EXPECT_EQ(rows().size(), kept) << "finished rows stay";
     explorer().measure_chart();
     draw();
     explorer().state().scene = "spheres";
     settle();
     EXPECT_FALSE(panel().measuring()) << "another scene ends it";
-    EXPECT_NE(explorer().message().find("chart was ended"), std::string::npos) << explorer().message();
+    EXPECT_NE(explorer().message().find("chart was stopped"), std::string::npos) << explorer().message();
 }
 
 TEST_F(ChartPanelTest, FilesAreThoseOfTheCommandLine) {

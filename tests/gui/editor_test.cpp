@@ -34,7 +34,7 @@ TEST_F(EditorTest, DraggingAFragmentAcrossAnotherChangesCurveTableAndColourAndIs
     play("drag @editor.fragment.1 to @editor.area 0.9 0.3");
     EXPECT_NEAR(fragments()[0].depth, 0.8f, 0.02f);
     EXPECT_NEAR(fragments()[0].opacity, 0.7f, 0.02f);
-    EXPECT_EQ(fragments()[0].view_depth, fragments()[0].depth) << "no warp";
+    EXPECT_EQ(fragments()[0].view_depth, fragments()[0].depth) << "no depth warp";
     EXPECT_NE(measurement().curve.reconstructed, curve);
     EXPECT_NE(measurement().history.front().fragment, first_in_front) << "the table's order follows";
     EXPECT_GT(glm::length(colors().technique - color), 0.05f) << "the pixel has another colour";

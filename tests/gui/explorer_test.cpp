@@ -172,7 +172,7 @@ TEST_F(ExplorerTest, AnEmptyPixelSaysSo) {
     play("click " + on_scene({2, 2}));
     EXPECT_TRUE(explorer().widget_rects().contains("plot.empty") &&
                 explorer().widget_rects().contains("fragments.empty"));
-    EXPECT_NE(ui::empty_ray_text(measurement()).find("Click one in the scene"), std::string::npos)
+    EXPECT_NE(ui::empty_ray_text(measurement()).find("Click on one in the scene"), std::string::npos)
         << "what to do";
     EXPECT_TRUE(measurement().capture.ray.fragments.empty());
     EXPECT_EQ(measurement().curve.total_absorbance, 0);

@@ -122,7 +122,7 @@ TEST_F(PlotTest, TheNoteTellsWhyTheTruthLeavesTheBand) {
     biased.parameters.set(ParameterId::alpha, 0.1f);
     open(biased);
     ASSERT_FALSE(measurement().exit.where.empty());
-    EXPECT_NE(ui::band_note(measurement()).find("bias moved them"), std::string::npos);
+    EXPECT_NE(ui::band_note(measurement()).find("for the biased moments"), std::string::npos);
     play("key 4");
     ASSERT_FALSE(measurement().exit.where.empty()) << "two trigonometric moments promise nothing";
     EXPECT_NE(ui::band_note(measurement()).find("no bounds"), std::string::npos);

@@ -136,7 +136,8 @@ TEST(Advice, WhenNothingMeetsTheNearestMissesLeast) {
     EXPECT_EQ(advice.nearest, Row(4)) << "1.25 times too wrong and 1.15 times too large";
     text = no_advice_text(ROWS, bounds, unknown(), advice);
     expect_one_sentence(text);
-    EXPECT_TRUE(text.starts_with("Nothing meets this (RMSE at most 0.004, at most 250 bits per pixel)"))
+    EXPECT_TRUE(
+        text.starts_with("Nothing meets these bounds (RMSE at most 0.004, at most 250 bits per pixel)"))
         << text;
     EXPECT_NE(text.find("the nearest is power8-32 (RMSE 0.005, 10.0 ms, 288 bits per pixel)"),
               std::string::npos)

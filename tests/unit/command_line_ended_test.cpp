@@ -77,7 +77,7 @@ TEST_F(EndedCommandLine, WhileAMeshIsRead) {
             [&] { become_program(folder_, words_of(std::string(line) + " --scene endless.ply"), nullptr); },
             [&](pid_t process) { return !(reader = child_of(process)).empty(); });
         EXPECT_EQ(outcome.code, -SIGINT) << "whoever started it sees what ended it";
-        EXPECT_NE(outcome.errors.find("was ended before"), std::string::npos) << outcome.errors;
+        EXPECT_NE(outcome.errors.find("was stopped before"), std::string::npos) << outcome.errors;
         EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << outcome.errors;
         EXPECT_TRUE(fs::is_empty(folder_ / "out"));
         EXPECT_TRUE(comes_true([&] { return is_gone(reader); })) << "its reader lives on";
@@ -115,7 +115,7 @@ TEST_F(EndedCommandLine, WorkThatStopsHasTheLastWord) {
         },
         [&](pid_t) { return has("begun"); });
     EXPECT_EQ(outcome.code, 7);
-    EXPECT_EQ(outcome.output, "Work was ended before it was done; nothing was written.\n");
+    EXPECT_EQ(outcome.output, "Work was stopped before it was finished; nothing was written.\n");
 }
 
 TEST_F(EndedCommandLine, AFileThatIsBeingWrittenIsWritten) {

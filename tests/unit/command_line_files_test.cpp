@@ -36,8 +36,8 @@ TEST_F(CommandLineFiles, WhatCannotBePrintedIsAFailure) {
     const auto full = [] { redirect("/dev/full", O_WRONLY, STDOUT_FILENO); };
     const auto closed = [] { ::close(STDOUT_FILENO); };
     for (const char* line : PRINTING) {
-        expect_said(run_words(words_of(line), full), "Standard output cannot be written");
-        expect_said(run_words(words_of(line), closed), "Standard output cannot be written");
+        expect_said(run_words(words_of(line), full), "Standard output could not be written");
+        expect_said(run_words(words_of(line), closed), "Standard output could not be written");
     }
 }
 
@@ -48,7 +48,7 @@ TEST_F(CommandLineFiles, WhatIsPrintedGetsIntoNoFile) {
         ::close(STDOUT_FILENO);
     };
     const std::string stress = "stress --rays 1 --technique power4-32 --condition two -o ";
-    expect_said(run_words(words_of(stress + "out/x.csv"), closed), "Standard output cannot be written");
+    expect_said(run_words(words_of(stress + "out/x.csv"), closed), "Standard output could not be written");
     expect_success(stress + "out/y.csv");
     EXPECT_EQ(content_of(folder_ / "out/x.csv"), content_of(folder_ / "out/y.csv"));
 }
@@ -145,7 +145,7 @@ TEST_F(CommandLineFiles, ScreenshotsOfEventsReplacePicturesAlone) {
     for (const auto& [event, said] :
          {std::pair("screenshot note.txt", "is a .png"), std::pair("screenshot x.exr", "is a .png"),
           std::pair("screenshot ray.json", "is a .png"),
-          std::pair("screenshot ./ray.png", "a file of this command line")}) {
+          std::pair("screenshot ./ray.png", "already used by this command line")}) {
         write("x.events", event);
         expect_refused(window + "x.events", said);
     }
@@ -166,7 +166,7 @@ TEST_F(CommandLineFiles, AChartGoesOnWithTheSameMeshAlone) {
     write("m.obj", triangle + "v 0 0 1\nf 1 2 4\n");
     expect_refused(chart + "z.csv", "its mesh content is ");
     EXPECT_EQ(content_of(folder_ / "z.csv.partial"), content_of(folder_ / "x.csv"));
-    expect_refused("advise --scene m.obj --chart x.csv --max-error 0.9", "is another one than 'x.csv'");
+    expect_refused("advise --scene m.obj --chart x.csv --max-error 0.9", "has changed since 'x.csv'");
 }
 
 }  // namespace

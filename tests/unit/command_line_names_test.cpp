@@ -145,7 +145,8 @@ TEST_F(CommandLineNames, ALimitOfFilesIsAFailureLikeAnother) {
     expect_words_refused(words_of("inspect --ray ray.json -o out/x.json"), "could not be written", limit);
     const Outcome outcome = run_words(words_of("inspect --ray ray.json"), limit);
     EXPECT_EQ(outcome.code, 1);
-    EXPECT_NE(outcome.errors.find("Standard output cannot be written"), std::string::npos) << outcome.errors;
+    EXPECT_NE(outcome.errors.find("Standard output could not be written"), std::string::npos)
+        << outcome.errors;
 }
 
 #ifndef __SANITIZE_ADDRESS__  // which reports crashes itself

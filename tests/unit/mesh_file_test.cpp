@@ -81,13 +81,13 @@ TEST_F(MeshFile, PanesAtSmallScalesStayApart) {
 TEST_F(MeshFile, WarnsOfCoordinatesThatFloatsCannotHold) {
     expect_warning(
         write("far.off", "OFF\n3 1 0\n448261 0 5411932.5\n448263 0 5411932.5\n448263 2 5411933\n3 0 1 2\n"),
-        "as large as 5411933, where numbers lie 0.65 apart, in a shape whose half diagonal is 1.436");
+        "as large as 5411933, where numbers lie 0.65 apart, but a half diagonal of only 1.436");
 }
 
 TEST_F(MeshFile, WarnsWhenNothingIsLeftToSee) {
     const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
-    expect_warning(write("far.obj", square + "v 1e30 0 0\nf 1 2 5\n"), "next to nothing to see");
-    expect_warning(write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), "next to nothing to see");
+    expect_warning(write("far.obj", square + "v 1e30 0 0\nf 1 2 5\n"), "shows almost nothing");
+    expect_warning(write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), "shows almost nothing");
     std::string speck;
     for (int i = 0; i < 10; ++i)
         speck += fmt::format("v 0 0 {0}\nv 1 0 {0}\nv 1 1 {0}\nv 0 1 {0}\nf -4 -3 -2 -1\n", i);

@@ -74,7 +74,7 @@ TEST_F(RunTables, OtherRunsAreRefusedWithTheDifference) {
         "only its configurations have at:nodes=8");
     RunTable columns = table_of({2, 2}, 5);
     columns.columns = "name";
-    expect_unmergeable(columns, "its columns are others");
+    expect_unmergeable(columns, "its columns differ");
 }
 
 TEST_F(RunTables, LineBreaksAndBackslashesSurvive) {
@@ -99,7 +99,7 @@ TEST_F(RunTables, MissingDoubledAndUnfinishedShardsAreRefused) {
 TEST_F(RunTables, OtherFilesAreRefused) {
     expect_error([&] { read_run_table(folder_ / "none.csv"); }, "no CSV file");
     write_file("a,b\n1,2\n", folder_ / "plain.csv");
-    expect_error([&] { read_run_table(folder_ / "plain.csv"); }, "does not say of which run");
+    expect_error([&] { read_run_table(folder_ / "plain.csv"); }, "does not say to which run");
     expect_error([&] { read_run_table(folder_); }, "no CSV file");
 }
 
