@@ -21,9 +21,9 @@ namespace momentscope::ui {
 namespace {
 
 constexpr std::array SIZES = {glm::ivec2(160, 90), glm::ivec2(320, 180), glm::ivec2(640, 360)};
-constexpr double SLICE = 0.03;  // seconds of a frame that measuring may take, beside the picture it began
+constexpr double SLICE = 0.03;  // seconds of a frame for measuring, plus the picture that has begun
 
-// What every picture of a chart depends on, beside technique and parameters.
+// The parameters that every picture of a chart depends on, besides those of its technique.
 ParameterValues picture_values(const ParameterValues& values) {
     ParameterValues result;
     for (const ParameterId id : CHART_PARAMETERS) result.set(id, values[id]);
@@ -41,7 +41,7 @@ std::string size_text(glm::ivec2 size) {
     return fmt::format("{} x {}", size.x, size.y);
 }
 
-// Drawings are made for letters of 14 pixels.
+// Drawings are designed for a font size of 14 pixels.
 float drawing_scale() {
     return em() / 14;
 }
@@ -128,7 +128,7 @@ void ChartPanel::draw_sizes(const Ui& ui) {
     tooltip("Size of the pictures that are measured.");
 }
 
-// True when a file was asked for.
+// Returns true if the user wants to save a file.
 bool ChartPanel::draw_controls(const Ui& ui, const Scene& scene, const ExplorerState& state,
                                std::string& message) {
     if (measurement_.busy()) {
@@ -178,8 +178,8 @@ void ChartPanel::update_drawing(glm::vec2 size) {
 void ChartPanel::draw_chart(const Ui& ui, bool stale, ExplorerState& state) {
     const float scale = drawing_scale();
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    // The advice stands below; where there is little room, one scrolls to it, and families have names under
-    // the mouse alone.
+    // The advice is below the chart. If there is little space, the user scrolls to it, and the names of
+    // families appear only under the mouse.
     const glm::vec2 size(std::max(room.x, 20 * em()), std::max(room.y - 10.5f * em(), 13.5f * em()));
     update_drawing(size);
     const ImVec2 origin = ImGui::GetCursorScreenPos();
@@ -247,7 +247,7 @@ bool ChartPanel::draw(const Ui& ui, const Scene& scene, ExplorerState& state, st
     }
     draw_chart(ui, stale, state);
     draw_bounds(ui);
-    update_advice();  // of the bounds as they are now
+    update_advice();  // with the current bounds
     draw_advice(ui, stale, state);
     return asked;
 }

@@ -1,4 +1,4 @@
-// chart_panel_advice.cpp -- bounds on error and bits, and what meets them.
+// chart_panel_advice.cpp -- the bounds on error and bits, and the techniques that meet them.
 #include <fmt/format.h>
 
 #include "core/chart/advice_text.hpp"

@@ -15,7 +15,7 @@ namespace momentscope::ui {
 
 namespace {
 
-// A switch of the state.
+// A command that switches a flag of the state.
 Command flag(const char* id, const char* name, const char* key, const char* help,
              bool ExplorerState::*field) {
     return {id,

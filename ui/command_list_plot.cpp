@@ -1,4 +1,4 @@
-// command_list_plot.cpp -- the commands of the menus Compare and Plot.
+// command_list_plot.cpp -- the commands of the Compare and Plot menus.
 #include <fmt/format.h>
 
 #include "ui/command_rows.hpp"

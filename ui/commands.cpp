@@ -62,10 +62,10 @@ bool is_enabled(const Command& command, const Explorer& explorer) {
 }
 
 void run_pressed_commands(Explorer& explorer) {
-    // A dialog keeps the keyboard to itself; of the commands, Escape alone reaches through.
+    // A dialog takes all keys except Escape and the key of the palette.
     const bool dialog =
         explorer.shows_file_dialog() || explorer.shows_palette() || explorer.is_loading_scene();
-    const bool typing = ImGui::GetIO().WantTextInput;  // Ctrl+Z then belongs to the text
+    const bool typing = ImGui::GetIO().WantTextInput;  // Ctrl+Z then edits the text
     for (const Command& command : commands()) {
         if (!command.run || !is_enabled(command, explorer)) continue;
         if (dialog && command.id != "help.close" && command.id != "help.palette") continue;

@@ -15,7 +15,7 @@ void draw_modes(const Ui& ui, CompareState& compare) {
     constexpr struct {
         CompareMode mode;
         const char* name;
-        const char* id;  // of its command, and of the control
+        const char* id;  // part of the ids of the command and of the control
     } MODES[] = {{CompareMode::wipe, "wipe", "wipe"},
                  {CompareMode::difference, "difference", "difference"},
                  {CompareMode::false_color, "false colour", "false_color"}};
@@ -32,7 +32,7 @@ void draw_modes(const Ui& ui, CompareState& compare) {
     }
 }
 
-// What belongs to the way of showing that is chosen.
+// Draws the controls of the current mode.
 void draw_mode_controls(const Ui& ui, CompareState& compare) {
     if (compare.mode == CompareMode::wipe) {
         label("");
@@ -83,7 +83,7 @@ void draw_metric(const Ui& ui, const MetricRow& row, const char* name, Compariso
                 fresh);
 }
 
-// Names are short where there is little room.
+// Uses short names if there is little space.
 void draw_metrics(const Ui& ui, Comparison& comparison, ExplorerState& state) {
     const bool narrow = ImGui::GetContentRegionAvail().x < 36 * em();
     if (!ImGui::BeginTable("metrics", 4, ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings)) return;
@@ -98,7 +98,7 @@ void draw_metrics(const Ui& ui, Comparison& comparison, ExplorerState& state) {
     ImGui::EndTable();
     const bool stale =
         std::ranges::any_of(metrics(), [&](const MetricRow& row) { return !comparison.is_fresh(row.id); });
-    ImGui::TextDisabled("%s", stale ? "computing…" : "");  // keeps its line, so that nothing jumps
+    ImGui::TextDisabled("%s", stale ? "computing…" : "");  // always takes one line, so that nothing jumps
 }
 
 bool draw_actions(const Ui& ui, Comparison& comparison, CompareState& compare) {

@@ -83,7 +83,7 @@ void draw_control_panel(const Ui& ui, OrderedAccess access, ExplorerState& state
 }
 
 void draw_picture_controls(const Ui& ui, ExplorerState& state, std::string& message) {
-    if (state.ray) return;  // has no picture
+    if (state.ray) return;  // a view ray has no picture
     ImGui::Spacing();
     for (const ParameterId id : PICTURE_PARAMETERS)
         if (id != ParameterId::shadows)

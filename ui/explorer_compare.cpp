@@ -1,4 +1,4 @@
-// explorer_compare.cpp -- picture and reference: which of their passes, numbers and maps are stale.
+// explorer_compare.cpp -- picture and reference: which passes, numbers and maps are stale.
 #include <fmt/format.h>
 
 #include "ui/explorer.hpp"
@@ -10,7 +10,7 @@ bool Explorer::has_comparison() const {
     return !state_.ray && state_.technique != state_.compare.reference;
 }
 
-// It is drawn only for those who look: flipped to, beside the picture, or compared with it.
+// The reference is drawn only if it is shown, compared with or needed for the worst pixel.
 bool Explorer::wants_reference() const {
     return has_comparison() && (flipped_ || state_.compare.mode != CompareMode::off ||
                                 state_.panel == Panel::compare || worst_wanted_);
@@ -76,7 +76,7 @@ void Explorer::pick_next_worst() {
                            pixel->x, pixel->y);
 }
 
-// What is seen where the picture is: itself, the reference, or a map of their difference.
+// Chooses what is shown in the picture's place: the picture, the reference, or a map of their difference.
 void Explorer::choose_picture() {
     const CompareState& compare = state_.compare;
     picture_.texture = renderer_.display_texture();

@@ -1,4 +1,4 @@
-// explorer_files.cpp -- what the window opens and saves.
+// explorer_files.cpp -- files that the window opens and saves.
 #include <fmt/format.h>
 
 #include "core/error.hpp"
@@ -116,8 +116,8 @@ void Explorer::export_to(const FileDialog::Choice& choice) {
     curves.insert(curves.end(), measurement_.compared.begin(), measurement_.compared.end());
     if (kind == "window_png") {
         window_export_ = choice.path;
-        frames_to_export_ = 2;  // this frame still shows the dialog
-        return;                 // who writes it says so
+        frames_to_export_ = 2;  // the current frame still shows the dialog
+        return;                 // the code that writes it shows the message
     } else if (kind.starts_with("picture")) {
         if (state_.ray) throw Error("A view ray without a scene has no picture; choose a scene first.");
         write_image(renderer_.read_picture(), choice.path, tone_map_of(state_.parameters));

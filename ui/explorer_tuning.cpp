@@ -1,4 +1,4 @@
-// explorer_tuning.cpp -- the button that looks for the best parameters beside the window.
+// explorer_tuning.cpp -- the button that searches for the best parameters in the background.
 #include <fmt/format.h>
 
 #include "core/error.hpp"
@@ -9,7 +9,7 @@ namespace momentscope::ui {
 
 namespace {
 
-constexpr glm::ivec2 TUNED_SIZE(64, 36);  // enough pixels to see a scene evenly
+constexpr glm::ivec2 TUNED_SIZE(64, 36);  // enough pixels to cover a scene evenly
 
 }  // namespace
 
@@ -33,7 +33,7 @@ void Explorer::start_tuning() try {
     message_ = error.what();
 }
 
-// Once per frame, whatever tab is open.
+// Called once per frame, whichever tab is open.
 void Explorer::poll_tuning() {
     try {
         const auto result = tuning_.take();

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t MAX_ENTRIES = 5000;  // more than anybody scrolls through
+constexpr std::size_t MAX_ENTRIES = 5000;  // nobody scrolls through more
 
 std::string size_text(std::uintmax_t bytes) {
     if (bytes < 1000) return fmt::format("{} B", bytes);
@@ -88,8 +88,8 @@ void FileDialog::draw_entries(const Ui& ui, bool& accept) {
     for (const Entry& entry : entries_) {
         const std::string label = entry.folder ? entry.name + "/" : entry.name;
         if (ImGui::Selectable(label.c_str(), name_ == entry.name, ImGuiSelectableFlags_AllowDoubleClick)) {
-            // The second click of a double-click on a folder meets whatever stands in its row of the new
-            // listing.
+            // A double-click on a folder enters it with the first click. The second click then hits a row of
+            // the new list, so ignore it.
             const bool second = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
             if (second && just_entered_) continue;
             just_entered_ = entry.folder;
@@ -110,7 +110,7 @@ void FileDialog::draw_entries(const Ui& ui, bool& accept) {
     if (entered) enter(*entered);
 }
 
-// Folders are entered, files chosen; what cannot be is explained.
+// Enters a folder or chooses a file. Explains why if neither is possible.
 std::optional<FileDialog::Choice> FileDialog::accept() {
     if (name_.empty()) {
         problem_ = "Type the name of a file, or click one.";
@@ -158,7 +158,7 @@ void FileDialog::draw_kinds(const Ui& ui) {
     tooltip("The kind of file to write.");
 }
 
-// The name and the two buttons.
+// Draws the name field and the two buttons.
 void FileDialog::draw_answer(const Ui& ui, bool& accept, bool& cancel) {
     ImGui::SetNextItemWidth(-1);
     if (begin_) ImGui::SetKeyboardFocusHere();

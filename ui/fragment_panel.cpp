@@ -73,7 +73,7 @@ void draw_row(const Ui& ui, const Measurement& m, const PixelHistoryRow& row, st
             "click to mark it in the plot");
     cell(fmt::format("{:.3f}", f.depth));
     cell(fmt::format("{:.3f}", f.opacity));
-    cell(fmt::format("{:.3f}", row.absorbance + 0.0f));  // of opacity 0 it is -0
+    cell(fmt::format("{:.3f}", row.absorbance + 0.0f));  // it is -0 for opacity 0
     cell(fmt::format("{:.4f}", row.true_transmittance));
     cell(row.gl_transmittance ? fmt::format("{:.4f}", *row.gl_transmittance) : "–");
     cell(fmt::format("{:.4f}", row.transmittance));
@@ -89,8 +89,8 @@ void draw_row(const Ui& ui, const Measurement& m, const PixelHistoryRow& row, st
     swatch(glm::vec3(row.sum));
 }
 
-// Scrolls to the marked row when the mark has moved; the clipper draws no row out of sight that could ask for
-// it.
+// Scrolls to the marked row if the mark has moved. The row itself cannot do that, because the clipper skips
+// rows outside the view.
 void show_marked(const Measurement& m, const ExplorerState& state) {
     const int marked = state.marked ? static_cast<int>(*state.marked) : -1;
     int& last = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("marked"), -1);
@@ -100,7 +100,7 @@ void show_marked(const Measurement& m, const ExplorerState& state) {
     if (row == m.history.end()) return;
     const float height = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
     const float y = height * static_cast<float>(row - m.history.begin());
-    const float view = ImGui::GetWindowHeight() - 4 * height;  // below the header, above the scroll bar
+    const float view = ImGui::GetWindowHeight() - 4 * height;  // between the header and the scroll bar
     if (y < ImGui::GetScrollY() || y > ImGui::GetScrollY() + view)
         ImGui::SetScrollY(std::max(y - 0.5f * view, 0.0f));
 }
@@ -167,7 +167,7 @@ void draw_fragment_panel(const Ui& ui, const Measurement& m, ExplorerState& stat
                                   ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingFixedFit |
                                   ImGuiTableFlags_NoSavedSettings;
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding,
-                        {0.2f * em(), 0.1f * em()});  // all columns fit a window of 1280 pixels
+                        {0.2f * em(), 0.1f * em()});  // so that all columns fit a window of 1280 pixels
     if (!ImGui::BeginTable("fragments", static_cast<int>(std::size(COLUMNS)), flags))
         return ImGui::PopStyleVar();
     ImGui::TableSetupScrollFreeze(1, 1);

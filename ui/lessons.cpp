@@ -11,14 +11,14 @@ void show(PlotState& plot, std::initializer_list<Series> series) {
     for (const Series one : series) plot.shown[static_cast<std::size_t>(one)] = true;
 }
 
-// Places in the picture of planes, at half its height, where as many sheets overlap.
+// Places at half the height of the picture of `planes`, where this many sheets overlap.
 constexpr glm::vec2 TWO_SHEETS(0.29f, 0.5f), THREE_SHEETS(0.39f, 0.5f), FOUR_SHEETS(0.5f, 0.5f);
 
 void prepare_two_sheets(ExplorerState& state) {
     choose_scene(state, "planes");
     state.technique = &require_technique("power4-32");
     state.picked = TWO_SHEETS;
-    state.marked = 1;  // the farther one
+    state.marked = 1;  // the farther sheet
     show(state.plot, {Series::truth, Series::reconstruction, Series::bounds, Series::stems, Series::errors});
 }
 
@@ -34,7 +34,7 @@ void prepare_wrapping_zone(ExplorerState& state) {
     choose_scene(state, "teapots");
     state.technique = &require_technique("trig2-32");
     state.parameters.set(ParameterId::theta, 0.0f);
-    state.plot.query = -0.27f;  // just in front of a jump
+    state.plot.query = -0.27f;  // just before a jump
     show(state.plot, {Series::truth, Series::reconstruction, Series::stems, Series::wrapping_zone});
 }
 

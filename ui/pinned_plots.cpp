@@ -33,7 +33,7 @@ void draw_small_plot(const Ui& ui, const Pinned& pin, std::size_t number, PlotSt
 void draw_pinned_plots(const Ui& ui, const Measurement& m, ExplorerState& state, ImVec2 size) {
     if (m.pins.empty()) return;
     const float gap = 0.4f * em();
-    const float cross = 1.3f * ImGui::GetTextLineHeight();  // side of the square that removes
+    const float cross = 1.3f * ImGui::GetTextLineHeight();  // side of the square that removes the pin
     const auto count = static_cast<float>(m.pins.size());
     const ImVec2 each = {std::max((size.x - gap * (count - 1)) / count, 1.0f), std::max(size.y, 1.0f)};
     std::optional<std::size_t> removed;

@@ -13,9 +13,10 @@ namespace momentscope::ui {
 
 namespace {
 
-// Absorbance or transmittance, warped or view depth. Buttons flow into the next line at `right`.
+// The choice of absorbance or transmittance, and of warped or view depth. Buttons flow to the next line at
+// `right`.
 void draw_axis_choices(const Ui& ui, bool warped, PlotState& plot, float right) {
-    // True when another choice was clicked.
+    // Returns true if another choice was clicked.
     const auto choose = [&](const char* label, bool on, const char* anchor, const char* help,
                             const char* key) {
         const bool clicked = toggle_button(label, on);
@@ -44,9 +45,9 @@ void draw_axis_choices(const Ui& ui, bool warped, PlotState& plot, float right) 
     ImGui::EndDisabled();
 }
 
-// Whose ray is plotted.
+// The choice of the ray: from the eye or from the light.
 void draw_viewpoint_choice(const Ui& ui, ExplorerState& state, float right) {
-    if (state.ray) return;  // comes from a file
+    if (state.ray) return;  // the ray has no scene
     const Viewpoint shown = seen_from_light(state) ? state.viewpoint : Viewpoint::eye;
     const struct {
         Viewpoint viewpoint;
@@ -87,7 +88,7 @@ void draw_tools(const Ui& ui, const Measurement& m, ExplorerState& state, float 
         "or Ctrl+click here to type a number.");
 }
 
-// The fragment whose step is nearest to the mouse, if it is near.
+// The fragment whose step is nearest to the mouse, if it is near enough.
 std::optional<std::size_t> fragment_at(const PlotAxes& axes, const ViewRay& ray, float x) {
     std::optional<std::size_t> nearest;
     float least = 0.35f * em();
@@ -107,14 +108,14 @@ void value_line(const char* name, ImU32 tint, float absorbance, const PlotAxes& 
                 static_cast<double>(axes.shown(absorbance)));
 }
 
-// The values of all curves at the mouse.
+// Draws the crosshair and lists the values of all curves at the mouse.
 void draw_crosshair(const Ui& ui, const PlotAxes& axes, const Measurement& m, const ExplorerState& state) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const float warped = axes.warped_of(axes.depth_at(mouse.x));
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddLine({mouse.x, axes.area.low.y}, {mouse.x, axes.area.high.y}, ui.colors.axis);
     list.AddLine({axes.area.low.x, mouse.y}, {axes.area.high.x, mouse.y}, ui.colors.grid);
-    const float at_mouse = axes.depth_at(mouse.x);  // unlike its warp not clamped to the depth range
+    const float at_mouse = axes.depth_at(mouse.x);  // not clamped to the depth range, unlike `warped`
     if (!(at_mouse >= axes.axis_of(-1) && at_mouse <= axes.axis_of(1))) return;
     const ViewRay& ray = m.capture.ray;
     const float at[] = {warped};
@@ -153,7 +154,7 @@ void draw_note(const Ui& ui, const std::string& note, float right) {
     ImGui::PopTextWrapPos();
 }
 
-// What receives the light, and how much of it.
+// Describes the receiver of the light and how much light reaches it.
 void draw_light_line(const Ui& ui, const Measurement& m, float right) {
     if (!m.light) return;
     ImGui::PushTextWrapPos(right - ImGui::GetWindowPos().x);
@@ -198,7 +199,7 @@ void PlotPanel::zoom(const PlotAxes& axes, PlotState& plot, bool depth, bool val
     const auto around = [&](const Range& range, float fixed) {
         return Range{fixed + (range.low - fixed) * factor, fixed + (range.high - fixed) * factor};
     };
-    constexpr float LEAST = 1e-4f, MOST = 1e4f;  // beyond, floats have no digits left for ticks
+    constexpr float LEAST = 1e-4f, MOST = 1e4f;  // beyond, floats have too few digits for ticks
     const auto sensible = [](const Range& range) {
         return range.high - range.low > LEAST && range.high - range.low < MOST;
     };
@@ -230,7 +231,7 @@ void PlotPanel::handle_mouse(const PlotAxes& axes, const Measurement& m, Explore
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
         if (!on_value_axis) state.plot.depth.reset();
         if (!on_depth_axis) state.plot.value.reset();
-        if (inside) {  // its first click was no choice of a query depth
+        if (inside) {  // the first click must not change the query depth
             state.plot.query = query_before_click_;
             state.marked = marked_before_click_;
         }
@@ -251,7 +252,7 @@ void PlotPanel::handle_mouse(const PlotAxes& axes, const Measurement& m, Explore
     }
     if (grip_ == Grip::pan) pan(axes, state.plot);
     if (grip_ == Grip::query) {
-        // A click on a step snaps to its fragment, dragging leaves it.
+        // A click on a step snaps to its fragment; dragging ends the snap.
         const bool snapped = state.marked && !ImGui::IsMouseDragging(ImGuiMouseButton_Left);
         const float at = axes.warped_of(axes.depth_at(io.MousePos.x));
         state.plot.query = snapped ? std::nullopt : std::optional(std::clamp(at, -1.0f, 1.0f));

@@ -18,7 +18,7 @@ namespace momentscope::ui {
 
 constexpr float MAX_OPACITY = 0.9999f;
 
-// From depth and opacity to the screen and back.
+// Maps depth and opacity to the screen and back.
 struct EditorCanvas {
     Rect area;
     float x(float depth) const { return area.low.x + 0.5f * (depth + 1) * (area.high.x - area.low.x); }
@@ -33,10 +33,10 @@ struct EditorCanvas {
 
 namespace {
 
-constexpr std::size_t MAX_HANDLES = 2000;  // more would cover each other
+constexpr std::size_t MAX_HANDLES = 2000;  // more handles would cover each other
 
 void place(Fragment& fragment, float depth, const DepthWarp& warp) {
-    // Through the view depth, as the shaders get there, so that a saved ray comes back the same.
+    // Compute the depth from the view depth, as the shaders do, so that a saved ray comes back the same.
     fragment.view_depth = warp.has_view_depths() ? to_view_depth(depth, warp) : depth;
     fragment.depth = warp.has_view_depths() ? to_depth(fragment.view_depth, warp) : depth;
 }
@@ -110,7 +110,7 @@ void draw_swatches(const Ui& ui, const Measurement& m, const ExplorerState& stat
 void draw_marked(const Ui& ui, ExplorerState& state) {
     if (!state.ray) return;
     if (!state.marked || *state.marked >= state.ray->fragments.size()) {
-        ImGui::AlignTextToFramePadding();  // as high as the controls that stand here otherwise
+        ImGui::AlignTextToFramePadding();  // as high as the controls that are here otherwise
         ImGui::TextDisabled("Double-click to add a fragment; drag sideways for depth, up for opacity.");
         return;
     }
@@ -226,7 +226,7 @@ void delete_marked(ExplorerState& state) {
     state.marked.reset();
 }
 
-// The ray as the mouse changed it in this frame, if it did.
+// The ray as the mouse changed it in this frame; nullopt if it did not.
 std::optional<ViewRay> RayEditor::edited(const EditorCanvas& canvas, const ViewRay& shown,
                                          ExplorerState& state) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -267,7 +267,7 @@ void RayEditor::draw_canvas(const Ui& ui, const Measurement& m, ExplorerState& s
     const auto shown = [&]() -> const ViewRay& { return state.ray ? *state.ray : m.capture.ray; };
     if (std::optional<ViewRay> ray = edited(canvas, shown(), state)) {
         if (!state.ray)
-            edit_ray(state, *std::move(ray));  // the first touch takes the ray off the scene
+            edit_ray(state, *std::move(ray));  // the first edit detaches the ray from the scene
         else
             state.ray = *std::move(ray);
         state.marked = held_;

@@ -15,7 +15,7 @@ namespace momentscope::ui {
 
 namespace {
 
-// A crosshair that is seen on any background.
+// Draws a crosshair that is visible on any background.
 void draw_crosshair_mark(ImDrawList& list, ImVec2 at, const Palette& colors) {
     const float scale = em() / 15;
     for (const auto& [tint, thickness] : {std::pair(colors.mark_edge, 3.5f), std::pair(colors.mark, 1.5f)}) {
@@ -27,7 +27,7 @@ void draw_crosshair_mark(ImDrawList& list, ImVec2 at, const Palette& colors) {
 }
 
 void draw_pin_mark(ImDrawList& list, ImVec2 at, std::size_t number, const Palette& colors) {
-    // The number stands beside the place, where the cross on a picked pixel does not hide it.
+    // Put the number beside the place, so that the crosshair of a picked pixel does not hide it.
     const float radius = 0.6f * em();
     const ImVec2 head = {at.x - 1.3f * em(), at.y - 1.3f * em()};
     list.AddLine(at, head, colors.mark_edge, 0.2f * em());
@@ -124,7 +124,7 @@ void ScenePanel::draw_tools(const Ui& ui, const Measurement& m, const ScenePictu
 void ScenePanel::draw_go_to(glm::ivec2 size, ExplorerState& state, std::string& message) {
     if (focus_go_to_) ImGui::SetKeyboardFocusHere();
     focus_go_to_ = false;
-    std::string typed;  // ImGui keeps what is typed until Enter; then one starts afresh
+    std::string typed;  // ImGui keeps the typed text until Enter; each entry starts empty
     if (!ImGui::InputTextWithHint("##goto", "go to x, y", &typed, ImGuiInputTextFlags_EnterReturnsTrue))
         return;
     const auto place = parse_place(typed);
@@ -154,7 +154,7 @@ glm::ivec2 ScenePanel::draw_controls(const Ui& ui, const Measurement& m, const S
     return {static_cast<int>(extent.x), static_cast<int>(extent.y)};
 }
 
-// What a press of the left button begins goes on until it is let go.
+// The action that a press of the left button begins continues until the button is released.
 void ScenePanel::handle_left(const Ui& ui, const Measurement& m, const ScenePicture& picture,
                              ExplorerState& state) {
     const ImGuiIO& io = ImGui::GetIO();
@@ -181,11 +181,11 @@ void ScenePanel::handle_left(const Ui& ui, const Measurement& m, const ScenePict
         pick(state, fraction_of(pixel, m.picture_size));
     } else if (drag_ == Drag::region) {
         const glm::ivec2 way = glm::abs(pixel - drag_from_);
-        if (way.x + way.y == 0) {  // a click forgets the region
+        if (way.x + way.y == 0) {  // a click removes the region
             state.compare.region.reset();
         } else {
             state.compare.region = region_between(drag_from_, pixel, m.picture_size);
-            state.panel = Panel::compare;  // where its numbers are
+            state.panel = Panel::compare;  // this panel shows its numbers
         }
     }
 }
@@ -193,7 +193,7 @@ void ScenePanel::handle_left(const Ui& ui, const Measurement& m, const ScenePict
 void ScenePanel::handle_mouse(const Ui& ui, const Measurement& m, const ScenePicture& picture,
                               ExplorerState& state) {
     const ImGuiIO& io = ImGui::GetIO();
-    if (state.ray || m.picture_size.x < 1) return;  // no picture to act on
+    if (state.ray || m.picture_size.x < 1) return;  // there is no picture to act on
     handle_left(ui, m, picture, state);
     Camera camera = state.camera.value_or(picture.scene_camera);
     const bool active = ImGui::IsItemActive();
@@ -229,7 +229,7 @@ void ScenePanel::draw_picture(const Ui& ui, const Measurement& m, const ScenePic
         return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(name));
     };
     list.PushClipRect(area.low, area.high, true);
-    // GL's first row is the lowest. While another scene is read the last picture may have another size.
+    // The first row in GL is the lowest. While another scene is read, the last picture may have another size.
     const auto draw_part = [&](unsigned name, float from, float to) {
         const float width = area.high.x - area.low.x;
         if (name == 0) return;

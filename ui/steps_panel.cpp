@@ -21,7 +21,7 @@ ImU32 blend(ImU32 from, ImU32 to, float share) {
     return ImGui::ColorConvertFloat4ToU32({mix(a.x, b.x), mix(a.y, b.y), mix(a.z, b.z), 1});
 }
 
-// Entries from -1 to 1: one hue each, stronger for greater ones, none for 0.
+// The colour of a matrix entry from -1 to 1: one hue for each sign, stronger for greater values, none for 0.
 ImU32 entry_color(const Ui& ui, double value) {
     const auto share = static_cast<float>(std::sqrt(std::min(std::abs(value), 1.0)));
     return blend(ui.colors.plot_background, value < 0 ? ui.colors.reconstruction : ui.colors.bounds,
@@ -62,14 +62,15 @@ void draw_matrix(const Ui& ui, const char* name, const MomentMatrix& matrix, boo
 }
 
 constexpr int KERNEL_SAMPLES = 240;
-constexpr double KERNEL_REACH = 1.25;  // beyond the depth range, where a node may lie
+constexpr double KERNEL_REACH = 1.25;  // beyond the depth range, because a node may lie there
 
 double kernel_depth(int sample) {
     return KERNEL_REACH * (2.0 * sample / (KERNEL_SAMPLES - 1) - 1);
 }
 
-// (z - z_f)^n K / K(z_f, z_f) over depth: it has the roots of the kernel and is finite everywhere. Drawn as
-// its signed n-th root, so that small bumps beside large ones show; scaled to [-1, 1].
+// (z - z_f)^n K / K(z_f, z_f) over depth: it has the roots of the kernel polynomial and is finite everywhere.
+// It is drawn as its signed n-th root, so that small bumps are visible beside large ones, and scaled to [-1,
+// 1].
 std::array<double, KERNEL_SAMPLES> kernel_samples(const Steps& steps) {
     std::array<double, KERNEL_SAMPLES> values{};
     double most = 1e-30;
@@ -120,7 +121,7 @@ void draw_kernel(const Ui& ui, const Steps& steps) {
         "The plot shows the n-th root of the polynomial, so that small bumps are visible.");
 }
 
-// Nodes on the unit circle, the wrapping zone as an arc.
+// Draws the nodes on the unit circle, and the wrapping zone as an arc.
 void draw_circle(const Ui& ui, const Steps& steps) {
     const float radius = 4.2f * em();
     const ImVec2 low = ImGui::GetCursorScreenPos();
