@@ -22,15 +22,15 @@ namespace {
 
 constexpr int MAX_BITS = 1'000'000;
 
-/// The rows of one scene, and what is needed to draw their pictures again.
+/// The rows of one scene, and everything that is needed to draw their pictures again.
 struct Evidence {
     std::vector<ChartRow> rows;
     glm::ivec2 size{0};
-    ParameterValues values;  // of every picture
+    ParameterValues values;  // parameters of all pictures
     Scene scene;
 };
 
-// "order=reversed order-seed=1 opacity=0.4", as a chart's settings have it.
+// Parses "order=reversed order-seed=1 opacity=0.4", the form in a chart's settings.
 ParameterValues values_of(const std::string& text) {
     ParameterValues values;
     for (std::size_t begin = 0; begin < text.size();) {
@@ -105,7 +105,7 @@ public:
     }
 
     void refuse_ignored() const override {
-        if (!chart_.empty()) return;  // takes no parameters at all, which it says itself
+        if (!chart_.empty()) return;  // --chart takes no parameters; run() says so
         refuse_ignored_parameters(
             parameters_,
             {.techniques = techniques_in(charted_configurations(techniques_, parameters_.over())),
@@ -217,7 +217,7 @@ private:
 
     std::string scene_ = STANDARD_SCENE;
     std::optional<double> max_error_;
-    AdviceBounds bounds_;  // but for the error
+    AdviceBounds bounds_;  // all bounds but the one on the error
     glm::ivec2 size_ = {320, 180};
     TechniqueIds techniques_;
     int rounds_ = 3;

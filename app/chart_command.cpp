@@ -23,7 +23,8 @@ namespace {
 std::vector<std::string> parse_scenes(const std::string& text) {
     std::vector<std::string> scenes;
     std::error_code code;
-    if (text != "all" && std::filesystem::exists(text, code)) return {text};  // a file whose name has commas
+    if (text != "all" && std::filesystem::exists(text, code))
+        return {text};  // a file whose name may have commas
     if (text == "all")
         for (const SceneEntry& entry : scene_entries()) scenes.emplace_back(entry.id);
     else
@@ -32,12 +33,12 @@ std::vector<std::string> parse_scenes(const std::string& text) {
     return scenes;
 }
 
-/// The rows of an earlier run that was ended, which has a file of its own beside the output.
+/// The rows of an earlier run that was stopped. They are in a file of their own beside the output.
 class UnfinishedChart {
 public:
     explicit UnfinishedChart(const std::string& output) {
         if (output.empty()) return;
-        constexpr std::size_t MAX_NAME = 200;  // bytes of 255, so that the file beside has a name, too
+        constexpr std::size_t MAX_NAME = 200;  // bytes; a name may have 255, and a suffix is added
         const std::filesystem::path path(output);
         path_ = path.parent_path() / (path.filename().string().substr(0, MAX_NAME) + ".partial");
     }
@@ -64,7 +65,7 @@ public:
         if (!path_.empty()) std::filesystem::remove(path_, ignored);
     }
 
-    /// What to say of rows when the run was ended.
+    /// The message about the finished rows after the run was stopped.
     std::string how_to_go_on(std::size_t rows) const {
         if (path_.empty())
             return "The chart was stopped before it was finished; with -o, finished rows are kept.";
@@ -79,7 +80,7 @@ private:
     std::filesystem::path path_;
 };
 
-// Empty when all scenes are built in.
+// Empty if all scenes are built in.
 std::vector<std::string> contents_of(const std::vector<std::string>& scenes, float opacity,
                                      Progress& progress) {
     std::vector<std::string> contents;
@@ -90,7 +91,7 @@ std::vector<std::string> contents_of(const std::vector<std::string>& scenes, flo
     return contents;
 }
 
-// The one that the plan means, although files may change while others are measured.
+// Loads the scene that the plan means. Fails if its file has changed while other scenes were measured.
 Scene planned_scene(const ChartPlan& plan, const std::string& id, float opacity, Progress& progress) {
     Scene scene = load_scene_and_warn(id, opacity, progress);
     const auto place = static_cast<std::size_t>(std::ranges::find(plan.scenes, id) - plan.scenes.begin());

@@ -79,7 +79,7 @@ const std::vector<Command> COMMANDS = {
     {"list", "print a registry", add_list, {"list techniques", "list parameters --format json"}},
 };
 
-/// All commands with their options. The window's options stand without a command, too.
+/// All commands with their options. The options of the window also work without the name of a command.
 struct CommandLine {
     CLI::App app{ABOUT, "momentscope"};
     std::unique_ptr<ParsedCommand> without_name;
@@ -147,7 +147,7 @@ std::span<const Command> command_rows() {
 int run_command_line(int argc, const char* const* argv) {
     occupy_closed_streams();
     end_cleanly_on_signals();
-    std::signal(SIGXFSZ, SIG_IGN);  // writing beyond the largest file allowed fails like on a full disk
+    std::signal(SIGXFSZ, SIG_IGN);  // writing beyond the file size limit then fails like on a full disk
     try {
         parse_and_run(argc, argv);
         return 0;
@@ -159,11 +159,11 @@ int run_command_line(int argc, const char* const* argv) {
         return fail(error.what());
     } catch (const std::bad_alloc&) {
         return fail("Memory ran out; try a smaller --size or a smaller scene.");
-    } catch (const std::system_error& error) {  // a thread, for instance
+    } catch (const std::system_error& error) {  // for instance, no thread can be started
         return fail(fmt::format(
             "The system refuses a resource that the program needs ({}); close other programs, or check limits.",
             error.code().message()));
-    } catch (const std::exception& error) {  // what nobody thought of must not end in a stack trace
+    } catch (const std::exception& error) {  // even an unforeseen exception ends with a sentence
         return fail(
             fmt::format("Something failed that should not fail: {}; please report it.", error.what()));
     }

@@ -30,7 +30,7 @@ bool is_parameter(const CLI::Option& option) {
     return find_parameter(option.get_name().substr(2)) != nullptr;
 }
 
-// A default that a command finds by itself stands in brackets at the end of the help.
+// Some commands compute a default themselves; it is in brackets at the end of the help.
 std::string row_of(const CLI::Option& option) {
     const bool positional = option.get_positional();
     std::string help = option.get_description();
@@ -44,7 +44,7 @@ std::string row_of(const CLI::Option& option) {
                        markdown_cell(value));
 }
 
-// "draw a scene" as a sentence.
+// Makes a sentence of a phrase such as "draw a scene".
 std::string sentence_of(std::string phrase) {
     phrase.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(phrase.front())));
     return phrase + ".";

@@ -24,7 +24,7 @@ namespace {
 
 PixelRegion parse_region(const std::string& text, const Image& image) {
     if (text.empty()) return {0, 0, image.width, image.height};
-    constexpr int MOST = 99'999;  // pixels, so that sums are safe
+    constexpr int MOST = 99'999;  // pixels; sums of two must not overflow
     std::vector<int> numbers;
     for (const std::string& part : split_list({text})) {
         const auto number = parse_number<int>(part);
@@ -41,7 +41,7 @@ PixelRegion parse_region(const std::string& text, const Image& image) {
     return region;
 }
 
-/// Draws the scene by techniques; made when the first one is asked for.
+/// Draws the scene with techniques; created when the first one is needed.
 class DrawnPictures {
 public:
     DrawnPictures(const std::string& scene, glm::ivec2 size, const ParameterValues& values,
@@ -62,7 +62,7 @@ private:
     glm::ivec2 size_;
     Scene scene_;
     std::unique_ptr<GlContext> context_;
-    std::unique_ptr<Renderer> renderer_;  // after the context that it needs
+    std::unique_ptr<Renderer> renderer_;  // declared after the context that it needs
 };
 
 // A single NaN would make every metric NaN.
@@ -71,7 +71,7 @@ void require_finite(const Image& image, const std::string& name) {
     if (!text.empty()) throw Error(fmt::format("{}; such pictures cannot be compared.", text));
 }
 
-// What the metrics, which look at colours alone, leave out.
+// A note about alpha, because the metrics compare only colours.
 std::string note_on_alpha(const Image& reference, const Image& test) {
     float most = 0, least = 1;
     for (std::size_t i = 0; i < reference.pixels.size(); ++i) {
@@ -84,9 +84,10 @@ std::string note_on_alpha(const Image& reference, const Image& test) {
         most);
 }
 
-// Before it is taken. Measured: what the planes of FLIP take, and the maps of the others.
+// Checks the memory in advance. The numbers of bytes were measured, for the planes of FLIP and the maps of
+// the other metrics.
 void require_room(const Image& image, const MetricRow* only) {
-    constexpr std::uintmax_t FLIP_BYTES = 224, OTHER_BYTES = 16;  // of a pixel
+    constexpr std::uintmax_t FLIP_BYTES = 224, OTHER_BYTES = 16;  // per pixel
     const bool flip = only == nullptr || only->id == Metric::flip;
     require_memory(image.pixels.size() * (flip ? FLIP_BYTES : OTHER_BYTES),
                    fmt::format("Comparing pictures of {}x{} by {}", image.width, image.height,
@@ -94,7 +95,7 @@ void require_room(const Image& image, const MetricRow* only) {
                    flip ? "make them smaller, or choose --metric rmse" : "make them smaller");
 }
 
-// Does a name mean a technique that draws the scene, and no file?
+// The technique of a name that stands for a drawn picture; nullptr for a file.
 const Technique* technique_named(const std::string& name) {
     return find_technique(name.substr(0, name.find(':')));
 }
@@ -144,7 +145,7 @@ public:
             require_writable(output_);
         }
         std::string text;
-        std::optional<Image> shown;  // of the differences
+        std::optional<Image> shown;  // the map of differences
         {
             Progress progress("Comparing");
             text = compared(progress, shown);
@@ -155,7 +156,7 @@ public:
     }
 
 private:
-    // What is to be said of them; `map` shows the differences of the one metric, where it is wanted.
+    // Returns the text to print. If a map is requested, `map` is set to the differences of the one metric.
     std::string compared(Progress& progress, std::optional<Image>& map) const {
         std::optional<DrawnPictures> drawn;
         const Image reference = picture(pictures_.at(0), drawn, progress);
@@ -194,7 +195,7 @@ private:
     std::vector<std::string> pictures_;
     std::string scene_ = STANDARD_SCENE;
     glm::ivec2 size_ = PICTURE_SIZE;
-    const MetricRow* metric_ = nullptr;  // all
+    const MetricRow* metric_ = nullptr;  // null: all
     std::string region_;
     std::string output_;
     ParameterOptions parameters_;

@@ -20,7 +20,7 @@ namespace momentscope {
 
 namespace {
 
-// From 0.5 to 4.
+// Accepts numbers from 0.5 to 4.
 float parse_scale(const std::string& text) {
     const auto scale = parse_number<float>(text);
     if (!scale || !(*scale >= 0.5f && *scale <= 4))
@@ -35,7 +35,7 @@ ui::ThemeKind parse_theme(const std::string& text) {
     throw Error(fmt::format("There is no theme '{}'; use dark or light.", text));
 }
 
-/// What both kinds of windows begin with.
+/// The start values of both kinds of windows.
 struct WindowStart {
     ui::ExplorerState state;
     glm::ivec2 size;
@@ -44,14 +44,14 @@ struct WindowStart {
     std::string log;
 };
 
-// --pixel counts in the scene's picture, whose size only a drawn frame knows.
+// --pixel refers to the scene's picture. Its size is known only after a frame.
 void pick_option(const PixelOption& pixel, ui::Explorer& explorer) {
     if (!pixel) return;
     const glm::ivec2 size = explorer.measurement().picture_size;
     explorer.state().picked = ui::fraction_of(pixel.within(size), size);
 }
 
-// A window, the explorer in it, and the loop that draws when there is something new to see.
+// A window with the explorer and the loop that draws when something has changed.
 class OpenWindow {
 public:
     explicit OpenWindow(const WindowStart& start)
@@ -82,11 +82,10 @@ private:
         return size;
     }
 
-    // False while it is minimised.
+    // False if the window is minimised.
     bool is_visible() const { return size().x > 0 && size().y > 0; }
 
-    // Waits for no longer than until the next frame is due. Whatever happens, whenever it is asked for, asks
-    // for frames.
+    // Waits until the next frame is due at the latest. Every event, whenever it comes, requests frames.
     void take_events() {
         if (!is_visible() || !need_.due(explorer_))
             glfwWaitEvents();
@@ -114,7 +113,7 @@ private:
         glfwSwapBuffers(context_->window());
     }
 
-    // Shown at once, in the midst of the frame that will take long.
+    // Shows the notice at once, in the middle of the frame that will take long.
     void say_drawing() {
         gui_.paint_over_last(size(), [this](ImDrawList& list) { explorer_.draw_waiting(list); });
         log_.line("drawing…");
@@ -170,7 +169,8 @@ public:
         parameters_.add_to(app);
     }
 
-    // The window keeps every parameter for the technique and the scene that one chooses there.
+    // Parameters are never ignored: the window keeps them for other techniques and scenes that the user may
+    // choose.
     void refuse_ignored() const override {
         refuse_ignored_options(
             app(), {{"--compare", !ray_.empty(), "together with --ray, because a view ray has no picture"}});
@@ -216,13 +216,13 @@ private:
         ui::ExplorerState state = session_.empty() ? state_of_options() : state_of_session();
         if (reference_ != nullptr) {
             state.compare.reference = reference_;
-            state.panel = ui::Panel::compare;  // where one sees that it was chosen
+            state.panel = ui::Panel::compare;  // this tab shows the choice
         }
         if (theme_) state.theme = *theme_;
         return state;
     }
 
-    // What else was typed goes over it.
+    // Typed parameters override those of the session.
     ui::ExplorerState state_of_session() const {
         ui::Session session = ui::read_session_file(session_);
         if (!session.ignored.empty())

@@ -34,7 +34,7 @@ constexpr const char* INTRODUCTION =
     "against `sorted` unless a row says something else. A row that ranks techniques agrees if its numbers fall from left to "
     "right.\n\n";
 
-/// Draws every setup once.
+/// Draws every setup only once.
 class RenderedShots : public RenderSource {
 public:
     const Image& picture(const RenderSetup& setup) override {
@@ -107,7 +107,7 @@ public:
         for (const Figure& figure : figures())
             if (all || &figure == &require_figure(figure_)) chosen.push_back(&figure);
         std::filesystem::path folder = absolute_path(output_).lexically_normal();
-        if (!folder.has_filename()) folder = folder.parent_path();  // a slash at its end
+        if (!folder.has_filename()) folder = folder.parent_path();  // the name ends in a slash
         std::error_code code;
         std::filesystem::create_directories(folder, code);
         if (code)
@@ -137,7 +137,7 @@ public:
             page += figure_section(figure, results, fmt::format("{}/{}", folder.filename().string(), name)) +
                     "\n";
             print(text_of(figure, results));
-            std::fflush(stdout);  // what is done is seen, however the rest ends
+            std::fflush(stdout);  // finished results are visible even if the rest fails
             ++done;
         }
         progress.show(chosen.size(), chosen.size());

@@ -1,6 +1,6 @@
 #include "app/gl_context.hpp"
 
-// glad first: it must see that no other header brought GL.
+// glad must come first, because it requires that no other header has included GL.
 #include <glad/gl.h>
 
 #include <GL/osmesa.h>
@@ -18,8 +18,8 @@ namespace momentscope {
 
 namespace {
 
-/// The functions of OSMesa, which is loaded when a picture is drawn without a window: it brings LLVM, which
-/// takes 50 ms to load.
+/// The functions of OSMesa. The library is loaded only when a picture is drawn without a window, because
+/// loading it with LLVM takes 50 ms.
 struct OsMesa {
     decltype(&OSMesaCreateContextAttribs) create_context;
     decltype(&OSMesaMakeCurrent) make_current;
@@ -28,7 +28,7 @@ struct OsMesa {
 };
 
 OsMesa load_osmesa() {
-    void* const library = ::dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);  // until the process ends
+    void* const library = ::dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);  // never unloaded
     const auto function = [&](const char* name) {
         void* const found = library != nullptr ? ::dlsym(library, name) : nullptr;
         if (found == nullptr)

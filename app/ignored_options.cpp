@@ -16,7 +16,7 @@ bool contains(const Range& ids, ParameterId id) {
     return std::ranges::find(ids, id) != ids.end();
 }
 
-// An empty text means that the parameter is read.
+// Returns an empty text if the parameter is read.
 std::string why_ignored(ParameterId id, const ParameterReading& reading, const ParameterValues& values) {
     if (contains(reading.others, id)) return "";
     if (std::ranges::any_of(reading.techniques, [&](const Technique* t) { return t->uses(id); })) return "";
@@ -88,7 +88,7 @@ void refuse_empty_values(CLI::App& command) {
                 [](const std::string& value) { return std::string(value.empty() ? "has no value" : ""); });
 }
 
-// CLI11 takes "--renormalize=" for "--renormalize".
+// CLI11 treats "--renormalize=" like "--renormalize".
 void refuse_empty_assignments(int argc, const char* const* argv) {
     for (int i = 1; i < argc; ++i) {
         const std::string_view word = argv[i];

@@ -24,11 +24,11 @@ namespace {
 
 constexpr int MAX_SAMPLES = 1'000'000;
 
-/// What is inspected: a pixel, or what lights it.
+/// What is inspected: a pixel, or the light that reaches it.
 struct Subject {
     PixelCapture capture;
     std::optional<LightView> light;
-    CastLight cast = {};  // of the light
+    CastLight cast = {};  // the ray of the light through all triangles
 };
 
 enum class Format { json, csv, table };
@@ -53,7 +53,7 @@ std::vector<float> parse_depths(const std::string& text) {
     return depths;
 }
 
-// nullopt for what is seen of the pixel.
+// nullopt: the visible surface of the pixel.
 std::optional<std::size_t> parse_receiver(const std::string& text, const ViewRay& ray) {
     if (text.empty()) return std::nullopt;
     if (text == "surface") return OPAQUE_SURFACE;
@@ -77,7 +77,7 @@ std::string text_of_light(const LightView& light, const CastLight& cast) {
         cast.shadowed ? "it meets an opaque caster" : fmt::format("{:.4f}", cast.transmittance), v.sentence);
 }
 
-// One line for each technique, below a table of curves.
+// One line for each technique, printed below a table of curves.
 std::string text_of_breakdowns(const PixelCapture& capture, const std::vector<Curve>& curves) {
     std::string text;
     for (const Curve& curve : curves)

@@ -33,7 +33,7 @@ public:
         const RunTable table = merge_shards(files);
         if (!ends_in(output_, ".csv"))
             for (const auto& file : files)
-                chart_of(read_run_table(file), file.string());  // names what is damaged
+                chart_of(read_run_table(file), file.string());  // throws if a file is damaged
         write_chart(table, metric_, output_);
         print(fmt::format("{} rows in {}\n", table.rows.size(), one_line(output_)));
     }

@@ -19,7 +19,7 @@ namespace momentscope {
 namespace {
 
 struct NeededMap {
-    Image picture;  // by sorted fragments
+    Image picture;  // drawn with `sorted`
     std::vector<PixelNeed> pixels;
 };
 
@@ -132,7 +132,7 @@ private:
     std::string scene_ = STANDARD_SCENE;
     glm::ivec2 size_ = {320, 180};
     std::string basis_ = "power";
-    bool json_ = false;  // is what is printed JSON, and no table?
+    bool json_ = false;  // whether to print JSON instead of a table
     std::string output_;
     ParameterOptions parameters_;
 };

@@ -177,7 +177,7 @@ Scene load_scene_visibly(const std::string& id_or_path, float opacity, Progress&
             progress.show_stage(std::filesystem::path(id_or_path).filename().string() + ": " + what);
         });
     } catch (const Error&) {
-        progress.require_finished();  // or it was ended
+        progress.require_finished();  // reports the stop if the user stopped it
         throw;
     }
     progress.show_stage("");
@@ -196,7 +196,7 @@ Scene load_scene_and_warn(const std::string& id_or_path, const ParameterValues& 
 
 std::vector<std::string> scene_files(const std::string& text) {
     if (text == "all" || is_builtin_scene(text)) return {};
-    std::vector<std::string> files = {text};  // whose name may have commas
+    std::vector<std::string> files = {text};  // the name of a file may contain commas
     for (const std::string& scene : split_list({text}))
         if (!is_builtin_scene(scene)) files.push_back(scene);
     return files;

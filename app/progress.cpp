@@ -22,19 +22,19 @@ namespace {
 constexpr int SIGNALS[] = {SIGINT, SIGTERM};
 using Clock = std::chrono::steady_clock;
 
-// The signal that came. A handler may do no more than set this.
+// The signal that arrived. A handler may do little more than set this.
 std::atomic<int> interrupting = 0;
 static_assert(std::atomic<int>::is_always_lock_free);
 
 void interrupt(int signal) {
-    if (interrupting.exchange(signal) != 0) end_by_signal(signal);  // nobody waits twice
+    if (interrupting.exchange(signal) != 0) end_by_signal(signal);  // the second signal
 }
 
 double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-// A longer line would not be taken back by the next one.
+// A longer line would wrap, and the next line could not replace it.
 std::size_t columns_of(int terminal) {
     constexpr std::size_t USUAL = 80, FEWEST = 20;
     winsize size{};
@@ -58,7 +58,7 @@ Progress::Progress(std::string what, std::function<std::string()> farewell)
     interrupting = 0;
     for (std::size_t i = 0; i < handlers_.size(); ++i) {
         handlers_[i] = std::signal(SIGNALS[i], interrupt);
-        if (handlers_[i] == SIG_IGN) std::signal(SIGNALS[i], SIG_IGN);  // as under nohup
+        if (handlers_[i] == SIG_IGN) std::signal(SIGNALS[i], SIG_IGN);  // keep it ignored, as under nohup
     }
     watcher_ = std::jthread([this](const std::stop_token& end) { watch(end); });
 }
@@ -86,8 +86,8 @@ void Progress::watch(const std::stop_token& end) {
     }
 }
 
-// Nothing is lost by it: what was done was written when it was done, and whatever the program holds goes with
-// it, down to the process that reads a mesh.
+// Nothing is lost: finished parts were written when they were finished, and all resources end with the
+// program, including the process that reads a mesh.
 void Progress::cut_off(const std::stop_token& end) {
     const FileWriting none_is_written;
     const std::scoped_lock lock(mutex_);

@@ -37,7 +37,8 @@ const char* preset_name(const Technique& technique, const Trial& trial) {
     return trial.value == technique.moments().robust_bias ? "  (preset robust)" : "";
 }
 
-// One table per parameter. What exact arithmetic on the stored moments fails, no solver mends.
+// One table per parameter. Failures of exact arithmetic on the stored moments cannot be avoided by any
+// solver.
 void print_trials(const Technique& technique, const TuneResult& result) {
     for (const ParameterId id : {ParameterId::alpha, ParameterId::theta, ParameterId::beta}) {
         if (!technique.uses(id)) continue;
@@ -154,7 +155,7 @@ private:
         return scene_rays(tuning);
     }
 
-    // Pixels on a grid, which see the scene evenly.
+    // The rays of all pixels of a small picture, which cover the scene evenly.
     std::vector<ViewRay> scene_rays(const TuneOptions& tuning) const {
         Progress progress("Looking at the scene");
         const Scene scene = load_scene_and_warn(scene_, tuning.values, progress);
