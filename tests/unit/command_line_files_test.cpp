@@ -1,4 +1,4 @@
-// command_line_files_test.cpp -- what commands do to files: nothing is lost, and nobody is told otherwise.
+// command_line_files_test.cpp -- how commands treat files: nothing is lost, and failures are reported.
 #include "app/end_by_signal.hpp"
 #include "core/output_file.hpp"
 #include "tests/unit/command_line_fixture.hpp"
@@ -23,7 +23,7 @@ protected:
     }
 };
 
-// What prints without OpenGL; tests/faults/full_disk.py has all commands.
+// Commands that print without OpenGL; tests/faults/full_disk.py has all commands.
 constexpr const char* PRINTING[] = {"--help",
                                     "stress --help",
                                     "list commands",
@@ -41,7 +41,7 @@ TEST_F(CommandLineFiles, WhatCannotBePrintedIsAFailure) {
     }
 }
 
-// A file that is opened takes the lowest free number, which may be that of the output.
+// An opened file gets the lowest free number, which could be that of standard output.
 TEST_F(CommandLineFiles, WhatIsPrintedGetsIntoNoFile) {
     const auto closed = [] {
         ::close(STDIN_FILENO);
@@ -61,7 +61,7 @@ TEST_F(CommandLineFiles, ASignalRemovesWhatIsHalfWritten) {
             static int sent = 0;
             sent = signal;
             end_cleanly_on_signals();
-            std::signal(SIGXFSZ, [](int) { ::raise(sent); });  // comes when the first half is written
+            std::signal(SIGXFSZ, [](int) { ::raise(sent); });  // SIGXFSZ comes when the first half is written
             const rlimit half = {500, 500};
             ::setrlimit(RLIMIT_FSIZE, &half);
             write_file(std::string(1000, 'x'), folder_ / "out/a.txt");
@@ -153,7 +153,7 @@ TEST_F(CommandLineFiles, ScreenshotsOfEventsReplacePicturesAlone) {
     EXPECT_EQ(content_of(folder_ / "ray.json"), ray);
 }
 
-// The same name, another mesh: its rows are not those of the first one.
+// The same name, but another mesh: the rows of the first mesh must not be used.
 TEST_F(CommandLineFiles, AChartGoesOnWithTheSameMeshAlone) {
     const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     const std::string chart = "chart --scene m.obj --size 16x9 --repeat 1 --technique wboit -o ";

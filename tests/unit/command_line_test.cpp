@@ -1,5 +1,5 @@
-// command_line_test.cpp -- the program itself: each wrong input fails with one line, each right one prints or
-// writes.
+// command_line_test.cpp -- tests the program itself: each wrong input fails with one line, and each right one
+// prints or writes.
 #include "core/techniques/technique.hpp"
 #include "tests/unit/command_line_fixture.hpp"
 
@@ -296,7 +296,7 @@ TEST_F(CommandLine, InspectTakesTheSamplesAndWritesTheFile) {
               root);  // a failure keeps the old file
 }
 
-// Not forked, but started, as users start it.
+// The program is started like by a user, not forked.
 TEST_F(CommandLine, TheProgramIsWhatIsTestedHere) {
     const std::string program = std::string("cd '") + folder_.string() + "' && '" + MOMENTSCOPE_BINARY + "' ";
     EXPECT_EQ(std::system((program + "list techniques >started.txt").c_str()), 0);
@@ -312,7 +312,7 @@ TEST_F(CommandLine, HelpSucceedsAndNamesEveryParameter) {
         EXPECT_NE(help.find(std::string("--") + row.key + " "), std::string::npos) << row.key;
 }
 
-// docs/cli.md is what the program knows of itself.
+// docs/cli.md must equal the program's own description.
 TEST_F(CommandLine, HasItsPage) {
     std::ifstream file("docs/cli.md");
     std::stringstream text;
