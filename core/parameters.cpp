@@ -112,7 +112,7 @@ const std::array<Parameter, PARAMETER_COUNT> ROWS = {{
      "How many fragments a pixel stores separately.", "Salvi and Vaidyanathan 2014"},
     {ParameterId::layer_bits, "layer-bits", "bits", "bits per number", "", 0.0f, 2.0f, 0.0f, Scale::choice,
      Stage::moments,
-     "How a layer is stored: colour in half floats, depth and transmittance in 16 bits; all but depth in 8 bits; or all "
+     "How a layer is stored: colour in half floats, depth and transmittance in 16 bits; all except depth in 8 bits; or all "
      "in floats, without rounding.",
      "Münstermann et al. 2018, supplementary, Table 3", CHOICE_NAMES<LayerBits>},
     {ParameterId::samples, "pixel-samples", "S", "samples", "", 1.0f, 64.0f, 8.0f, Scale::whole,

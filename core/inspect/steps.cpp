@@ -94,7 +94,7 @@ StepText matrix_text(const Steps& s) {
     return {
         fmt::format("3  {}", name),
         fmt::format(
-            "Entry i, j is {}. With fewer surfaces than rows, its smallest eigenvalue is zero but for rounding; "
+            "Entry i, j is {}. With fewer surfaces than rows, its smallest eigenvalue is zero except for rounding; "
             "bias keeps it above zero (Algorithm {}).",
             entry, circle ? 2 : 1),
         matrix_numbers("before bias", s.before) + "\n" + matrix_numbers("after bias", s.after)};
