@@ -22,15 +22,15 @@ namespace {
 
 constexpr int MAX_BITS = 1'000'000;
 
-/// The rows of one scene, and what is needed to draw their pictures again.
+/// The rows of one scene, and everything that is needed to draw their pictures again.
 struct Evidence {
     std::vector<ChartRow> rows;
     glm::ivec2 size{0};
-    ParameterValues values;  // of every picture
+    ParameterValues values;  // parameters of all pictures
     Scene scene;
 };
 
-// "order=reversed order-seed=1 opacity=0.4", as a chart's settings have it.
+// Parses "order=reversed order-seed=1 opacity=0.4", the form in a chart's settings.
 ParameterValues values_of(const std::string& text) {
     ParameterValues values;
     for (std::size_t begin = 0; begin < text.size();) {
@@ -40,7 +40,7 @@ ParameterValues values_of(const std::string& text) {
         const Parameter* row = find_parameter(setting.substr(0, equals));
         if (row == nullptr || equals == std::string_view::npos)
             throw Error(
-                fmt::format("The chart has a parameter '{}' that this version does not know; make it "
+                fmt::format("The chart has a parameter '{}' that this version does not know; make the chart "
                             "again.",
                             setting));
         values.set(row->id, parse_parameter(*row, setting.substr(equals + 1)));
@@ -80,30 +80,32 @@ public:
             return add_parsed<std::optional<double>>(
                 app, name, value, help, [what](const std::string& text) { return parse_bound(text, what); });
         };
-        bound("--max-error", "greatest error against sorted", "greatest error", max_error_)->required();
+        bound("--max-error", "greatest error against sorted that is accepted", "greatest error", max_error_)
+            ->required();
         add_metric(app, bounds_.metric, "of the error: rmse, delta-e or flip [rmse]");
         add_parsed<std::optional<int>>(app, "--max-bits", bounds_.max_bits,
-                                       "most bits per pixel beside the colour buffers",
+                                       "greatest number of bits per pixel, without the colour buffers",
                                        [](const std::string& text) {
                                            return parse_count(text, "number of bits per pixel", 1, MAX_BITS);
                                        });
-        bound("--max-ms", "longest time of a technique's passes in milliseconds", "time in milliseconds",
+        bound("--max-ms", "longest time of the passes of a technique in milliseconds", "time in milliseconds",
               bounds_.max_ms);
         app.add_flag("--order-independent", bounds_.order_independent,
-                     "leave out what depends on the order of submission");
+                     "leave out techniques that depend on the order of submission");
         CLI::Option* size = add_size(app, size_);
         add_techniques(app, techniques_,
                        "ids of techniques, or single configurations such as at:nodes=8 [all]");
         CLI::Option* rounds = add_rounds(app, rounds_);
-        app.add_option("--chart", chart_, "rows of a .csv of momentscope chart instead of new ones")
+        app.add_option("--chart", chart_,
+                       "a .csv of momentscope chart, whose rows are used instead of new ones")
             ->excludes(size, rounds);
         app.add_option("-o,--output", output_,
-                       "where to write the recipe as .json, which --session of the window opens");
+                       "where to write the recipe as .json; explore --session opens it");
         parameters_.add_to(app);
     }
 
     void refuse_ignored() const override {
-        if (!chart_.empty()) return;  // takes no parameters at all, which it says itself
+        if (!chart_.empty()) return;  // --chart takes no parameters; run() says so
         refuse_ignored_parameters(
             parameters_,
             {.techniques = techniques_in(charted_configurations(techniques_, parameters_.over())),
@@ -125,7 +127,7 @@ public:
         ui::require_session_name(scene_);
         if (!output_.empty()) {
             if (!ends_in(output_, ".json"))
-                throw Error(fmt::format("A recipe is a .json; '{}' is not.", output_));
+                throw Error(fmt::format("A recipe is a .json file; '{}' is not.", output_));
             require_writable(output_);
         }
         const Evidence evidence = chart_.empty() ? measured_evidence() : read_evidence();
@@ -149,13 +151,13 @@ private:
     Evidence read_evidence() const {
         if (!parameters_.empty())
             throw Error(
-                "The rows of a chart have the parameters they were measured with; give none, or leave "
+                "The rows of a chart keep the parameters they were measured with; give no parameters, or leave "
                 "--chart out.");
         const Chart chart = chart_of(read_run_table(chart_), chart_);
         const std::string shard = setting(chart.settings, run_setting::SHARD);
         if (shard != shard_text({}))
             throw Error(fmt::format(
-                "'{}' is the shard {} of a chart; give what momentscope merge makes of all.", chart_, shard));
+                "'{}' is only shard {} of a chart; merge all shards with momentscope merge.", chart_, shard));
         Evidence evidence = {{},
                              parse_size(setting(chart.settings, "size")),
                              values_of(setting(chart.settings, "parameters")),
@@ -166,15 +168,15 @@ private:
         });
         if (found != scenes.end()) evidence.rows.assign(found->begin(), found->end());
         if (evidence.rows.empty())
-            throw Error(fmt::format("'{}' has no rows of the scene '{}', but of {}; chart that scene, too.",
+            throw Error(fmt::format("'{}' has no rows of the scene '{}', only of {}; chart that scene, too.",
                                     chart_, scene_, setting(chart.settings, "scenes")));
         Progress progress("Advice");
         evidence.scene = load_scene_and_warn(scene_, evidence.values, progress);
         const auto place = static_cast<std::size_t>(found - scenes.begin());
         const std::string content = charted_content(chart.settings, place);
         if (!content.empty() && content != scene_content(evidence.scene))
-            throw Error(fmt::format(
-                "The mesh file '{}' is another one than '{}' was made of; chart it again.", scene_, chart_));
+            throw Error(fmt::format("The mesh file '{}' has changed since '{}' was made; chart it again.",
+                                    scene_, chart_));
         if (techniques_.empty()) return evidence;
         std::vector<std::string> wanted;
         for (const Configuration& one : charted_configurations(techniques_, evidence.values))
@@ -215,7 +217,7 @@ private:
 
     std::string scene_ = STANDARD_SCENE;
     std::optional<double> max_error_;
-    AdviceBounds bounds_;  // but for the error
+    AdviceBounds bounds_;  // all bounds but the one on the error
     glm::ivec2 size_ = {320, 180};
     TechniqueIds techniques_;
     int rounds_ = 3;

@@ -23,7 +23,8 @@ namespace {
 std::vector<std::string> parse_scenes(const std::string& text) {
     std::vector<std::string> scenes;
     std::error_code code;
-    if (text != "all" && std::filesystem::exists(text, code)) return {text};  // a file whose name has commas
+    if (text != "all" && std::filesystem::exists(text, code))
+        return {text};  // a file whose name may have commas
     if (text == "all")
         for (const SceneEntry& entry : scene_entries()) scenes.emplace_back(entry.id);
     else
@@ -32,12 +33,12 @@ std::vector<std::string> parse_scenes(const std::string& text) {
     return scenes;
 }
 
-/// The rows of an earlier run that was ended, which has a file of its own beside the output.
+/// The rows of an earlier run that was stopped. They are in a file of their own beside the output.
 class UnfinishedChart {
 public:
     explicit UnfinishedChart(const std::string& output) {
         if (output.empty()) return;
-        constexpr std::size_t MAX_NAME = 200;  // bytes of 255, so that the file beside has a name, too
+        constexpr std::size_t MAX_NAME = 200;  // bytes; a name may have 255, and a suffix is added
         const std::filesystem::path path(output);
         path_ = path.parent_path() / (path.filename().string().substr(0, MAX_NAME) + ".partial");
     }
@@ -49,7 +50,7 @@ public:
         table = read_run_table(path_);
         if (const auto difference = difference_of(table.settings, settings))
             throw Error(fmt::format(
-                "'{}' is an unfinished chart of another run: {}; finish that one, remove the file, "
+                "'{}' is an unfinished chart of another run: {}; finish that run, remove the file, "
                 "or give another -o.",
                 path_.string(), *difference));
         return table;
@@ -64,21 +65,22 @@ public:
         if (!path_.empty()) std::filesystem::remove(path_, ignored);
     }
 
-    /// What to say of rows when the run was ended.
+    /// The message about the finished rows after the run was stopped.
     std::string how_to_go_on(std::size_t rows) const {
         if (path_.empty())
-            return "The chart was ended before it was done; with -o its rows would have been kept.";
-        if (rows == 0) return "The chart was ended before its first rows were done; nothing was written.";
+            return "The chart was stopped before it was finished; with -o, finished rows are kept.";
+        if (rows == 0)
+            return "The chart was stopped before its first rows were finished; nothing was written.";
         return fmt::format(
-            "The chart was ended; {} rows are kept in '{}', and the same command goes on from there.", rows,
-            path_.string());
+            "The chart was stopped; {} rows are kept in '{}', and the same command continues from there.",
+            rows, path_.string());
     }
 
 private:
     std::filesystem::path path_;
 };
 
-// Empty when all scenes are built in.
+// Empty if all scenes are built in.
 std::vector<std::string> contents_of(const std::vector<std::string>& scenes, float opacity,
                                      Progress& progress) {
     std::vector<std::string> contents;
@@ -89,13 +91,13 @@ std::vector<std::string> contents_of(const std::vector<std::string>& scenes, flo
     return contents;
 }
 
-// The one that the plan means, although files may change while others are measured.
+// Loads the scene that the plan means. Fails if its file has changed while other scenes were measured.
 Scene planned_scene(const ChartPlan& plan, const std::string& id, float opacity, Progress& progress) {
     Scene scene = load_scene_and_warn(id, opacity, progress);
     const auto place = static_cast<std::size_t>(std::ranges::find(plan.scenes, id) - plan.scenes.begin());
     if (!plan.contents.empty() && plan.contents[place] != scene_content(scene))
         throw Error(
-            fmt::format("The mesh file '{}' was changed while the chart was made; make it again.", id));
+            fmt::format("The mesh file '{}' changed while the chart was made; make the chart again.", id));
     return scene;
 }
 
@@ -133,26 +135,28 @@ public:
         add_metric(app, metric_, "error of drawings: rmse, delta-e or flip [rmse]");
         add_shard(app, shard_);
         app.footer(
-            "With --shadows: what shadows of transparent casters cost, in .csv or .md, for --shadow-technique [fourier-7, "
-            "fourier-15, power4-32 and power6-32] and --shadow-size [1024 and 2048].");
-        app.add_option("-o,--output", output_,
-                       ".csv, .md, .svg, .html or .png; the same command goes on where an ended one stopped");
+            "With --shadows the chart measures the cost of shadows of transparent casters and writes .csv or .md. It reads "
+            "--shadow-technique [fourier-7, fourier-15, power4-32 and power6-32] and --shadow-size [1024 and 2048].");
+        app.add_option(
+            "-o,--output", output_,
+            ".csv, .md, .svg, .html or .png; a command that was stopped continues when it is run again");
         parameters_.add_to(app);
     }
 
     void refuse_ignored() const override {
         const ParameterValues values = parameters_.over();
         if (values.is_on(ParameterId::shadows)) {
-            const char* shadows = "beside --shadows, whose chart has one error and no shards";
-            refuse_ignored_options(app(),
-                                   {{"--metric", true, shadows},
-                                    {"--shard", true, shadows},
-                                    {"--technique", true, "beside --shadows; give --shadow-technique"}});
+            const char* shadows = "together with --shadows, because that chart has one error and no shards";
+            refuse_ignored_options(
+                app(),
+                {{"--metric", true, shadows},
+                 {"--shard", true, shadows},
+                 {"--technique", true, "together with --shadows, where --shadow-technique takes its place"}});
             return refuse_ignored_parameters(
                 parameters_, {.techniques = {}, .picture = true, .mesh = has_mesh_file(scenes_)});
         }
-        refuse_ignored_options(app(),
-                               {{"--metric", ends_in(output_, ".csv"), "in a .csv, which has all metrics"}});
+        refuse_ignored_options(
+            app(), {{"--metric", ends_in(output_, ".csv"), "in a .csv, because it has all metrics"}});
         refuse_ignored_parameters(parameters_,
                                   {.techniques = techniques_in(charted_configurations(techniques_, values)),
                                    .picture = true,
@@ -168,7 +172,8 @@ public:
         const std::filesystem::path path = output_;
         if (!path.empty()) require_chart_output(path);
         if (shard_.count > 1 && path.extension() != ".csv")
-            throw Error("A shard is a part of a table; give -o a name that ends in .csv.");
+            throw Error(
+                "A shard is a part of a table; give -o a name that ends in .csv, and merge the shards later.");
         const UnfinishedChart unfinished(output_);
         const RunTable table = measured(plan(), unfinished);
         if (path.empty()) {

@@ -31,7 +31,7 @@ void write_chart_picture(const Chart& chart, Metric metric, const std::filesyste
         size = {std::max(size.x, CHART_SCALE * drawing.size.x), size.y + CHART_SCALE * drawing.size.y};
     }
     if (size.y < 1 || size.y > MAX_SIDE)
-        throw Error(fmt::format("A picture of {} scenes cannot be drawn; write .svg or .html instead.",
+        throw Error(fmt::format("A picture of {} scenes cannot be drawn; write a .svg or .html file instead.",
                                 drawings.size()));
     const glm::ivec2 pixels(size);
     const auto context = make_gl_context("osmesa", pixels);
@@ -53,7 +53,7 @@ void write_chart_picture(const Chart& chart, Metric metric, const std::filesyste
 void require_chart_output(const std::filesystem::path& path) {
     const std::string kind = path.extension().string();
     if (kind != ".csv" && kind != ".md" && kind != ".svg" && kind != ".html" && kind != ".png")
-        throw Error(fmt::format("'{}' is none of .csv, .md, .svg, .html and .png; give -o such a name.",
+        throw Error(fmt::format("'{}' does not end in .csv, .md, .svg, .html or .png; give -o such a name.",
                                 path.string()));
     require_writable(path);
 }

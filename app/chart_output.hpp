@@ -1,4 +1,4 @@
-// chart_output.hpp -- files of a chart, by their extension.
+// chart_output.hpp -- writes the files of a chart; the extension chooses the kind.
 #pragma once
 #include <filesystem>
 
@@ -10,8 +10,8 @@ namespace momentscope {
 /// Throws Error unless the path ends in .csv, .md, .svg, .html or .png and can be written.
 void require_chart_output(const std::filesystem::path& path);
 
-/// Writes the table as what the extension says; `metric` is the error of drawings and fronts. Throws Error
-/// when the table is none of chart, unless it is copied as .csv.
+/// Writes the table as the kind of file that the extension names. `metric` is the error of drawings and
+/// fronts. Throws Error if the table does not come from chart, except when it is copied as .csv.
 void write_chart(const RunTable& table, Metric metric, const std::filesystem::path& path);
 
 }  // namespace momentscope

@@ -1,4 +1,4 @@
-// command.hpp -- the registry of commands of the command line: --help, docs/cli.md and the dispatch follow
+// command.hpp -- the registry of commands of the command line. --help, docs/cli.md and the dispatch are built
 // from it.
 #pragma once
 #include <CLI/CLI.hpp>
@@ -10,15 +10,15 @@
 
 namespace momentscope {
 
-/// The files that a command was told of, so that none is lost: those it reads, and those it writes with the
-/// option that names them.
+/// The files that the user named for a command: the files it reads, and the files it writes, each with the
+/// option that names it. The check against overwriting inputs uses them.
 struct FileUse {
     std::vector<std::string> inputs = {};
     std::vector<std::pair<const char*, std::string>> outputs = {};
 };
 
-/// A command with its own options, which its constructor adds to CLI11; they have their values once the words
-/// are parsed. All functions throw Error.
+/// A command with its own options. The constructor adds the options to CLI11, and parsing the words sets
+/// their values. All functions throw Error.
 class ParsedCommand {
 public:
     explicit ParsedCommand(CLI::App& app) : app_(app) {}
@@ -26,7 +26,7 @@ public:
     ParsedCommand(const ParsedCommand&) = delete;  // CLI11 writes into the members
     ParsedCommand& operator=(const ParsedCommand&) = delete;
 
-    /// Throws Error if an option was typed that would change nothing beside the others.
+    /// Throws Error if the user gave an option that has no effect together with the other options.
     virtual void refuse_ignored() const {}
     virtual FileUse files() const { return {}; }
     virtual void run() const = 0;
@@ -38,15 +38,15 @@ private:
     CLI::App& app_;
 };
 
-/// One row: a command and what it is for.
+/// One row: a command and its purpose.
 struct Command {
     const char* name;
-    const char* help;  // a phrase
+    const char* help;  // a phrase, not a sentence
     std::unique_ptr<ParsedCommand> (*add)(CLI::App& app);
-    std::vector<const char*> examples;  // what to type behind "momentscope"
+    std::vector<const char*> examples;  // the words after "momentscope"
 };
 
-/// In the order of --help. The first one runs where no command is named.
+/// In the order of --help. The first command runs if the user names none.
 std::span<const Command> command_rows();
 
 // add_render and the like: each in a file of its own.

@@ -31,7 +31,7 @@ const std::vector<Command> COMMANDS = {
 #undef EXAMPLES
 };
 
-/// All commands with their options. The window's options stand without a command, too.
+/// All commands with their options. The options of the window also work without the name of a command.
 struct CommandLine {
     CLI::App app{ABOUT, "momentscope"};
     std::unique_ptr<ParsedCommand> without_name;
@@ -58,7 +58,7 @@ void refuse_window_options_before(const CLI::App& app, const std::string& comman
     for (const CLI::Option* option : app.get_options())
         if (option->count() > 0)
             throw Error(fmt::format(
-                "{} stands before '{}', where it belongs to the window; write it after the command.",
+                "{} stands before '{}' and would apply to the window; write it after the command.",
                 option->get_name(), command));
 }
 
@@ -79,7 +79,7 @@ void parse_and_run(int argc, const char* const* argv) {
         print(text.str());
         return require_printed();
     } catch (const CLI::ParseError& error) {
-        throw Error(fmt::format("{}; momentscope --help lists what there is.", error.what()));
+        throw Error(fmt::format("{}; momentscope --help lists commands and options.", error.what()));
     }
     const auto chosen = app.get_subcommands();
     refuse_empty_switches(chosen.empty() ? app : *chosen.front());
@@ -99,7 +99,7 @@ std::span<const Command> command_rows() {
 int run_command_line(int argc, const char* const* argv) {
     occupy_closed_streams();
     end_cleanly_on_signals();
-    std::signal(SIGXFSZ, SIG_IGN);  // writing beyond the largest file allowed fails like on a full disk
+    std::signal(SIGXFSZ, SIG_IGN);  // writing beyond the file size limit then fails like on a full disk
     try {
         parse_and_run(argc, argv);
         return 0;
@@ -111,12 +111,13 @@ int run_command_line(int argc, const char* const* argv) {
         return fail(error.what());
     } catch (const std::bad_alloc&) {
         return fail("Memory ran out; try a smaller --size or a smaller scene.");
-    } catch (const std::system_error& error) {  // a thread, for instance
+    } catch (const std::system_error& error) {  // for instance, no thread can be started
         return fail(fmt::format(
-            "The system refuses what the program needs ({}); close other programs, or check limits.",
+            "The system refuses a resource that the program needs ({}); close other programs, or check limits.",
             error.code().message()));
-    } catch (const std::exception& error) {  // what nobody thought of must not end in a stack trace
-        return fail(fmt::format("Something failed that should not: {}; please report it.", error.what()));
+    } catch (const std::exception& error) {  // even an unforeseen exception ends with a sentence
+        return fail(
+            fmt::format("Something failed that should not fail: {}; please report it.", error.what()));
     }
 }
 

@@ -17,19 +17,20 @@ constexpr const char* INTRODUCTION =
     "# Command line\n\n"
     "Written by `momentscope list options --format markdown`. The program is `build/release/momentscope`; examples call it "
     "`momentscope`.\n\n"
-    "- `--scene` takes the id of a scene or a mesh file (OBJ, PLY, glTF, 3DS and whatever else Assimp reads, "
+    "- `--scene` takes the id of a scene or a mesh file (OBJ, PLY, glTF, 3DS and other formats that Assimp reads, "
     "[meshes.md](meshes.md)).\n"
-    "- `--ray` takes a view ray, `--session` what the window saved ([rays.md](rays.md)), `--events` mouse and keyboard "
-    "([events.md](events.md)).\n"
-    "- An option that would change nothing is refused. So are outputs that the command would read.\n"
-    "- Everything that goes wrong is told in one sentence, with exit code 1, and leaves existing files as they were.\n"
-    "- Ctrl+C ends a command in order and says what there is of its work.\n";
+    "- `--ray` takes a file with a view ray, `--session` a file that the window saved ([rays.md](rays.md)), and `--events` a "
+    "file with mouse and keyboard events ([events.md](events.md)).\n"
+    "- An option that would change nothing is refused. So is an output file that the command also reads.\n"
+    "- If anything goes wrong, the program says so in one sentence, ends with exit code 1 and leaves existing files as they "
+    "were.\n"
+    "- Ctrl+C stops a command cleanly and says how much of its work is kept.\n";
 
 bool is_parameter(const CLI::Option& option) {
     return find_parameter(option.get_name().substr(2)) != nullptr;
 }
 
-// A default that a command finds by itself stands in brackets at the end of the help.
+// Some commands compute a default themselves; it is in brackets at the end of the help.
 std::string row_of(const CLI::Option& option) {
     const bool positional = option.get_positional();
     std::string help = option.get_description();
@@ -43,7 +44,7 @@ std::string row_of(const CLI::Option& option) {
                        markdown_cell(value));
 }
 
-// "draw a scene" as a sentence.
+// Makes a sentence of a phrase such as "draw a scene".
 std::string sentence_of(std::string phrase) {
     phrase.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(phrase.front())));
     return phrase + ".";
@@ -58,14 +59,15 @@ std::string section_of(const CLI::App& app, const Command& command) {
     for (const CLI::Option* option : options)
         if (!is_parameter(*option) && option->get_name() != "--help") text += row_of(*option);
     if (std::ranges::any_of(options, [](const CLI::Option* o) { return is_parameter(*o); }))
-        text += "| [parameters](#parameters) | those that the chosen techniques and pictures read | |\n";
+        text +=
+            "| [parameters](#parameters) | the parameters that the chosen techniques and pictures read | |\n";
     return text;
 }
 
 std::string parameter_section() {
     std::string text =
         "\n## Parameters\n\n"
-        "Every slider of the window is an option. `momentscope list parameters --format markdown` also tells symbols.\n\n"
+        "Every slider of the window is an option. `momentscope list parameters --format markdown` also lists the symbols.\n\n"
         "| option | values | default | what it does |\n|---|---|---|---|\n";
     for (const Parameter& row : parameters())
         text += fmt::format("| `--{}` | {} | {} | {} |\n", row.key, markdown_cell(parameter_values_text(row)),

@@ -24,7 +24,7 @@ namespace {
 
 PixelRegion parse_region(const std::string& text, const Image& image) {
     if (text.empty()) return {0, 0, image.width, image.height};
-    constexpr int MOST = 99'999;  // pixels, so that sums are safe
+    constexpr int MOST = 99'999;  // pixels; sums of two must not overflow
     std::vector<int> numbers;
     for (const std::string& part : split_list({text})) {
         const auto number = parse_number<int>(part);
@@ -32,7 +32,7 @@ PixelRegion parse_region(const std::string& text, const Image& image) {
     }
     if (numbers.size() != 4 || split_list({text}).size() != 4)
         throw Error(
-            fmt::format("'{}' is not a region; give x,y,width,height in pixels, as 10,20,64,48.", text));
+            fmt::format("'{}' is not a region; give x,y,width,height in pixels, such as 10,20,64,48.", text));
     const PixelRegion region = {numbers[0], numbers[1], numbers[2], numbers[3]};
     if (region.width < 1 || region.height < 1 || region.x + region.width > image.width ||
         region.y + region.height > image.height)
@@ -41,7 +41,7 @@ PixelRegion parse_region(const std::string& text, const Image& image) {
     return region;
 }
 
-/// Draws the scene by techniques; made when the first one is asked for.
+/// Draws the scene with techniques; created when the first one is needed.
 class DrawnPictures {
 public:
     DrawnPictures(const std::string& scene, glm::ivec2 size, const ParameterValues& values,
@@ -62,7 +62,7 @@ private:
     glm::ivec2 size_;
     Scene scene_;
     std::unique_ptr<GlContext> context_;
-    std::unique_ptr<Renderer> renderer_;  // after the context that it needs
+    std::unique_ptr<Renderer> renderer_;  // declared after the context that it needs
 };
 
 // A single NaN would make every metric NaN.
@@ -71,7 +71,7 @@ void require_finite(const Image& image, const std::string& name) {
     if (!text.empty()) throw Error(fmt::format("{}; such pictures cannot be compared.", text));
 }
 
-// What the metrics, which look at colours alone, leave out.
+// A note about alpha, because the metrics compare only colours.
 std::string note_on_alpha(const Image& reference, const Image& test) {
     float most = 0, least = 1;
     for (std::size_t i = 0; i < reference.pixels.size(); ++i) {
@@ -80,14 +80,14 @@ std::string note_on_alpha(const Image& reference, const Image& test) {
     }
     if (least >= 1 && most == 0) return "";
     return fmt::format(
-        "alpha: colours are compared as they are stored, whatever their alpha, which differs by {:.6g} at "
-        "most.",
+        "alpha: colours are compared as stored, regardless of their alpha values, which differ by at most {:.6g}.",
         most);
 }
 
-// Before it is taken. Measured: what the planes of FLIP take, and the maps of the others.
+// Checks the memory in advance. The numbers of bytes were measured, for the planes of FLIP and the maps of
+// the other metrics.
 void require_room(const Image& image, const MetricRow* only) {
-    constexpr std::uintmax_t FLIP_BYTES = 224, OTHER_BYTES = 16;  // of a pixel
+    constexpr std::uintmax_t FLIP_BYTES = 224, OTHER_BYTES = 16;  // per pixel
     const bool flip = only == nullptr || only->id == Metric::flip;
     require_memory(image.pixels.size() * (flip ? FLIP_BYTES : OTHER_BYTES),
                    fmt::format("Comparing pictures of {}x{} by {}", image.width, image.height,
@@ -95,7 +95,7 @@ void require_room(const Image& image, const MetricRow* only) {
                    flip ? "make them smaller, or choose --metric rmse" : "make them smaller");
 }
 
-// Does a name mean a technique that draws the scene, and no file?
+// The technique of a name that stands for a drawn picture; nullptr for a file.
 const Technique* technique_named(const std::string& name) {
     return find_technique(name.substr(0, name.find(':')));
 }
@@ -105,14 +105,15 @@ public:
     explicit Compare(CLI::App& app) : ParsedCommand(app) {
         app.add_option(
                "pictures", pictures_,
-               "reference and test: picture files, or techniques that draw the scene, as at or at:nodes=8")
+               "reference and test: picture files, or techniques that draw the scene, such as at or at:nodes=8")
             ->required()
             ->expected(2);
         add_scene(app, scene_);
         add_size(app, size_);
-        add_parsed<const MetricRow*>(app, "--metric", metric_, "rmse, delta-e or flip; all if left out",
+        add_parsed<const MetricRow*>(app, "--metric", metric_, "rmse, delta-e or flip [all]",
                                      [](const std::string& key) { return &require_metric(key); });
-        app.add_option("--region", region_, "x,y,width,height to average over, instead of all");
+        app.add_option("--region", region_,
+                       "x,y,width,height of the region to average over [the whole picture]");
         app.add_option("-o,--output", output_, "where to write a map of the metric as .png");
         parameters_.add_to(app);
     }
@@ -137,13 +138,14 @@ public:
 
     void run() const override {
         if (!output_.empty()) {
-            if (metric_ == nullptr) throw Error("A map shows one metric; give --metric beside -o.");
+            if (metric_ == nullptr)
+                throw Error("A map shows a single metric; give --metric together with -o.");
             if (!ends_in(output_, ".png"))
-                throw Error("A map of differences ends in .png; give -o such a name.");
+                throw Error("A map of differences is a .png file; give -o such a name.");
             require_writable(output_);
         }
         std::string text;
-        std::optional<Image> shown;  // of the differences
+        std::optional<Image> shown;  // the map of differences
         {
             Progress progress("Comparing");
             text = compared(progress, shown);
@@ -154,7 +156,7 @@ public:
     }
 
 private:
-    // What is to be said of them; `map` shows the differences of the one metric, where it is wanted.
+    // Returns the text to print. If a map is requested, `map` is set to the differences of the one metric.
     std::string compared(Progress& progress, std::optional<Image>& map) const {
         std::optional<DrawnPictures> drawn;
         const Image reference = picture(pictures_.at(0), drawn, progress);
@@ -176,7 +178,7 @@ private:
             text += fmt::format("{:<32}{:.6g}\n", fmt::format("{} ({})", row.name, row.key), mean);
             if (output_.empty()) continue;
             map = false_color(differences, reference.width, reference.height, row.full_scale);
-            text += fmt::format("map: black is 0, the brightest {:g} and more\n", row.full_scale);
+            text += fmt::format("map: black is 0, the brightest colour is {:g} and more\n", row.full_scale);
         }
         if (const std::string note = note_on_alpha(reference, test); !note.empty()) text += note + "\n";
         return text;
@@ -193,7 +195,7 @@ private:
     std::vector<std::string> pictures_;
     std::string scene_ = STANDARD_SCENE;
     glm::ivec2 size_ = PICTURE_SIZE;
-    const MetricRow* metric_ = nullptr;  // all
+    const MetricRow* metric_ = nullptr;  // null: all
     std::string region_;
     std::string output_;
     ParameterOptions parameters_;

@@ -14,9 +14,9 @@ constexpr int CRASHES[] = {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT};
 
 std::atomic<const char*> said = nullptr;
 static_assert(std::atomic<const char*>::is_always_lock_free);
-alignas(16) char crash_stack[1 << 16];  // a crash may be a full stack
+alignas(16) char crash_stack[1 << 16];  // the crash may be a stack overflow
 
-// A signal handler may do no more than write and end.
+// A signal handler may do little more than write and exit.
 void write_text(const char* text) {
     [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text, std::strlen(text));
 }

@@ -1,14 +1,14 @@
-// crash_sentence.hpp -- what a user reads when a library crashes: a sentence instead of nothing.
+// crash_sentence.hpp -- prints a sentence when a library crashes, instead of nothing.
 #pragma once
 
 namespace momentscope {
 
-/// From now on a crash ends the program with this sentence and exit code 1; with nullptr it does what it does
-/// otherwise. Returns what would have been said before. With AddressSanitizer, which tells more, nothing
-/// changes.
+/// From now on, a crash prints this sentence and ends the program with exit code 1; nullptr restores the
+/// normal behaviour. Returns the previous sentence. With AddressSanitizer, which reports more, it has no
+/// effect.
 const char* say_on_crash(const char* sentence);
 
-/// The same while it lives.
+/// Sets the sentence during its lifetime.
 class CrashSentence {
 public:
     explicit CrashSentence(const char* sentence) : before_(say_on_crash(sentence)) {}

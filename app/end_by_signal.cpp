@@ -19,10 +19,10 @@ void end_by_signal(int signal) {
     sigset_t one;
     ::sigemptyset(&one);
     ::sigaddset(&one, signal);
-    ::pthread_sigmask(SIG_UNBLOCK, &one, nullptr);  // a handler's own signal is blocked
+    ::pthread_sigmask(SIG_UNBLOCK, &one, nullptr);  // the signal is blocked in its own handler
     ::kill(::getpid(), signal);
-    ::_exit(128 +
-            signal);  // not reached, but where the signal cannot end a process, as in a container's first
+    // Reached only if the signal cannot end this process, such as the first process of a container.
+    ::_exit(128 + signal);
 }
 
 }  // namespace momentscope

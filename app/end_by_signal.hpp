@@ -1,14 +1,14 @@
-// end_by_signal.hpp -- Ctrl+C and the like end the program as ever, but leave no half-written file behind.
+// end_by_signal.hpp -- Ctrl+C and similar signals end the program as usual, but leave no half-written file.
 #pragma once
 
 namespace momentscope {
 
-/// From now on SIGINT, SIGTERM and SIGHUP remove what write_file has begun before they end the program. One
-/// that is ignored, as under nohup, stays so.
+/// From now on SIGINT, SIGTERM and SIGHUP first remove the unfinished file of write_file and then end the
+/// program. A signal that is ignored, for instance under nohup, stays ignored.
 void end_cleanly_on_signals();
 
-/// Removes it and ends the program by that signal, which is what whoever waits for it sees. Handlers of
-/// signals may call it.
+/// Removes the unfinished file and ends the program by this signal, so that the waiting process sees the
+/// signal. Signal handlers may call it.
 [[noreturn]] void end_by_signal(int signal);
 
 }  // namespace momentscope

@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::uintmax_t MAX_EVENT_BYTES = 16U << 20;
 constexpr std::uintmax_t MAX_EXPECTED_BYTES = 1U << 20;
-constexpr std::size_t MAX_WORDS = 16;  // an event has fewer; what follows means nothing
+constexpr std::size_t MAX_WORDS = 16;  // an event has fewer; further words have no meaning
 constexpr int DRAG_STEPS = 8;
 
 std::vector<std::string> words_of(const std::string& line) {
@@ -56,7 +56,7 @@ nlohmann::json expected_value(const std::string& text) {
     try {
         return parse_bounded_json(text, {.bytes = MAX_EXPECTED_BYTES});
     } catch (const Error&) {
-        return text;  // a bare word is a text
+        return text;  // a word without quotes is a string
     }
 }
 
@@ -118,7 +118,7 @@ void EventPlayer::drag(ImVec2 from, ImVec2 to, int which) {
 }
 
 void EventPlayer::key(const std::string& name, bool down) {
-    if (name == "Ctrl" || name == "Shift") {  // for a click with a key held
+    if (name == "Ctrl" || name == "Shift") {  // so that a click can have a held key
         (name == "Ctrl" ? ImGui::GetIO().KeyCtrl : ImGui::GetIO().KeyShift) = down;
         return window_.settle();
     }
@@ -130,7 +130,7 @@ void EventPlayer::key(const std::string& name, bool down) {
     io.KeyCtrl = down && shortcut->ctrl;
     io.KeyShift = down && shortcut->shift;
     if (shortcut->key != 0) io.KeysDown[shortcut->key] = down;
-    // A keyboard also sends the character.
+    // A real keyboard also sends the character.
     if (down && shortcut->character != 0) io.AddInputCharacter(static_cast<unsigned>(shortcut->character));
     const bool letter = shortcut->key > ' ' && shortcut->key < 128;
     if (down && letter && !shortcut->ctrl) {
@@ -140,7 +140,7 @@ void EventPlayer::key(const std::string& name, bool down) {
     window_.settle();
 }
 
-// Only frames that are needed are drawn; the next one is that much later.
+// Draws only the frames that are needed; the next one comes after this time.
 void EventPlayer::wait(double seconds) {
     const long before = window_.log().frames();
     window_.idle();
@@ -148,13 +148,13 @@ void EventPlayer::wait(double seconds) {
     window_.log().line(fmt::format("waited {:g} s: {} frames", seconds, window_.log().frames() - before));
 }
 
-// It replaces an older picture, as events that are played again must, but nothing else.
+// It may replace an older picture, because events are played repeatedly, but no other file.
 void EventPlayer::screenshot(const std::string& path) const {
     if (std::filesystem::path(path).extension() != ".png")
-        throw Error(fmt::format("a screenshot is a .png; '{}' is not", path));
+        throw Error(fmt::format("a screenshot is a .png file; '{}' is not", path));
     for (const std::string& file : kept_)
         if (same_file(path, file))
-            throw Error(fmt::format("'{}' is a file of this command line; give another name", path));
+            throw Error(fmt::format("'{}' is already used by this command line; give another name", path));
     window_.write_png(path);
 }
 
@@ -166,7 +166,7 @@ void EventPlayer::expect(const std::string& pointer, const std::string& value) c
     try {
         found = session.at(nlohmann::json::json_pointer(pointer));
     } catch (const nlohmann::json::exception&) {
-        throw Error(fmt::format("there is no '{}' in a session", pointer));
+        throw Error(fmt::format("a session has no '{}'", pointer));
     }
     const bool close =
         found.is_number() && wanted.is_number() &&

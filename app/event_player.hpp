@@ -1,4 +1,4 @@
-// event_player.hpp -- replays mouse and keyboard from a text file: docs/events.md.
+// event_player.hpp -- replays mouse and keyboard events from a text file: docs/events.md.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -11,17 +11,17 @@ namespace momentscope {
 
 class EventPlayer {
 public:
-    /// Screenshots are not taken into `kept` files.
+    /// Screenshots never overwrite the files in `kept`.
     explicit EventPlayer(HeadlessWindow& window, std::vector<std::string> kept = {})
         : window_(window), kept_(std::move(kept)) {}
 
-    /// Plays events line by line; each is drawn before the next. Throws Error that names the line.
+    /// Plays the events line by line and draws each one before the next. Throws Error with the line.
     void play(const std::string& text);
     void play_file(const std::filesystem::path& path);
 
 private:
     void play_line(const std::string& line);
-    bool play_mouse(const std::vector<std::string>& words);  // false when it is no such event
+    bool play_mouse(const std::vector<std::string>& words);  // false if it is another event
     bool play_keyboard(const std::vector<std::string>& words, const std::string& rest);
     void move(ImVec2 to);
     void button(int which, bool down);

@@ -20,12 +20,12 @@ namespace momentscope {
 
 namespace {
 
-// From 0.5 to 4.
+// Accepts numbers from 0.5 to 4.
 float parse_scale(const std::string& text) {
     const auto scale = parse_number<float>(text);
     if (!scale || !(*scale >= 0.5f && *scale <= 4))
-        throw Error(
-            fmt::format("'{}' is not a scale of the window's text; give --ui-scale from 0.5 to 4.", text));
+        throw Error(fmt::format(
+            "'{}' is not a scale for the window's text; give --ui-scale a number from 0.5 to 4.", text));
     return *scale;
 }
 
@@ -35,7 +35,7 @@ ui::ThemeKind parse_theme(const std::string& text) {
     throw Error(fmt::format("There is no theme '{}'; use dark or light.", text));
 }
 
-/// What both kinds of windows begin with.
+/// The start values of both kinds of windows.
 struct WindowStart {
     ui::ExplorerState state;
     glm::ivec2 size;
@@ -44,14 +44,14 @@ struct WindowStart {
     std::string log;
 };
 
-// --pixel counts in the scene's picture, whose size only a drawn frame knows.
+// --pixel refers to the scene's picture. Its size is known only after a frame.
 void pick_option(const PixelOption& pixel, ui::Explorer& explorer) {
     if (!pixel) return;
     const glm::ivec2 size = explorer.measurement().picture_size;
     explorer.state().picked = ui::fraction_of(pixel.within(size), size);
 }
 
-// A window, the explorer in it, and the loop that draws when there is something new to see.
+// A window with the explorer and the loop that draws when something has changed.
 class OpenWindow {
 public:
     explicit OpenWindow(const WindowStart& start)
@@ -82,11 +82,10 @@ private:
         return size;
     }
 
-    // False while it is minimised.
+    // False if the window is minimised.
     bool is_visible() const { return size().x > 0 && size().y > 0; }
 
-    // Waits for no longer than until the next frame is due. Whatever happens, whenever it is asked for, asks
-    // for frames.
+    // Waits until the next frame is due at the latest. Every event, whenever it comes, requests frames.
     void take_events() {
         if (!is_visible() || !need_.due(explorer_))
             glfwWaitEvents();
@@ -114,7 +113,7 @@ private:
         glfwSwapBuffers(context_->window());
     }
 
-    // Shown at once, in the midst of the frame that will take long.
+    // Shows the notice at once, in the middle of the frame that will take long.
     void say_drawing() {
         gui_.paint_over_last(size(), [this](ImDrawList& list) { explorer_.draw_waiting(list); });
         log_.line("drawing…");
@@ -147,31 +146,34 @@ public:
         CLI::Option* scene = add_scene(app, scene_);
         add_size(app, size_);
         CLI::Option* pixel =
-            app.add_option("--pixel", pixel_.text, "picked pixel of the scene's picture, as 320,200");
+            app.add_option("--pixel", pixel_.text, "picked pixel of the scene's picture, such as 320,200");
         CLI::Option* ray =
-            app.add_option("--ray", ray_, "JSON file of a view ray, instead of a pixel of a scene");
+            app.add_option("--ray", ray_, "JSON file with a view ray, instead of a pixel of a scene");
         ray->excludes(scene, pixel);
         CLI::Option* techniques = add_techniques(
             app, techniques_,
-            "ids of techniques (momentscope list techniques); those after the first are only plotted");
+            "ids of techniques (momentscope list techniques); all after the first are only plotted");
         add_parsed<const Technique*>(app, "--compare", reference_,
                                      "id of the technique that the picture is compared with [sorted]",
                                      [](const std::string& id) { return &require_technique(id); });
-        app.add_option("--session", session_, "JSON file that the window saved, to go on from there")
+        app.add_option("--session", session_, "JSON file that the window saved, to continue from there")
             ->excludes(scene, ray, techniques);
         app.add_flag("--headless", headless_, "draw without a display");
         app.add_option("--screenshot", screenshot_, "with --headless: where to write the window as .png");
-        app.add_option("--events", events_, "with --headless: file of mouse and keyboard events to replay");
-        app.add_option("--log", log_, "where to write which frames were drawn and what they computed");
+        app.add_option("--events", events_, "with --headless: file with mouse and keyboard events to replay");
+        app.add_option("--log", log_,
+                       "where to write a log of the frames that were drawn and what they computed");
         add_parsed<float>(app, "--ui-scale", scale_, "size of the window's text, 0.5 to 4", parse_scale)
             ->default_str("1");
         add_parsed<std::optional<ui::ThemeKind>>(app, "--theme", theme_, "dark or light [dark]", parse_theme);
         parameters_.add_to(app);
     }
 
-    // The window keeps every parameter for the technique and the scene that one chooses there.
+    // Parameters are never ignored: the window keeps them for other techniques and scenes that the user may
+    // choose.
     void refuse_ignored() const override {
-        refuse_ignored_options(app(), {{"--compare", !ray_.empty(), "beside --ray, which has no picture"}});
+        refuse_ignored_options(
+            app(), {{"--compare", !ray_.empty(), "together with --ray, because a view ray has no picture"}});
     }
 
     FileUse files() const override {
@@ -183,18 +185,18 @@ public:
     void run() const override {
         if (headless_) return run_headless();
         if (!screenshot_.empty() || !events_.empty())
-            throw Error("--screenshot and --events need --headless; add it.");
+            throw Error("--screenshot and --events work only with --headless; add it.");
         OpenWindow({initial_state(), size_, scale_, pixel_, log_}).run();
     }
 
 private:
     void run_headless() const {
         if (screenshot_.empty() && events_.empty())
-            throw Error("--headless draws into a file; add --screenshot FILE.png, or --events FILE.");
+            throw Error("--headless has no window to show; add --screenshot FILE.png, or --events FILE.");
         if (!screenshot_.empty()) {
             require_writable(screenshot_);
             if (!ends_in(screenshot_, ".png"))
-                throw Error(fmt::format("A screenshot is a .png; '{}' is not.", screenshot_));
+                throw Error(fmt::format("A screenshot is a .png file; '{}' is not.", screenshot_));
         }
         FrameLog log(log_);
         HeadlessWindow window(size_, initial_state(), {.scale = scale_, .show_times = false}, log);
@@ -214,17 +216,17 @@ private:
         ui::ExplorerState state = session_.empty() ? state_of_options() : state_of_session();
         if (reference_ != nullptr) {
             state.compare.reference = reference_;
-            state.panel = ui::Panel::compare;  // where one sees that it was chosen
+            state.panel = ui::Panel::compare;  // this tab shows the choice
         }
         if (theme_) state.theme = *theme_;
         return state;
     }
 
-    // What else was typed goes over it.
+    // Typed parameters override those of the session.
     ui::ExplorerState state_of_session() const {
         ui::Session session = ui::read_session_file(session_);
         if (!session.ignored.empty())
-            warn(fmt::format("The session has what this version does not know: {}.",
+            warn(fmt::format("The session has keys that this version does not know: {}.",
                              fmt::join(session.ignored, ", ")));
         session.state.parameters = parameters_.over(session.state.parameters);
         return session.state;

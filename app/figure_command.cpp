@@ -28,12 +28,13 @@ namespace {
 constexpr glm::ivec2 SIZE(480, 270);
 constexpr const char* INTRODUCTION =
     "# The papers' figures, with our scenes\n\n"
-    "Written by `momentscope figure all -o docs/figures`. Each figure replays named settings; beside it stands what the "
-    "paper says about its own, and what was measured of ours. Our scenes are not copies of the papers' assets, so it is the "
-    "order of techniques that can agree, not their numbers. Errors are root mean squares of linear colour at 480x270 "
-    "against `sorted` unless a row says something else; where a row ranks, it agrees if its numbers fall from left to right.\n\n";
+    "Written by `momentscope figure all -o docs/figures`. Each figure is drawn with fixed settings. The table below it lists "
+    "what the paper says about its figure and what was measured for ours. Our scenes are not copies of the papers' assets, so "
+    "only the order of techniques can agree, not the numbers. Errors are root mean squares of linear colour at 480x270 "
+    "against `sorted` unless a row says something else. A row that ranks techniques agrees if its numbers fall from left to "
+    "right.\n\n";
 
-/// Draws every setup once.
+/// Draws every setup only once.
 class RenderedShots : public RenderSource {
 public:
     const Image& picture(const RenderSetup& setup) override {
@@ -106,18 +107,19 @@ public:
         for (const Figure& figure : figures())
             if (all || &figure == &require_figure(figure_)) chosen.push_back(&figure);
         std::filesystem::path folder = absolute_path(output_).lexically_normal();
-        if (!folder.has_filename()) folder = folder.parent_path();  // a slash at its end
+        if (!folder.has_filename()) folder = folder.parent_path();  // the name ends in a slash
         std::error_code code;
         std::filesystem::create_directories(folder, code);
         if (code)
-            throw Error(fmt::format("The folder '{}' cannot be made: {}; give another -o.", folder.string(),
-                                    code.message()));
+            throw Error(fmt::format("The folder '{}' cannot be created: {}; give another -o.",
+                                    folder.string(), code.message()));
         std::atomic<std::size_t> done = 0;
         Progress progress("Drawing figures", [&] {
             if (done == 0)
-                return std::string("Drawing figures was ended before it was done; nothing was written.");
+                return std::string(
+                    "Drawing figures was stopped before the first picture; nothing was written.");
             return fmt::format(
-                "Drawing figures was ended; {} of {} pictures are in '{}', and the page was not written.",
+                "Drawing figures was stopped; {} of {} pictures are in '{}', but the page was not written.",
                 done.load(), chosen.size(), folder.string());
         });
         const auto context = make_gl_context("osmesa", MAX_FIGURE_SIZE);
@@ -135,7 +137,7 @@ public:
             page += figure_section(figure, results, fmt::format("{}/{}", folder.filename().string(), name)) +
                     "\n";
             print(text_of(figure, results));
-            std::fflush(stdout);  // what is done is seen, however the rest ends
+            std::fflush(stdout);  // finished results are visible even if the rest fails
             ++done;
         }
         progress.show(chosen.size(), chosen.size());

@@ -19,7 +19,7 @@ constexpr int COLUMNS = 3;
 const ImVec2 PLOT(560, 400);
 const ImVec2 PICTURE(480, 270);
 
-/// What one panel draws; a texture or a measured ray.
+/// The content of one panel: a texture or a measured ray.
 struct Drawn {
     const FigurePanel* panel;
     GlTexture texture;
@@ -66,7 +66,7 @@ void write_figure_picture(GuiSession& gui, const Figure& figure, RenderSource& s
     ui::WidgetRects widget_rects;
     const ui::Ui ui{ui::palette(ui::ThemeKind::light), widget_rects};
     glm::ivec2 size = MAX_FIGURE_SIZE;
-    for (int frame = 0; frame < 2; ++frame) {  // the first one measures
+    for (int frame = 0; frame < 2; ++frame) {  // the first frame measures the size
         gui.begin_frame(size);
         ImGui::SetNextWindowPos({0, 0});
         ImGui::SetNextWindowSize({static_cast<float>(size.x), static_cast<float>(size.y)});

@@ -1,4 +1,4 @@
-// figure_picture.hpp -- a figure's panels side by side as one .png.
+// figure_picture.hpp -- draws the panels of a figure side by side into a .png.
 #pragma once
 #include <filesystem>
 
@@ -7,11 +7,11 @@
 
 namespace momentscope {
 
-/// The greatest picture that is drawn; the GL's default framebuffer must be as large.
+/// The greatest size of a figure; the default framebuffer of the GL must be as large.
 constexpr glm::ivec2 MAX_FIGURE_SIZE(1800, 1400);
 constexpr float FIGURE_SCALE = 1.0f;  // of fonts
 
-/// Draws with the window's own plot and fonts. Throws Error.
+/// Draws with the plot and the fonts of the window. Throws Error.
 void write_figure_picture(GuiSession& gui, const Figure& figure, RenderSource& setups,
                           const std::filesystem::path& path);
 

@@ -30,11 +30,12 @@ void FrameLog::frame(const ui::Explorer& explorer) {
                      changes(explorer)));
 }
 
-// What the frame's input did to the state, by its pointers in a session, and to lists and menus.
+// What the input of the frame changed in the state, as paths in a session, and whether lists or menus opened
+// or closed.
 std::string FrameLog::changes(const ui::Explorer& explorer) {
     std::string text;
     if (state_ && !(*state_ == explorer.state())) {
-        std::set<std::string> paths;  // an array has one for each element
+        std::set<std::string> paths;  // an array has one path for each element
         for (const auto& step : nlohmann::ordered_json::diff(ui::session_to_json(*state_),
                                                              ui::session_to_json(explorer.state())))
             paths.insert(step["path"].get<std::string>());
@@ -54,13 +55,14 @@ void FrameLog::line(const std::string& text) {
         return;
     }
     if (!file_.is_open()) file_.open(path_, std::ios::binary);
-    file_ << text << std::endl;  // flushed, so that a running window can be watched
+    file_ << text << std::endl;  // flushed, so that the log of a running window can be watched
 }
 
 void FrameLog::require_written() {
     if (replaces_) return write_file(held_, path_);
     if (!path_.empty() && !file_)
-        throw Error(fmt::format("The log '{}' could not be written; free space, or write elsewhere.", path_));
+        throw Error(
+            fmt::format("The log '{}' could not be written; free some space, or write it elsewhere.", path_));
 }
 
 }  // namespace momentscope

@@ -1,4 +1,4 @@
-// frame_need.hpp -- when the window must be drawn: after input, and while what is shown lags behind the
+// frame_need.hpp -- decides when the window must be drawn: after input, and while the window lags behind the
 // state.
 #pragma once
 #include "ui/explorer.hpp"
@@ -7,13 +7,13 @@ namespace momentscope {
 
 class FrameNeed {
 public:
-    /// ImGui needs a few frames to lay out, and until a field that a key opened takes what is typed next.
+    /// ImGui needs a few frames for its layout, and until a field that a key opened accepts typed text.
     static constexpr int SETTLING_FRAMES = 5;
 
     void input() { left_ = SETTLING_FRAMES; }
     void drawn() { left_ = left_ > 0 ? left_ - 1 : 0; }
 
-    /// Do frames follow the last input?
+    /// Are frames still due after the last input?
     bool settling() const { return left_ > 0; }
     bool due(const ui::Explorer& explorer) const { return settling() || explorer.wants_frame(); }
 

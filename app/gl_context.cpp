@@ -1,6 +1,6 @@
 #include "app/gl_context.hpp"
 
-// glad first: it must see that no other header brought GL.
+// glad must come first, because it requires that no other header has included GL.
 #include <glad/gl.h>
 
 #include <GL/osmesa.h>
@@ -18,8 +18,8 @@ namespace momentscope {
 
 namespace {
 
-/// The functions of OSMesa, which is loaded when a picture is drawn without a window: it brings LLVM, which
-/// takes 50 ms to load.
+/// The functions of OSMesa. The library is loaded only when a picture is drawn without a window, because
+/// loading it with LLVM takes 50 ms.
 struct OsMesa {
     decltype(&OSMesaCreateContextAttribs) create_context;
     decltype(&OSMesaMakeCurrent) make_current;
@@ -28,7 +28,7 @@ struct OsMesa {
 };
 
 OsMesa load_osmesa() {
-    void* const library = ::dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);  // until the process ends
+    void* const library = ::dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);  // never unloaded
     const auto function = [&](const char* name) {
         void* const found = library != nullptr ? ::dlsym(library, name) : nullptr;
         if (found == nullptr)
@@ -74,7 +74,7 @@ public:
             osmesa().make_current(context_, pixels_.data(), GL_UNSIGNED_BYTE, size.x, size.y) == GL_FALSE ||
             gladLoadGL(osmesa().get_address) == 0)
             throw Error(
-                "OSMesa gives no OpenGL 4.5 context; install libosmesa6 22 or newer, or give the program more memory.");
+                "OSMesa does not provide OpenGL 4.5; install libosmesa6 22 or newer, or give the program more memory.");
     }
     ~OsMesaContext() override { osmesa().destroy_context(context_); }
     OsMesaContext(const OsMesaContext&) = delete;
@@ -89,15 +89,14 @@ class GlfwContext : public GlContext {
 public:
     explicit GlfwContext(glm::ivec2 size) {
         if (glfwInit() == GLFW_FALSE)
-            throw Error(
-                "There is no display to open a window on; use --headless --screenshot FILE.png instead.");
+            throw Error("There is no display for a window; use --headless --screenshot FILE.png instead.");
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
         glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
         window_ = glfwCreateWindow(size.x, size.y, "Momentscope", nullptr, nullptr);
         if (window_ == nullptr) {
             glfwTerminate();
-            throw Error("This display gives no OpenGL 4.5 window; update its driver, or use --headless.");
+            throw Error("This display does not provide OpenGL 4.5; update its driver, or use --headless.");
         }
         glfwMakeContextCurrent(window_);
         glfwSwapInterval(1);

@@ -1,4 +1,4 @@
-// headless_window.hpp -- the real window's content without a display.
+// headless_window.hpp -- the content of the real window without a display.
 #pragma once
 #include <memory>
 
@@ -11,34 +11,34 @@ namespace momentscope {
 
 class HeadlessWindow {
 public:
-    /// Throws Error when there is no GL, or when the first scene cannot be shown.
+    /// Throws Error if there is no GL, or if the first scene cannot be shown.
     HeadlessWindow(glm::ivec2 size, const ui::ExplorerState& state, ui::ExplorerOptions options,
                    FrameLog& log);
 
-    /// In a context that is current and at least that large, and whose programs are shared with other
+    /// Uses a context that is current and at least as large, and programs that are shared with other
     /// renderers.
     HeadlessWindow(std::shared_ptr<GlContext> context, std::shared_ptr<ProgramCache> programs,
                    glm::ivec2 size, const ui::ExplorerState& state, ui::ExplorerOptions options,
                    FrameLog& log);
 
-    /// Makes one frame, a sixtieth of a second after the last one and whatever passed. It is painted when
-    /// somebody asks for its pixels.
+    /// Makes one frame, a sixtieth of a second after the last one plus the time that passed. It is painted
+    /// only if pixels() is called.
     void draw();
 
-    /// Lets time pass before the next frame.
+    /// Adds time before the next frame.
     void pass(float seconds) { passed_ += seconds; }
 
-    /// Tells that there was input, and draws until no frame is needed any more.
+    /// Call this after input. Draws until no more frames are needed.
     void settle();
 
     /// Draws only the frames that are needed without input.
     void idle();
 
-    /// The window's content as sRGB RGBA bytes, from the top.
+    /// The content of the window as sRGB RGBA bytes, from the top.
     std::vector<unsigned char> pixels() const;
     void write_png(const std::string& path) const;
 
-    /// Another size from the next frame on, as when a window is resized. Not greater than the first.
+    /// Sets the size from the next frame on, as if the window was resized. It cannot exceed the first size.
     void resize(glm::ivec2 size) { size_ = glm::min(size, most_); }
 
     ui::Explorer& explorer() { return explorer_; }

@@ -16,16 +16,16 @@ bool contains(const Range& ids, ParameterId id) {
     return std::ranges::find(ids, id) != ids.end();
 }
 
-// An empty text means that the parameter is read.
+// Returns an empty text if the parameter is read.
 std::string why_ignored(ParameterId id, const ParameterReading& reading, const ParameterValues& values) {
     if (contains(reading.others, id)) return "";
     if (std::ranges::any_of(reading.techniques, [&](const Technique* t) { return t->uses(id); })) return "";
     if (id == ParameterId::opacity)
         return reading.mesh
                    ? ""
-                   : "where there is no mesh file: built-in scenes and rays have their own opacities";
+                   : "without a mesh file, because built-in scenes and rays have their own opacities";
     if (id == ParameterId::tone_map)
-        return reading.tone_map ? "" : "here; it is for pictures that end in .png";
+        return reading.tone_map ? "" : "here, because it is only for pictures that end in .png";
     if (id == ParameterId::order && reading.order) return "";
     if (id == ParameterId::order_seed && reading.order)
         return values.get<OrderKind>() == OrderKind::shuffled ? "" : "without --order shuffled";
@@ -77,8 +77,8 @@ void refuse_empty_switches(const CLI::App& command) {
     for (const CLI::Option* option : command.get_options())
         if (option->get_items_expected_min() == 0 &&
             std::ranges::find(option->results(), "") != option->results().end())
-            throw Error(
-                fmt::format("{} has no value; give on or off, or leave the value out.", option->get_name()));
+            throw Error(fmt::format("{} has an empty value; give on or off, or leave the value out.",
+                                    option->get_name()));
 }
 
 void refuse_empty_values(CLI::App& command) {
@@ -88,12 +88,12 @@ void refuse_empty_values(CLI::App& command) {
                 [](const std::string& value) { return std::string(value.empty() ? "has no value" : ""); });
 }
 
-// CLI11 takes "--renormalize=" for "--renormalize".
+// CLI11 treats "--renormalize=" like "--renormalize".
 void refuse_empty_assignments(int argc, const char* const* argv) {
     for (int i = 1; i < argc; ++i) {
         const std::string_view word = argv[i];
         if (word.starts_with("--") && word.ends_with("=") && word.find('=') == word.size() - 1)
-            throw Error(fmt::format("'{}' has no value; write one behind it, or leave it out.", word));
+            throw Error(fmt::format("'{}' has no value; write one after it, or leave the option out.", word));
     }
 }
 

@@ -1,11 +1,11 @@
-// image_texture.hpp -- pictures in memory, for panels of written pictures.
+// image_texture.hpp -- textures of pictures in memory, for the panels of written pictures.
 #pragma once
 #include "core/gl/handle.hpp"
 #include "core/image/image.hpp"
 
 namespace momentscope {
 
-/// A texture of sRGB bytes whose first row is the picture's upper one, as ImGui::Image expects it.
+/// A texture of sRGB bytes. Its first row is the top row of the picture, as ImGui::Image expects.
 GlTexture image_texture(const Image& image);
 
 }  // namespace momentscope

@@ -8,12 +8,13 @@
 namespace momentscope {
 
 struct InputQueue::Frame {
-    bool changed = false;  // a button, a key or the focus
+    bool changed = false;  // a button, a key or the focus changed
     bool wheeled = false, typed = false;
 };
 
-// False when the frame cannot take it: a click and a notch of the wheel belong to where the mouse was, a
-// release to a press that was seen, a key to the modifiers that were down with it.
+// Returns false if the frame cannot take the event. A click and a turn of the wheel belong to the mouse
+// position at that time, a release to a press that ImGui saw, and a key to the modifiers that were down with
+// it.
 bool InputQueue::play(const Event& event, ImGuiIO& io, Frame& frame) {
     const bool begun = frame.changed || frame.wheeled || frame.typed;
     if (const auto* move = std::get_if<Move>(&event)) {

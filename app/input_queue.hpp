@@ -1,4 +1,4 @@
-// input_queue.hpp -- what mouse and keyboard did, handed to ImGui frame by frame.
+// input_queue.hpp -- hands mouse and keyboard events to ImGui frame by frame.
 #pragma once
 #include <imgui.h>
 
@@ -9,11 +9,11 @@
 
 namespace momentscope {
 
-/// ImGui 1.86 looks at mouse and keyboard once per frame and would miss what goes down and up within one. So
-/// events wait here in their order, and a frame gets no more of them than it can tell apart.
+/// ImGui 1.86 looks at mouse and keyboard once per frame and would miss a button that goes down and up
+/// between two frames. So events wait here in order, and a frame gets only as many as it can distinguish.
 class InputQueue {
 public:
-    /// Pixels from the upper left corner; OUTSIDE when the mouse left the window.
+    /// In pixels from the upper left corner; OUTSIDE if the mouse left the window.
     struct Move {
         ImVec2 to;
     };
@@ -25,13 +25,13 @@ public:
         ImVec2 notches;
     };
     struct Key {
-        int number;  // GLFW's
+        int number;  // GLFW's number
         bool down;
     };
     struct Character {
         unsigned code;
     };
-    /// Without it no key is held.
+    /// Without the focus, no key counts as held.
     struct Focus {
         bool here;
     };
@@ -41,12 +41,12 @@ public:
     void push(const Event& event) { waiting_.push_back(event); }
     bool empty() const { return waiting_.empty(); }
 
-    /// Brings mouse and keyboard up to date for the ImGui::NewFrame() that follows. What does not fit into
-    /// the frame waits for the next one.
+    /// Updates mouse and keyboard for the following ImGui::NewFrame(). Events that do not fit into the frame
+    /// wait for the next one.
     void begin_frame(ImGuiIO& io);
 
 private:
-    struct Frame;  // what happened in it so far
+    struct Frame;  // the events of a frame so far
     bool play(const Event& event, ImGuiIO& io, Frame& frame);
 
     std::deque<Event> waiting_;

@@ -24,11 +24,11 @@ namespace {
 
 constexpr int MAX_SAMPLES = 1'000'000;
 
-/// What is inspected: a pixel, or what lights it.
+/// What is inspected: a pixel, or the light that reaches it.
 struct Subject {
     PixelCapture capture;
     std::optional<LightView> light;
-    CastLight cast = {};  // of the light
+    CastLight cast = {};  // the ray of the light through all triangles
 };
 
 enum class Format { json, csv, table };
@@ -47,20 +47,20 @@ std::vector<float> parse_depths(const std::string& text) {
         const auto depth = parse_number<float>(part);
         if (!depth || !(*depth >= -1 && *depth <= 1))
             throw Error(fmt::format(
-                "The depth '{}' is not a number from -1 to 1; give --depths as -0.5,0,0.25.", part));
+                "The depth '{}' is not a number from -1 to 1; give --depths such as -0.5,0,0.25.", part));
         depths.push_back(*depth);
     }
     return depths;
 }
 
-// nullopt for what is seen of the pixel.
+// nullopt: the visible surface of the pixel.
 std::optional<std::size_t> parse_receiver(const std::string& text, const ViewRay& ray) {
     if (text.empty()) return std::nullopt;
     if (text == "surface") return OPAQUE_SURFACE;
     const int number = parse_count(text, "receiver", 1, MAX_SAMPLES);
     const std::vector<std::size_t> order = front_to_back(ray);
     if (static_cast<std::size_t>(number) > order.size())
-        throw Error(fmt::format("The pixel has {}; give a --receiver from 1 to their number, or surface.",
+        throw Error(fmt::format("The pixel has {}; give --receiver a number of a fragment, or surface.",
                                 fragment_count_text(order.size())));
     return order[static_cast<std::size_t>(number - 1)];
 }
@@ -68,16 +68,16 @@ std::optional<std::size_t> parse_receiver(const std::string& text, const ViewRay
 std::string text_of_light(const LightView& light, const CastLight& cast) {
     const LightBreakdown& v = light.breakdown;
     return fmt::format(
-        "Receiver: {}, at depth {:.5f} seen from the light, {} in {} texels.\n"
+        "Receiver: {}, at depth {:.5f} seen from the light, with {} in {} texels.\n"
         "Transparent casters let through {:.4f} (truth {:.4f}), opaque ones {:.4f} (truth {:.4f}); shaded with {:.4f}.\n"
-        "A ray through all triangles, without a map: {}.\n{}\n",
+        "A ray through all triangles, without a map, gives: {}.\n{}\n",
         light.receiver, static_cast<double>(light.bundle.place.depth),
         fragment_count_text(light.ray.fragments.size()), light.bundle.texels.size(), v.transmittance,
         v.true_transmittance, 1 - v.shadowed, 1 - v.true_shadowed, light.visibility,
-        cast.shadowed ? "an opaque caster is met" : fmt::format("{:.4f}", cast.transmittance), v.sentence);
+        cast.shadowed ? "it meets an opaque caster" : fmt::format("{:.4f}", cast.transmittance), v.sentence);
 }
 
-// One line for each technique, below a table of curves.
+// One line for each technique, printed below a table of curves.
 std::string text_of_breakdowns(const PixelCapture& capture, const std::vector<Curve>& curves) {
     std::string text;
     for (const Curve& curve : curves)
@@ -91,8 +91,9 @@ std::string text_of_steps(const std::vector<Curve>& curves, const std::vector<fl
     std::string text;
     for (const Curve& curve : curves) {
         if (!curve.technique->has_moments())
-            throw Error(fmt::format("'{}' has no steps: it has no moments to reconstruct from.",
-                                    curve.technique->id));
+            throw Error(
+                fmt::format("'{}' has no steps, because it has no moments; choose a technique with moments.",
+                            curve.technique->id));
         for (const float depth : depths) text += steps_to_text(reconstruction_steps(curve, depth));
     }
     return text;
@@ -101,9 +102,9 @@ std::string text_of_steps(const std::vector<Curve>& curves, const std::vector<fl
 void add_sharp_bounds(Curve& curve, const ViewRay& ray) {
     auto bounds = sharp_bounds(ray, *curve.technique, curve.parameters, curve.depth);
     if (!bounds)
-        throw Error(
-            fmt::format("The linear program of the sharp bounds of '{}' found no solution on this ray.",
-                        curve.technique->id));
+        throw Error(fmt::format(
+            "The linear program for the sharp bounds of '{}' has no solution on this ray; leave --sharp-bounds out.",
+            curve.technique->id));
     curve.sharp_lower = std::move(bounds->lower);
     curve.sharp_upper = std::move(bounds->upper);
 }
@@ -113,26 +114,28 @@ public:
     explicit Inspect(CLI::App& app) : ParsedCommand(app) {
         CLI::Option* scene = add_scene(app, scene_);
         add_size(app, size_);
-        CLI::Option* pixel = app.add_option("--pixel", pixel_.text,
-                                            "pixel of the picture, as 320,200; the scene's own if left out");
-        app.add_option("--ray", ray_, "JSON file of a view ray, instead of a pixel of a scene")
+        CLI::Option* pixel =
+            app.add_option("--pixel", pixel_.text, "pixel of the picture, such as 320,200 [the scene's own]");
+        app.add_option("--ray", ray_, "JSON file with a view ray, instead of a pixel of a scene")
             ->excludes(scene, pixel);
         add_techniques(
             app, techniques_,
-            "ids of techniques or configurations such as at:nodes=8, separated by commas or repeated");
-        add_count(app, "--samples", samples_, "how many depths from -1 to 1",
+            "ids of techniques, or configurations such as at:nodes=8, separated by commas or in repeated options");
+        add_count(app, "--samples", samples_, "number of even depths from -1 to 1",
                   {"number of samples", 2, MAX_SAMPLES});
         add_parsed<std::vector<float>>(app, "--depths", depths_,
-                                       "depths instead of --samples, as -0.5,0,0.25", parse_depths);
+                                       "depths instead of --samples, such as -0.5,0,0.25", parse_depths);
         app.add_flag("--steps", steps_,
-                     "print the steps of the reconstruction at --depths [0] instead of curves");
+                     "print the steps of the reconstruction at --depths (0 if left out) instead of curves");
         app.add_flag("--sharp-bounds", sharp_bounds_,
-                     "add the least and greatest absorbance that the moments leave possible");
-        app.add_flag("--light", light_,
-                     "the function that the light's map has of what the pixel shows, instead of the eye's");
-        app.add_option("--receiver", receiver_,
-                       "of --light: the number of a fragment from 1, the nearest, or surface, the opaque one "
-                       "[what is seen of the pixel]");
+                     "add the least and the greatest absorbance that the moments allow");
+        app.add_flag(
+            "--light", light_,
+            "print what the light's map stores about the surface in the pixel, instead of the eye's ray");
+        app.add_option(
+            "--receiver", receiver_,
+            "with --light: the number of a fragment, from 1 for the nearest, or surface for the opaque one "
+            "[the visible one]");
         add_parsed<Format>(app, "--format", format_, "json, csv or table [json]", parse_format);
         app.add_option("-o,--output", output_, "file to write instead of standard output");
         parameters_.add_to(app);
@@ -140,12 +143,13 @@ public:
 
     void refuse_ignored() const override {
         const bool ray = !ray_.empty();
-        refuse_ignored_options(app(), {{"--size", ray, "beside --ray, which has no picture"},
-                                       {"--samples", !depths_.empty(), "beside --depths"},
-                                       {"--samples", steps_, "beside --steps, which are those at --depths"},
-                                       {"--format", steps_, "beside --steps, which are text"},
-                                       {"--light", ray, "beside --ray, which has no scene and no light"},
-                                       {"--receiver", !light_, "without --light"}});
+        refuse_ignored_options(app(),
+                               {{"--size", ray, "together with --ray, because a view ray has no picture"},
+                                {"--samples", !depths_.empty(), "together with --depths"},
+                                {"--samples", steps_, "together with --steps, which reads --depths"},
+                                {"--format", steps_, "together with --steps, which prints text"},
+                                {"--light", ray, "together with --ray, because a view ray has no light"},
+                                {"--receiver", !light_, "without --light"}});
         ParameterReading reading = {.techniques = techniques_in(configurations()),
                                     .picture = !ray,
                                     .order = true,
@@ -163,10 +167,11 @@ public:
     void run() const override {
         auto configurations = this->configurations();
         if (steps_ && sharp_bounds_)
-            throw Error("Sharp bounds belong to curves; leave --steps or --sharp-bounds out.");
+            throw Error(
+                "Sharp bounds belong to curves, which --steps does not print; leave one of the two options out.");
         if (light_ && configurations.size() > 1)
             throw Error(
-                "The light's map has one technique; give a --shadow-technique, and a single --technique for the picture.");
+                "The light's map has one technique, chosen by --shadow-technique; give a single --technique for the picture.");
         if (!output_.empty()) require_writable(output_);
         const Subject subject = ray_.empty() ? capture_scene_pixel(configurations.front())
                                              : ray_of_file(configurations.front().values);

@@ -1,4 +1,4 @@
-// last_frame.hpp -- what the window showed last, to be shown again while the next frame is being drawn.
+// last_frame.hpp -- keeps the last frame of the window, to show it again while the next one is drawn.
 #pragma once
 #include <glm/glm.hpp>
 
@@ -8,10 +8,10 @@ namespace momentscope {
 
 class LastFrame {
 public:
-    /// Copies the default framebuffer, of that size, before its buffers are swapped.
+    /// Copies the default framebuffer of this size. Call it before the buffers are swapped.
     void keep(glm::ivec2 size);
 
-    /// Copies it back, stretched to another size; black when none was kept.
+    /// Copies the frame back, stretched if the size differs; black if no frame was kept.
     void show(glm::ivec2 size) const;
 
 private:

@@ -16,14 +16,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The XDG base directory specification tells to ignore paths that are relative.
+// The XDG base directory specification says that relative paths must be ignored.
 std::optional<fs::path> folder_of_environment(const char* name) {
     const char* value = std::getenv(name);
     if (value == nullptr || !fs::path(value).is_absolute()) return std::nullopt;
     return fs::path(value);
 }
 
-// Named by the second, and by a number when that is not enough.
+// A name with the time in seconds, and with a number if that name exists.
 fs::path new_file(const fs::path& folder) {
     const std::string stem = fmt::format("recovered-{:%Y-%m-%d-%H%M%S}", fmt::localtime(std::time(nullptr)));
     fs::path path = folder / (stem + ".json");
@@ -47,14 +47,15 @@ std::vector<fs::path> recovery_folders() {
 }
 
 std::string last_words(const ui::ExplorerState& state) {
-    std::string why = "There is no folder for it.";
+    std::string why = "there is no folder for it.";
     for (const fs::path& folder : recovery_folders()) try {
             std::error_code status;
-            fs::create_directories(folder, status);  // writing tells what failed
+            fs::create_directories(folder, status);  // if this fails, writing reports why
             const fs::path path = new_file(folder);
             ui::write_session_file(state, path);
-            return fmt::format("The display was lost; open the session that was saved with --session '{}'.",
-                               path.string());
+            return fmt::format(
+                "The display was lost, and the session was saved; open it with --session '{}'.",
+                path.string());
         } catch (const std::exception& error) {
             why = error.what();
         }

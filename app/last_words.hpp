@@ -1,4 +1,4 @@
-// last_words.hpp -- saves what the user had when the program must end.
+// last_words.hpp -- saves the user's session when the program must end.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -8,12 +8,13 @@
 
 namespace momentscope {
 
-/// Where programs keep what shall outlive them though no user asked for it: $XDG_STATE_HOME/momentscope,
-/// ~/.local/state/momentscope, the folder of temporary files; the first that can be written is taken.
+/// The folders for files that must outlive the program although no user asked for them:
+/// $XDG_STATE_HOME/momentscope, ~/.local/state/momentscope and the folder of temporary files. The first
+/// writable one is used.
 std::vector<std::filesystem::path> recovery_folders();
 
-/// Writes the session to a new file in one of recovery_folders(), which is made if need be. Returns the
-/// sentence that says how it is opened again, or why it could not be saved. Never throws.
+/// Writes the session to a new file in one of recovery_folders() and creates the folder if needed. Returns a
+/// sentence that says how to open the session again, or why it could not be saved. Never throws.
 std::string last_words(const ui::ExplorerState& state);
 
 }  // namespace momentscope

@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::json;
 
-// Per pixel.
+// Bits per pixel.
 json json_of_bits(const Technique& technique, int bits) {
     return technique.is_truth() && bits == 0 ? json("unbounded") : json(bits);
 }
@@ -79,7 +79,7 @@ std::string cell(const json& value) {
     return joined.empty() ? "-" : joined;
 }
 
-// Of the window.
+// The commands of the window.
 json list_commands() {
     json rows = json::array();
     for (const ui::Command& command : ui::commands())
@@ -88,7 +88,7 @@ json list_commands() {
     return rows;
 }
 
-// What a byte string takes on the screen; symbols are Greek.
+// The number of characters of a UTF-8 text on the screen; symbols are Greek.
 std::size_t width_of(const std::string& text) {
     return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
 }
@@ -121,7 +121,7 @@ void print_markdown(const json& rows, const std::vector<std::string>& columns) {
 
 struct Listing {
     json rows;
-    std::vector<std::string> columns;  // of the table
+    std::vector<std::string> columns;  // columns of the table
 };
 
 json list_conditions() {
@@ -156,7 +156,7 @@ Listing listing_of(const std::string& what) {
         what));
 }
 
-// Of the command line, as --help has them.
+// The options of the command line, with the texts of --help.
 Listing list_options(const CLI::App& line) {
     json rows = json::array();
     for (const Command& command : command_rows())

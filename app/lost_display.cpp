@@ -11,7 +11,7 @@ namespace momentscope {
 
 namespace {
 
-// Xlib is there when GLFW uses it, and is not asked for otherwise: under Wayland there is none.
+// If GLFW uses Xlib, the library is loaded already. Otherwise, for instance under Wayland, it is not needed.
 using IoErrorHandler = int (*)(void* display);
 using SetIoErrorHandler = IoErrorHandler (*)(IoErrorHandler);
 
@@ -23,8 +23,8 @@ SetIoErrorHandler set_io_error_handler() {
     return reinterpret_cast<SetIoErrorHandler>(::dlsym(RTLD_DEFAULT, "XSetIOErrorHandler"));
 }
 
-// Xlib calls it in the midst of one of its functions and may not be asked for anything any more. Destructors
-// would do that.
+// Xlib calls this in the middle of one of its functions, so Xlib must not be called any more. Destructors
+// would call it, so exit directly.
 int end_without_display(void*) {
     if (words_for_lost_display) warn(std::exchange(words_for_lost_display, nullptr)());
     ::_exit(1);

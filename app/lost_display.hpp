@@ -1,15 +1,16 @@
-// lost_display.hpp -- what a user reads when the display goes away: a sentence, and where the work is.
+// lost_display.hpp -- when the display goes away, tells the user so and where the work was saved.
 #pragma once
 #include <functional>
 #include <string>
 
 namespace momentscope {
 
-/// While it lives, a window system that ends under the program ends it with exit code 1 and that sentence.
-/// Xlib would end it with a line of its own, and nothing could be saved. Only one may live at a time.
+/// During its lifetime, the end of the window system ends the program with exit code 1 and this sentence.
+/// Without it, Xlib would end the program with a message of its own, and nothing could be saved. Only one
+/// object may exist at a time.
 class LostDisplay {
 public:
-    /// `last_words` saves what it can and says so; it neither throws nor draws.
+    /// `last_words` saves the session if possible and returns a sentence. It must neither throw nor draw.
     explicit LostDisplay(std::function<std::string()> last_words);
     ~LostDisplay();
     LostDisplay(const LostDisplay&) = delete;

@@ -5,11 +5,11 @@ namespace {
 
 void guard_libraries(int /*argc*/, char** /*argv*/, char** /*environment*/) {
     momentscope::say_on_crash(
-        "A library crashed while the program started; give it more memory, or install its libraries anew.");
+        "A library crashed while the program started; give the program more memory, or reinstall its libraries.");
 }
 
-// The dynamic loader calls it before the libraries make their static objects, for which little memory may not
-// do.
+// The dynamic loader calls this before the libraries construct their static objects, which can fail if there
+// is little memory.
 #ifndef __SANITIZE_ADDRESS__
 [[gnu::section(".preinit_array"), gnu::used]] void (*const before_libraries)(int, char**,
                                                                              char**) = guard_libraries;

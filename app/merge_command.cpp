@@ -16,12 +16,13 @@ public:
     explicit Merge(CLI::App& app) : ParsedCommand(app) {
         app.add_option("files", files_, "the .csv files of all shards of one run")->required();
         add_metric(app, metric_, "error of drawings: rmse, delta-e or flip [rmse]");
-        app.add_option("-o,--output", output_, ".csv, or of a chart .md, .svg, .html or .png")->required();
+        app.add_option("-o,--output", output_, ".csv, or for a chart also .md, .svg, .html or .png")
+            ->required();
     }
 
     void refuse_ignored() const override {
-        refuse_ignored_options(app(),
-                               {{"--metric", ends_in(output_, ".csv"), "in a .csv, which has all metrics"}});
+        refuse_ignored_options(
+            app(), {{"--metric", ends_in(output_, ".csv"), "in a .csv, because it has all metrics"}});
     }
 
     FileUse files() const override { return {files_, {{"-o", output_}}}; }
@@ -32,7 +33,7 @@ public:
         const RunTable table = merge_shards(files);
         if (!ends_in(output_, ".csv"))
             for (const auto& file : files)
-                chart_of(read_run_table(file), file.string());  // names what is damaged
+                chart_of(read_run_table(file), file.string());  // throws if a file is damaged
         write_chart(table, metric_, output_);
         print(fmt::format("{} rows in {}\n", table.rows.size(), one_line(output_)));
     }

@@ -19,7 +19,7 @@ namespace momentscope {
 namespace {
 
 struct NeededMap {
-    Image picture;  // by sorted fragments
+    Image picture;  // drawn with `sorted`
     std::vector<PixelNeed> pixels;
 };
 
@@ -50,16 +50,17 @@ std::string table_of(const NeedHistogram& histogram, double memory, const Parame
         return fmt::format("{:.1f} %", 100.0 * static_cast<double>(count) / static_cast<double>(all));
     };
     std::string text = fmt::format(
-        "Moments so that T is certain within {:g} at every fragment, share of pixels\n{:<14}{:>16}{:>16}\n",
+        "Moments that make T certain within {:g} at every fragment: share of pixels\n{:<14}{:>16}{:>16}\n",
         values.number(ParameterId::tolerance), "moments", "by certificate", "by error");
     for (std::size_t i = 0; i < NEEDED_COUNT; ++i)
         text += fmt::format("{:<14}{:>16}{:>16}\n", needed_text(static_cast<Needed>(i)),
                             percent(histogram.by_certificate[i]), percent(histogram.by_error[i]));
-    text += fmt::format("The certificate asks for more than the error in {} of the pixels, for less in {}.\n",
-                        percent(histogram.cautious), percent(histogram.overlooked));
+    text += fmt::format(
+        "The certificate asks for more moments than the error in {} of the pixels, and for fewer in {}.\n",
+        percent(histogram.cautious), percent(histogram.overlooked));
     return text +
            fmt::format(
-               "With moments as each tile of {0}x{0} pixels needs them, {1:.0f} % of the memory of eight.\n",
+               "If each tile of {0}x{0} pixels stores the moments that it needs, this takes {1:.0f} % of the memory of eight.\n",
                TILE, 100 * memory);
 }
 
@@ -92,7 +93,7 @@ public:
         const ParameterValues values = parameters_.over();
         const bool png = ends_in(output_, ".png");
         if (!output_.empty() && !png && !ends_in(output_, ".json"))
-            throw Error(fmt::format("'{}' is neither .png nor .json; give -o such a name.", output_));
+            throw Error(fmt::format("'{}' ends in neither .png nor .json; give -o such a name.", output_));
         if (!output_.empty()) require_writable(output_);
         const NeededMap map = measure(orders, values);
         const NeedHistogram histogram = count_needs(map.pixels);
@@ -101,7 +102,7 @@ public:
         if (png)
             write_needed_picture(
                 map.picture, map.pixels,
-                fmt::format("{}: the fewest {} moments so that T is certain within {:g} at every fragment",
+                fmt::format("{}: the fewest {} moments that make T certain within {:g} at every fragment",
                             scene_, basis_, values.number(ParameterId::tolerance)),
                 output_);
         else if (!output_.empty())
@@ -131,7 +132,7 @@ private:
     std::string scene_ = STANDARD_SCENE;
     glm::ivec2 size_ = {320, 180};
     std::string basis_ = "power";
-    bool json_ = false;  // is what is printed JSON, and no table?
+    bool json_ = false;  // whether to print JSON instead of a table
     std::string output_;
     ParameterOptions parameters_;
 };

@@ -15,7 +15,7 @@ namespace momentscope {
 
 namespace {
 
-// Cividis-like: lightness alone tells the order; what no order is enough for stands out.
+// Similar to Cividis: the lightness shows the order. The colour for "no order is enough" stands out.
 constexpr std::array<glm::vec3, NEEDED_COUNT> NEED_COLORS = {
     glm::vec3(0.93f, 0.93f, 0.93f), glm::vec3(0.99f, 0.91f, 0.55f), glm::vec3(0.53f, 0.66f, 0.63f),
     glm::vec3(0.16f, 0.31f, 0.50f), glm::vec3(0.80f, 0.28f, 0.10f)};
@@ -26,7 +26,7 @@ constexpr std::array<glm::vec3, 4> AGREEMENT_COLORS = {
     glm::vec3(0.93f, 0.93f, 0.93f), glm::vec3(0.80f, 0.80f, 0.80f), glm::vec3(0.34f, 0.55f, 0.75f),
     glm::vec3(0.90f, 0.45f, 0.05f)};
 constexpr std::array AGREEMENT_TEXTS = {"no fragments", "both say the same", "the certificate asks for more",
-                                        "the error asks for more: bias and rounding are in no bound"};
+                                        "the error asks for more: the bounds ignore bias and rounding"};
 
 Agreement agreement_of(const PixelNeed& pixel) {
     if (pixel.by_error == Needed::nothing) return Agreement::nothing;
@@ -101,7 +101,7 @@ void write_needed_picture(const Image& picture, std::span<const PixelNeed> pixel
     std::array<GlTexture, 4> textures;
     for (std::size_t i = 0; i < maps.size(); ++i) textures[i] = image_texture(maps[i]);
     ui::apply_style(ui::ThemeKind::light, 1.0f);
-    for (int frame = 0; frame < 2; ++frame) {  // the first one measures
+    for (int frame = 0; frame < 2; ++frame) {  // the first frame measures the height
         float content = 0;
         gui.begin_frame(size);
         ImGui::SetNextWindowPos({0, 0});

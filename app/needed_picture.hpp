@@ -1,4 +1,4 @@
-// needed_picture.hpp -- the moments that pixels need, as maps with a legend and their histogram.
+// needed_picture.hpp -- draws maps of the moments that pixels need, with legends and histograms.
 #pragma once
 #include <filesystem>
 #include <span>
@@ -8,9 +8,9 @@
 
 namespace momentscope {
 
-/// Writes a .png: what the certificate asks for, what the measured error asks for, and where they disagree,
-/// beside the picture itself. Pixels are row by row from the upper left, as many as the picture has. Needs no
-/// current GL context.
+/// Writes a .png with the picture and three maps: the moments that the certificate asks for, those that the
+/// measured error asks for, and where the two disagree. `pixels` are row by row from the upper left, as many
+/// as the picture has. Needs no current GL context.
 void write_needed_picture(const Image& picture, std::span<const PixelNeed> pixels, const std::string& title,
                           const std::filesystem::path& path);
 

@@ -45,8 +45,8 @@ glm::ivec2 parse_size(const std::string& text) {
     const auto height = parts.size() == 2 ? parse_number<int>(parts[1]) : std::nullopt;
     if (!width || !height || std::min(*width, *height) < 1 || std::max(*width, *height) > MAX_PICTURE_SIDE)
         throw Error(
-            fmt::format("The size '{}' is no WIDTHxHEIGHT from 1x1 to {}x{}; give one such as 960x540.", text,
-                        MAX_PICTURE_SIDE, MAX_PICTURE_SIDE));
+            fmt::format("The size '{}' is not a WIDTHxHEIGHT from 1x1 to {}x{}; give one such as 960x540.",
+                        text, MAX_PICTURE_SIDE, MAX_PICTURE_SIDE));
     return {*width, *height};
 }
 
@@ -55,8 +55,9 @@ glm::ivec2 PixelOption::within(glm::ivec2 size) const {
     const auto x = parts.size() == 2 ? parse_number<int>(parts[0]) : std::nullopt;
     const auto y = parts.size() == 2 ? parse_number<int>(parts[1]) : std::nullopt;
     if (!x || !y || *x < 0 || *y < 0 || *x >= size.x || *y >= size.y)
-        throw Error(fmt::format("The pixel '{}' is no X,Y from 0,0 to {},{}; give one within the picture.",
-                                text, size.x - 1, size.y - 1));
+        throw Error(
+            fmt::format("The pixel '{}' is not an X,Y from 0,0 to {},{}; give one within the picture.", text,
+                        size.x - 1, size.y - 1));
     return {*x, *y};
 }
 
@@ -73,13 +74,13 @@ int parse_count(const std::string& text, const char* what, int least, int most) 
     const auto count = parse_number<int>(text);
     if (!count || *count < least || *count > most)
         throw Error(
-            fmt::format("'{}' is no {}; give a whole number from {} to {}.", text, what, least, most));
+            fmt::format("'{}' is not a {}; give a whole number from {} to {}.", text, what, least, most));
     return *count;
 }
 
 CLI::Option* add_seed(CLI::App& app, std::uint32_t& seed) {
     return add_parsed<std::uint32_t>(
-               app, "--seed", seed, "of the random rays",
+               app, "--seed", seed, "seed of the random rays",
                [](const std::string& text) {
                    return static_cast<std::uint32_t>(parse_count(text, "seed", 0, 2'000'000'000));
                })
@@ -88,13 +89,14 @@ CLI::Option* add_seed(CLI::App& app, std::uint32_t& seed) {
 
 CLI::Option* add_rounds(CLI::App& app, int& rounds) {
     constexpr int MAX_ROUNDS = 1000;
-    return add_count(app, "--repeat", rounds, "rounds in which each configuration is timed once",
+    return add_count(app, "--repeat", rounds, "number of rounds; each configuration is timed once per round",
                      {"number of rounds", 1, MAX_ROUNDS});
 }
 
 CLI::Option* add_shard(CLI::App& app, Shard& shard) {
-    return add_parsed<Shard>(app, "--shard", shard,
-                             "a part of the rows, as 2/4 for the second of four (see merge)", parse_shard)
+    return add_parsed<Shard>(
+               app, "--shard", shard,
+               "measure only a part of the rows, such as 2/4 for the second of four (see merge)", parse_shard)
         ->default_str(shard_text(shard));
 }
 
@@ -105,7 +107,7 @@ CLI::Option* add_metric(CLI::App& app, Metric& metric, const char* help) {
 
 double parse_bound(const std::string& text, const char* what) {
     const auto value = parse_number<double>(text);
-    if (!value) throw Error(fmt::format("'{}' is no {}; give a number above 0.", text, what));
+    if (!value) throw Error(fmt::format("'{}' is not a {}; give a number above 0.", text, what));
     return *value;
 }
 
@@ -175,7 +177,7 @@ Scene load_scene_visibly(const std::string& id_or_path, float opacity, Progress&
             progress.show_stage(std::filesystem::path(id_or_path).filename().string() + ": " + what);
         });
     } catch (const Error&) {
-        progress.require_finished();  // or it was ended
+        progress.require_finished();  // reports the stop if the user stopped it
         throw;
     }
     progress.show_stage("");
@@ -194,7 +196,7 @@ Scene load_scene_and_warn(const std::string& id_or_path, const ParameterValues& 
 
 std::vector<std::string> scene_files(const std::string& text) {
     if (text == "all" || is_builtin_scene(text)) return {};
-    std::vector<std::string> files = {text};  // whose name may have commas
+    std::vector<std::string> files = {text};  // the name of a file may contain commas
     for (const std::string& scene : split_list({text}))
         if (!is_builtin_scene(scene)) files.push_back(scene);
     return files;

@@ -24,7 +24,8 @@ void refuse_outputs_that_are_inputs(const FileUse& use) {
         for (const std::string& input : use.inputs)
             if (!input.empty() && same_file(path, input))
                 throw Error(fmt::format(
-                    "'{}' is read by this command and would be lost; give {} another name.", path, option));
+                    "'{}' is read by this command and would be overwritten; give {} another name.", path,
+                    option));
         for (const auto& [other, other_path] : use.outputs)
             if (std::string_view(option) != other && !other_path.empty() && same_file(path, other_path))
                 throw Error(

@@ -22,19 +22,19 @@ namespace {
 constexpr int SIGNALS[] = {SIGINT, SIGTERM};
 using Clock = std::chrono::steady_clock;
 
-// The signal that came. A handler may do no more than set this.
+// The signal that arrived. A handler may do little more than set this.
 std::atomic<int> interrupting = 0;
 static_assert(std::atomic<int>::is_always_lock_free);
 
 void interrupt(int signal) {
-    if (interrupting.exchange(signal) != 0) end_by_signal(signal);  // nobody waits twice
+    if (interrupting.exchange(signal) != 0) end_by_signal(signal);  // the second signal
 }
 
 double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-// A longer line would not be taken back by the next one.
+// A longer line would wrap, and the next line could not replace it.
 std::size_t columns_of(int terminal) {
     constexpr std::size_t USUAL = 80, FEWEST = 20;
     winsize size{};
@@ -53,12 +53,12 @@ Progress::Progress(std::string what, std::function<std::string()> farewell)
       terminal_(errors_ >= 0 && ::isatty(errors_) != 0) {
     if (!farewell_)
         farewell_ = [this] {
-            return fmt::format("{} was ended before it was done; nothing was written.", what_);
+            return fmt::format("{} was stopped before it was finished; nothing was written.", what_);
         };
     interrupting = 0;
     for (std::size_t i = 0; i < handlers_.size(); ++i) {
         handlers_[i] = std::signal(SIGNALS[i], interrupt);
-        if (handlers_[i] == SIG_IGN) std::signal(SIGNALS[i], SIG_IGN);  // as under nohup
+        if (handlers_[i] == SIG_IGN) std::signal(SIGNALS[i], SIG_IGN);  // keep it ignored, as under nohup
     }
     watcher_ = std::jthread([this](const std::stop_token& end) { watch(end); });
 }
@@ -86,8 +86,8 @@ void Progress::watch(const std::stop_token& end) {
     }
 }
 
-// Nothing is lost by it: what was done was written when it was done, and whatever the program holds goes with
-// it, down to the process that reads a mesh.
+// Nothing is lost: finished parts were written when they were finished, and all resources end with the
+// program, including the process that reads a mesh.
 void Progress::cut_off(const std::stop_token& end) {
     const FileWriting none_is_written;
     const std::scoped_lock lock(mutex_);
@@ -104,7 +104,7 @@ void Progress::show(std::size_t done, std::size_t all) {
     percent_ = percent;
     const double left = seconds_since(begin_) * static_cast<double>(all - done) /
                         static_cast<double>(std::max<std::size_t>(done, 1));
-    show_line(fmt::format("{}: {} of {}, {:.0f} s left (Ctrl+C ends it)", what_, done, all, left));
+    show_line(fmt::format("{}: {} of {}, {:.0f} s left (Ctrl+C stops it)", what_, done, all, left));
 }
 
 void Progress::show_stage(std::string stage) {
@@ -117,7 +117,7 @@ void Progress::show_stage(std::string stage) {
 void Progress::show_seconds() {
     const std::scoped_lock lock(mutex_);
     if (percent_) return;
-    show_line(fmt::format("{}: {}{:.0f} s (Ctrl+C ends it)", what_, stage_.empty() ? "" : stage_ + ", ",
+    show_line(fmt::format("{}: {}{:.0f} s (Ctrl+C stops it)", what_, stage_.empty() ? "" : stage_ + ", ",
                           seconds_since(stage_begin_)));
 }
 

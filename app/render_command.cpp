@@ -33,10 +33,10 @@ public:
     void run() const override {
         const auto configurations = this->configurations();
         if (configurations.size() != 1)
-            throw Error("A picture is drawn by one technique; give a single --technique.");
+            throw Error("A picture is drawn with one technique; give a single --technique.");
         if (!ends_in(output_, ".png") && !ends_in(output_, ".exr"))
-            throw Error("A picture ends in .png or .exr; give -o such a name.");
-        require_writable(output_);  // before the work, not after
+            throw Error("A picture is a .png or .exr file; give -o such a name.");
+        require_writable(output_);  // fail before the work, not after it
         write_image(drawn(configurations.front()), output_, tone_map_of(parameters_.over()));
     }
 

@@ -23,15 +23,16 @@ ShadowChartSettings settings_of(const ShadowChartOptions& options) {
     settings.size = options.size;
     settings.repeat = options.rounds;
     if (options.rounds > MAX_ROUNDS)
-        throw Error(fmt::format("'{}' is no number of rounds; give a whole number from 1 to {}.",
-                                options.rounds, MAX_ROUNDS));
+        throw Error(
+            fmt::format("'{}' is not a number of rounds for --shadows; give a whole number from 1 to {}.",
+                        options.rounds, MAX_ROUNDS));
     settings.techniques = {"fourier-7", "fourier-15", "power4-32", "power6-32"};
     if (options.parameters.has(ParameterId::shadow_technique)) {
         const std::string typed = parameter_text(parameter(ParameterId::shadow_technique),
                                                  settings.values[ParameterId::shadow_technique]);
         if (typed == "deep" || typed == "none")
             throw Error(
-                "The chart of shadows compares with deep maps and with none; give another --shadow-technique.");
+                "The chart of shadows already measures deep and none for comparison; give another --shadow-technique.");
         settings.techniques = {"fourier-7"};
         if (typed != "fourier-7") settings.techniques.push_back(typed);
     }
@@ -48,7 +49,7 @@ void run_shadow_chart(const ShadowChartOptions& options) {
     const std::filesystem::path path = options.output;
     const bool csv = path.extension() == ".csv";
     if (!path.empty() && !csv && path.extension() != ".md")
-        throw Error("A chart of shadows ends in .csv or .md; give -o such a name.");
+        throw Error("A chart of shadows is a .csv or .md file; give -o such a name.");
     if (!path.empty()) require_writable(path);
     const std::vector<std::string>& scenes = options.scenes;
     const auto context = make_gl_context("osmesa", {16, 16});

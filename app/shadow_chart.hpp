@@ -1,4 +1,4 @@
-// shadow_chart.hpp -- chart --shadows: what shadows of transparent casters cost (Table 2 of the paper).
+// shadow_chart.hpp -- chart --shadows: the cost of shadows of transparent casters (Table 2 of the paper).
 #pragma once
 #include <string>
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace momentscope {
 
-/// What of the options of `chart` it reads.
+/// The options of `chart` that it reads.
 struct ShadowChartOptions {
     std::vector<std::string> scenes;
     glm::ivec2 size;

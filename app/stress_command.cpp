@@ -28,7 +28,7 @@ public:
     explicit StressCommand(CLI::App& app) : ParsedCommand(app) {
         add_techniques(app, techniques_, "ids of techniques with moments [all]");
         app.add_option("--condition", conditions_, "ids of conditions (momentscope list conditions) [all]");
-        add_count(app, "--rays", rays_, "random rays for each technique and condition", RAY_COUNT);
+        add_count(app, "--rays", rays_, "number of random rays for each technique and condition", RAY_COUNT);
         add_seed(app, seed_);
         add_shard(app, shard_);
         app.add_option("-o,--output", output_, ".csv, .html or .png (a heat map)");
@@ -47,9 +47,11 @@ public:
         const std::filesystem::path path = output_;
         const std::string kind = path.extension().string();
         if (!path.empty() && kind != ".csv" && kind != ".html" && kind != ".png")
-            throw Error(fmt::format("'{}' is neither .csv, .html nor .png.", path.string()));
+            throw Error(
+                fmt::format("'{}' does not end in .csv, .html or .png; give -o such a name.", path.string()));
         if (stress.shard.count > 1 && kind != ".csv")
-            throw Error("A shard is a part of a table; give -o a name that ends in .csv.");
+            throw Error(
+                "A shard is a part of a table; give -o a name that ends in .csv, and merge the shards later.");
         if (!path.empty()) require_writable(path);
         std::vector<StressCell> cells;
         {
@@ -75,7 +77,7 @@ private:
         stress.techniques = techniques();
         for (const Technique* technique : stress.techniques)
             if (!technique->has_moments())
-                throw Error(fmt::format("'{}' has no moments, so no reconstruction could fail; leave it out.",
+                throw Error(fmt::format("'{}' has no moments, so no reconstruction can fail; leave it out.",
                                         technique->id));
         for (const Condition& condition : conditions())
             if (conditions_.empty()) stress.conditions.push_back(&condition);

@@ -14,7 +14,7 @@ namespace {
 constexpr float MAP_SCALE = 1.25f;
 constexpr glm::ivec2 MAX_SIZE(4096, 2160);
 
-// The colours from 0 to 1.
+// Draws the scale of colours for rates from 0 to 1.
 void draw_scale(const ui::Ui& ui) {
     ImDrawList* draw = ImGui::GetWindowDrawList();
     for (const double rate : {0.0, 1e-4, 1e-3, 1e-2, 1e-1}) {
@@ -42,7 +42,7 @@ void write_stress_picture(const std::vector<StressCell>& cells, const StressOpti
     ui::WidgetRects widget_rects;
     const ui::Ui ui{ui::palette(ui::ThemeKind::light), widget_rects};
     glm::ivec2 size = MAX_SIZE;
-    for (int frame = 0; frame < 2; ++frame) {  // the first one measures the text
+    for (int frame = 0; frame < 2; ++frame) {  // the first frame measures the text
         gui.begin_frame(size);
         const ImVec2 map = ui::stress_map_size(cells);
         const float least = ImGui::CalcTextSize(stress_title(options).c_str()).x;

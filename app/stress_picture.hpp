@@ -1,4 +1,4 @@
-// stress_picture.hpp -- the heat map of a stress run as a .png.
+// stress_picture.hpp -- draws the heat map of a stress run into a .png.
 #pragma once
 #include <filesystem>
 
@@ -6,7 +6,7 @@
 
 namespace momentscope {
 
-/// Draws the window's own map without a display. Throws Error.
+/// Draws the same map as the window, without a display. Throws Error.
 void write_stress_picture(const std::vector<StressCell>& cells, const StressOptions& options,
                           const std::filesystem::path& path);
 

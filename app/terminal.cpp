@@ -35,7 +35,7 @@ void print(std::string_view text) {
 
 void require_printed() {
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-        throw Error("Standard output cannot be written; free space, or send it elsewhere.");
+        throw Error("Standard output could not be written; free some space, or send it elsewhere.");
 }
 
 void occupy_closed_streams() {

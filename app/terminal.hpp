@@ -1,25 +1,25 @@
-// terminal.hpp -- what the program says. Names of files and texts in them never steer the terminal.
+// terminal.hpp -- all output of the program. Control characters in names and texts never reach the terminal.
 #pragma once
 #include <string_view>
 
 namespace momentscope {
 
-/// A line on standard error: "momentscope: " and the sentence.
+/// Prints a line on standard error: "momentscope: " and the sentence.
 void warn(std::string_view sentence);
 
-/// The same on a file that is open, without a buffer.
+/// The same on an open file, unbuffered.
 void warn_to(int file, std::string_view sentence);
 
-/// On standard output; line breaks stay.
+/// Prints on standard output; line breaks are kept.
 void print(std::string_view text);
 
-/// Throws Error unless all that was printed has left the program.
+/// Throws Error unless all printed text was written.
 void require_printed();
 
-/// To be called first. Without a standard output, as after `>&-`, the next file that is opened would take its
-/// place, and what is printed would get into it; so its place is taken by what cannot be written.
+/// Call this first. If standard output is closed, as after `>&-`, the next opened file would take its number,
+/// and printed text would end up in that file. So this fills the number with a file that cannot be written.
 void occupy_closed_streams();
-/// The program's own text, which may steer the terminal, without a buffer.
+/// Writes text of the program itself, which may contain control codes, unbuffered.
 void write_raw(int file, std::string_view text);
 
 }  // namespace momentscope

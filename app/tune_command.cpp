@@ -37,7 +37,8 @@ const char* preset_name(const Technique& technique, const Trial& trial) {
     return trial.value == technique.moments().robust_bias ? "  (preset robust)" : "";
 }
 
-// One table per parameter. What exact arithmetic on the stored moments fails, no solver mends.
+// One table per parameter. Failures of exact arithmetic on the stored moments cannot be avoided by any
+// solver.
 void print_trials(const Technique& technique, const TuneResult& result) {
     for (const ParameterId id : {ParameterId::alpha, ParameterId::theta, ParameterId::beta}) {
         if (!technique.uses(id)) continue;
@@ -61,7 +62,7 @@ void print_trials(const Technique& technique, const TuneResult& result) {
 void print_result(const Technique& technique, const TuneResult& result) {
     if (!result.safe)
         print(fmt::format(
-            "\nNo moment bias keeps the failure rate below the bound; this one fails least ({}).\n",
+            "\nNo moment bias keeps the failure rate below the limit; this one fails least ({}).\n",
             percent(result.failure_rate)));
     std::string options;
     for (const ParameterId id : {ParameterId::alpha, ParameterId::theta, ParameterId::beta})
@@ -73,7 +74,7 @@ void print_result(const Technique& technique, const TuneResult& result) {
 
 void print_overdraw(const std::vector<OverdrawTrial>& trials, double most_failures) {
     print(fmt::format(
-        "\nSmallest safe moment bias by overdraw (thin fragments in two layers, up to {} rays each)\n{:>10}{:>12}\n",
+        "\nSmallest safe moment bias for each overdraw (thin fragments in two layers, up to {} rays each)\n{:>10}{:>12}\n",
         OVERDRAW_RAYS, "fragments", "alpha"));
     for (const OverdrawTrial& trial : trials) {
         const auto least = least_safe_bias(trial.result, most_failures);
@@ -86,9 +87,9 @@ public:
     explicit TuneCommand(CLI::App& app) : ParsedCommand(app) {
         CLI::Option* scene = add_scene(app, scene_);
         add_size(app, size_);
-        CLI::Option* ray = app.add_option("--ray", ray_, "JSON file of a view ray, instead of a scene");
+        CLI::Option* ray = app.add_option("--ray", ray_, "JSON file with a view ray, instead of a scene");
         CLI::Option* random = add_parsed<std::optional<int>>(
-            app, "--random", random_, "how many random rays of 2 to 5 fragments, instead of a scene",
+            app, "--random", random_, "number of random rays with 2 to 5 fragments, instead of a scene",
             [](const std::string& text) {
                 return parse_count(text, RAY_COUNT.what, RAY_COUNT.least, RAY_COUNT.most);
             });
@@ -121,7 +122,8 @@ public:
     void run() const override {
         TuneOptions tuning;
         const auto chosen = techniques_of(techniques_, "power8-32");
-        if (chosen.size() != 1) throw Error("tune takes one technique at a time; give --technique one id.");
+        if (chosen.size() != 1)
+            throw Error("tune takes one technique at a time; give --technique a single id.");
         tuning.technique = chosen.front();
         if (!tuning.technique->has_moments())
             throw Error(fmt::format("'{}' has no parameters to tune; choose a technique with moments.",
@@ -153,7 +155,7 @@ private:
         return scene_rays(tuning);
     }
 
-    // Pixels on a grid, which see the scene evenly.
+    // The rays of all pixels of a small picture, which cover the scene evenly.
     std::vector<ViewRay> scene_rays(const TuneOptions& tuning) const {
         Progress progress("Looking at the scene");
         const Scene scene = load_scene_and_warn(scene_, tuning.values, progress);

@@ -20,7 +20,7 @@ WindowInput::WindowInput(GLFWwindow* window) : window_(window) {
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
         input_of(w).push(InputQueue::Move{{static_cast<float>(x), static_cast<float>(y)}});
     });
-    // A drag goes on outside.
+    // A drag continues outside the window.
     glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
         if (entered != 0)
             input_of(w).move_here();
@@ -35,7 +35,7 @@ WindowInput::WindowInput(GLFWwindow* window) : window_(window) {
     glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
         input_of(w).push(InputQueue::Wheel{{static_cast<float>(x), static_cast<float>(y)}});
     });
-    // ImGui repeats keys itself, but needs frames for it.
+    // ImGui repeats keys itself, but it needs frames to do so.
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int) {
         if (action == GLFW_REPEAT)
             input_of(w).happened_ = true;
@@ -46,7 +46,7 @@ WindowInput::WindowInput(GLFWwindow* window) : window_(window) {
                         [](GLFWwindow* w, unsigned code) { input_of(w).push(InputQueue::Character{code}); });
     glfwSetWindowFocusCallback(
         window, [](GLFWwindow* w, int focused) { input_of(w).push(InputQueue::Focus{focused != 0}); });
-    // Uncovered, resized, brought back: no input, but something to draw.
+    // When the window is uncovered, resized or restored, there is no input, but it must be drawn.
     glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { input_of(w).happened_ = true; });
     glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { input_of(w).happened_ = true; });
     glfwSetWindowIconifyCallback(window, [](GLFWwindow* w, int) { input_of(w).happened_ = true; });

@@ -1,4 +1,4 @@
-// window_input.hpp -- what happens to a GLFW window: input for ImGui, and whether anything happened at all.
+// window_input.hpp -- events of a GLFW window: input for ImGui, and whether anything happened at all.
 #pragma once
 #include <utility>
 
@@ -8,20 +8,21 @@ struct GLFWwindow;
 
 namespace momentscope {
 
-/// Takes the window's callbacks and its user pointer; lives until no more events are asked for.
+/// Takes over the window's callbacks and its user pointer. It must outlive the last polling of events.
 class WindowInput {
 public:
     explicit WindowInput(GLFWwindow* window);
     WindowInput(const WindowInput&) = delete;
     WindowInput& operator=(const WindowInput&) = delete;
 
-    /// Before ImGui::NewFrame(), and after the backend's, which would only know the last state.
+    /// Call it before ImGui::NewFrame() and after the backend's NewFrame, which would pass on only the last
+    /// state.
     void begin_frame(ImGuiIO& io) { queue_.begin_frame(io); }
 
-    /// Does input wait for the next frame?
+    /// Is input waiting for the next frame?
     bool waits() const { return !queue_.empty(); }
 
-    /// Did anything happen since it was asked last for which the window must be drawn again?
+    /// Has anything happened since the last call that requires a new frame?
     bool take_happened() { return std::exchange(happened_, false); }
 
 private:

@@ -48,7 +48,7 @@ nlohmann::json parse_bounded_json(const std::string& text, const JsonBounds& bou
     } catch (const nlohmann::json::parse_error& error) {
         throw Error(fmt::format("it is not valid JSON at byte {}; correct it there.", error.byte));
     } catch (const nlohmann::json::exception&) {  // a number beyond a double, for instance
-        throw Error("it holds a value that JSON cannot carry; give finite numbers.");
+        throw Error("it holds a value that JSON cannot represent; give finite numbers.");
     }
 }
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# A chart in shards as a Slurm job array: every task measures one shard, and goes on where it stopped when it is queued again.
+# Measures a chart in shards, as a Slurm job array. Each task measures one shard; a task that is queued again continues.
 #   sbatch --array=1-8 scripts/chart-slurm.sh FOLDER --scene all --size 1280x720
 #   build/release/momentscope merge FOLDER/chart-*.csv -o FOLDER/chart.html
-# FOLDER must exist; what follows it goes to `momentscope chart`. Tasks have a node of their own, so that none disturbs the
-# times of another; MOMENTSCOPE names the program where it is not in this repository's build/release.
+# FOLDER must exist. The words after it are passed to `momentscope chart`. Each task has a node of its own, so that tasks do
+# not disturb each other's times. MOMENTSCOPE names the program if it is not in this repository's build/release.
 #SBATCH --job-name=momentscope-chart
 #SBATCH --exclusive
 #SBATCH --nodes=1
@@ -16,7 +16,7 @@ if [ $# -lt 1 ] || [ ! -d "$1" ] || [ -z "${SLURM_ARRAY_TASK_ID:-}" ]; then
 fi
 folder=$1
 shift
-# Slurm runs a copy of this file, so that the repository is where it was submitted.
+# Slurm runs a copy of this file. The repository is the folder from which the job was submitted.
 momentscope=${MOMENTSCOPE:-${SLURM_SUBMIT_DIR:-.}/build/release/momentscope}
 # Times of software renderers depend on the number of threads.
 export LP_NUM_THREADS=${LP_NUM_THREADS:-${SLURM_CPUS_ON_NODE:-2}}

@@ -1,12 +1,13 @@
-// effort.hpp -- how much random tests look at.
+// effort.hpp -- the effort of random tests.
 #pragma once
 #include <cstdlib>
 #include <string_view>
 
 namespace momentscope::test {
 
-/// How many random inputs a test looks at: `usual`, `thorough` where the variable MOMENTSCOPE_THOROUGH is 1,
-/// or a twentieth under sanitizers, which look for other faults than wrong numbers. At least 1.
+/// The number of random inputs of a test: `usual`, or `thorough` if the environment variable
+/// MOMENTSCOPE_THOROUGH is 1, or a twentieth under sanitizers, because these do not look for wrong numbers.
+/// At least 1.
 inline int effort(int usual, int thorough) {
 #ifdef MOMENTSCOPE_SANITIZE
     static_cast<void>(thorough);

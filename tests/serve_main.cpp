@@ -1,6 +1,6 @@
-// serve_main.cpp -- main of every test program. With --serve it runs the tests whose names come in on
-// standard input, one a line, so that scripts/run-tests can share tests out between processes that live long
-// enough to load their libraries and compile their shaders once.
+// serve_main.cpp -- the main function of every test program. With --serve it runs the tests named on standard
+// input, one per line. So scripts/run-tests can distribute tests to processes that load their libraries and
+// compile their shaders only once.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -10,7 +10,7 @@
 
 namespace {
 
-constexpr char END_OF_TEST = '\x1e';  // begins the line that says how a test ended
+constexpr char END_OF_TEST = '\x1e';  // begins the line with the result of a test
 
 const char* outcome(const testing::UnitTest& run, int code) {
     if (code != 0) return "failed";

@@ -29,13 +29,13 @@ void write(const std::filesystem::path& folder, const std::string& prefix, const
     const std::string name = std::filesystem::path(path).filename().string();
     const std::string text = expand_shader(path, variant);
     const WrittenOut written = with_loops_written_out(text);
-    write_file(text, folder / (prefix + "." + name));  // glslang reads the stage from the end
+    write_file(text, folder / (prefix + "." + name));  // glslang takes the stage from the end of the name
     if (written.left > 0) throw Error(fmt::format("{} {} keeps {} loops.", prefix, name, written.left));
     if (written.loops > 0) write_file(written.text, folder / (prefix + ".written." + name));
 }
 
-// glslangValidator knows framebuffer fetch in OpenGL ES only, so that variant is compiled by GLs that have it
-// alone.
+// glslangValidator supports framebuffer fetch only in OpenGL ES, so only GLs that have it compile that
+// variant.
 void write_technique(const std::filesystem::path& folder, const Technique& technique) {
     const std::string id = technique.id;
     for (const bool textbook : {false, true}) {
@@ -80,7 +80,7 @@ void write_pixel_state(const std::filesystem::path& folder, const Technique& tec
         write(folder, technique.id, "passes/capture.frag", variant);
 }
 
-// Passes that are lit by any light, and those that draw its maps.
+// Passes with any light, and passes that draw the light's maps.
 void write_shadows(const std::filesystem::path& folder, ParameterId id) {
     const Parameter& row = parameter(id);
     for (std::size_t i = 0; i < row.choices.size(); ++i) {

@@ -1,4 +1,5 @@
-// background_work.hpp -- stress and tune beside the window: a thread each, with progress and cancel.
+// background_work.hpp -- runs long work, such as stress and tune, in a thread of its own, with progress and
+// cancellation.
 #pragma once
 #include <algorithm>
 #include <atomic>
@@ -11,7 +12,7 @@
 
 namespace momentscope::ui {
 
-/// One piece of work at a time that ends in a Result.
+/// Runs one piece of work at a time. The work returns a Result.
 template <typename Result>
 class BackgroundWork {
 public:
@@ -23,7 +24,7 @@ public:
     BackgroundWork(const BackgroundWork&) = delete;
     BackgroundWork& operator=(const BackgroundWork&) = delete;
 
-    /// Call only when not busy.
+    /// Call this only while no work is running.
     void start(Work work) {
         stop_ = {};
         done_ = 0;
@@ -42,7 +43,7 @@ public:
         return static_cast<float>(done_.load()) / static_cast<float>(std::max<std::size_t>(all_.load(), 1));
     }
 
-    /// The result when it is there, nullopt before. Throws what the work threw.
+    /// The result, or nullopt while the work is not finished. Throws whatever the work threw.
     std::optional<Result> take() {
         if (!busy() || result_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
             return std::nullopt;
@@ -52,7 +53,7 @@ public:
 private:
     std::atomic<std::size_t> done_ = 0, all_ = 1;
     std::stop_source stop_;
-    std::future<Result> result_;  // last: its destructor waits for the thread, which uses what stands before
+    std::future<Result> result_;  // declared last: its destructor waits for the thread, which uses the rest
 };
 
 }  // namespace momentscope::ui

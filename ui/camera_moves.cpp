@@ -10,7 +10,7 @@ namespace momentscope::ui {
 
 namespace {
 
-constexpr float STEEPEST = 1.5f;  // short of the poles, where up would be undefined
+constexpr float STEEPEST = 1.5f;  // just below the poles, where the up direction is undefined
 constexpr float QUARTER = 0.5f * std::numbers::pi_v<float>;
 constexpr NamedView VIEWS[] = {{"front", "Front", 0, 0},      {"back", "Back", 2 * QUARTER, 0},
                                {"left", "Left", -QUARTER, 0}, {"right", "Right", QUARTER, 0},
@@ -39,7 +39,7 @@ Camera panned(Camera camera, ImVec2 moved, glm::ivec2 picture_size) {
     const glm::mat4 view = view_matrix(camera);
     const glm::vec3 right(view[0][0], view[1][0], view[2][0]);
     const glm::vec3 up(view[0][1], view[1][1], view[2][1]);
-    // Scene units per pixel at the target's distance, so that it follows the mouse.
+    // Scene units per pixel at the target's distance, so that the target follows the mouse.
     const glm::vec2 size = glm::max(picture_size, glm::ivec2(1));
     const float unit = 2 * camera.distance / (projection_matrix(camera, size.x / size.y)[1][1] * size.y);
     constexpr float FAR = 1000;

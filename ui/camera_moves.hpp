@@ -1,4 +1,4 @@
-// camera_moves.hpp -- what the mouse and the named views do to the camera.
+// camera_moves.hpp -- camera movements by the mouse and by named views.
 #pragma once
 #include <imgui.h>
 
@@ -18,11 +18,11 @@ std::span<const NamedView> named_views();
 /// The same camera, turned to a named direction.
 Camera looking_from(Camera camera, const NamedView& view);
 
-/// By a mouse movement in pixels.
+/// The camera after a mouse movement in pixels.
 Camera orbited(Camera camera, ImVec2 moved);
 Camera panned(Camera camera, ImVec2 moved, glm::ivec2 picture_size);
 
-/// Towards the target for positive notches.
+/// Moves towards the target if `notches` is positive.
 Camera zoomed(Camera camera, float notches);
 
 }  // namespace momentscope::ui

@@ -1,5 +1,5 @@
-// chart_measurement.hpp -- a chart of one scene that is measured between frames, and errors at held-out
-// views.
+// chart_measurement.hpp -- measures a chart of one scene, and errors at held-out views, between the frames of
+// the window.
 #pragma once
 #include <array>
 #include <chrono>
@@ -13,16 +13,16 @@
 
 namespace momentscope::ui {
 
-/// Needs the window's GL context whenever it works. Whoever lets an Error out of it cancels.
+/// Needs the window's GL context while it works. If a function throws Error, the caller must cancel.
 class ChartMeasurement {
 public:
-    /// Begins anew; what was measured before is forgotten. Throws Error when the scene cannot be drawn.
+    /// Starts a new chart and discards the previous one. Throws Error if the scene cannot be drawn.
     void start(const Scene& scene, std::vector<Configuration> configurations, const ChartSettings& settings);
 
-    /// Gives up what is not done; rows that are done stay.
+    /// Stops measuring. Finished rows stay.
     void cancel() { bench_.reset(); }
 
-    /// Draws pictures for about so many seconds, at least one. Throws Error when the GL fails.
+    /// Draws pictures for about this many seconds, but at least one. Throws Error if the GL fails.
     void advance(double seconds);
 
     bool busy() const { return bench_ != nullptr; }
@@ -30,7 +30,7 @@ public:
     std::size_t steps() const { return all_; }
     double seconds_left() const;
 
-    /// In the order of their configurations, block by block.
+    /// The rows in the order of their configurations, block by block.
     const std::vector<ChartRow>& rows() const { return rows_; }
     const Configuration& configuration(std::size_t row) const { return configurations_[row]; }
     const ChartSettings& settings() const { return settings_; }
@@ -39,7 +39,7 @@ public:
 
     const HeldOutErrors& held_out(Metric metric) const { return held_out_[static_cast<std::size_t>(metric)]; }
 
-    /// Draws one view of a row whose error at held-out views is unknown. Throws Error when the GL fails.
+    /// Draws one held-out view of a row whose error at these views is unknown. Throws Error if the GL fails.
     void check(std::size_t row, Metric metric);
 
 private:
@@ -59,7 +59,7 @@ private:
         std::size_t view = 0;
         double worst = 0;
     };
-    std::unique_ptr<HeldOutViews> views_;  // made when they are first asked for
+    std::unique_ptr<HeldOutViews> views_;  // created on first use
     Check check_;
     std::array<HeldOutErrors, METRIC_COUNT> held_out_;
 };

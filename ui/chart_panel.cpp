@@ -21,9 +21,9 @@ namespace momentscope::ui {
 namespace {
 
 constexpr std::array SIZES = {glm::ivec2(160, 90), glm::ivec2(320, 180), glm::ivec2(640, 360)};
-constexpr double SLICE = 0.03;  // seconds of a frame that measuring may take, beside the picture it began
+constexpr double SLICE = 0.03;  // seconds of a frame for measuring, plus the picture that has begun
 
-// What every picture of a chart depends on, beside technique and parameters.
+// The parameters that every picture of a chart depends on, besides those of its technique.
 ParameterValues picture_values(const ParameterValues& values) {
     ParameterValues result;
     for (const ParameterId id : CHART_PARAMETERS) result.set(id, values[id]);
@@ -41,7 +41,7 @@ std::string size_text(glm::ivec2 size) {
     return fmt::format("{} x {}", size.x, size.y);
 }
 
-// Drawings are made for letters of 14 pixels.
+// Drawings are designed for a font size of 14 pixels.
 float drawing_scale() {
     return em() / 14;
 }
@@ -80,7 +80,7 @@ void ChartPanel::work(const ExplorerState& state, std::string& message) {
     try {
         if (measurement_.busy() && is_stale(state)) {
             cancel();
-            message = "The scene or its order changed, so that the chart was ended; measure again.";
+            message = "The scene or its order changed, so the chart was stopped; measure again.";
         }
         if (measurement_.busy()) measurement_.advance(SLICE);
         if (state.panel != Panel::chart) return;
@@ -113,7 +113,7 @@ std::string ChartPanel::numbers_of(std::size_t row) const {
         family_of(*measurement_.configuration(row).technique).name, n.total.median, n.moments.median,
         n.color.median, n.composite.median, n.rmse, n.delta_e, n.flip, n.stability,
         n.bits_with_factor ? fmt::format("{} bits per pixel", *n.bits_with_factor)
-                           : std::string("bits that grow with the layers"));
+                           : std::string("bits that grow with the number of layers"));
 }
 
 void ChartPanel::draw_sizes(const Ui& ui) {
@@ -125,10 +125,10 @@ void ChartPanel::draw_sizes(const Ui& ui) {
         ImGui::EndCombo();
     }
     ui.record_widget_rect("chart.size");
-    tooltip("How large the pictures are that are measured.");
+    tooltip("Size of the pictures that are measured.");
 }
 
-// True when a file was asked for.
+// Returns true if the user wants to save a file.
 bool ChartPanel::draw_controls(const Ui& ui, const Scene& scene, const ExplorerState& state,
                                std::string& message) {
     if (measurement_.busy()) {
@@ -142,14 +142,14 @@ bool ChartPanel::draw_controls(const Ui& ui, const Scene& scene, const ExplorerS
         ImGui::SameLine();
         if (ImGui::Button("cancel")) cancel();
         ui.record_widget_rect("chart.cancel");
-        tooltip("Ends the measurement; rows that are done stay.");
+        tooltip("Ends the measurement; finished rows stay.");
         return false;
     }
     if (ImGui::Button("measure")) start(scene, state, message);
     ui.record_widget_rect("chart.measure");
     tooltip(
-        "Draws the scene's own view by every technique, and takes its time and its error. The window goes on "
-        "meanwhile, but what it draws takes time from what is measured.");
+        "Draws the scene's own view with every technique and measures its time and its error. You can use the "
+        "window meanwhile, but what it draws disturbs the times.");
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     ImGui::SameLine();
     ImGui::SetNextItemWidth(7 * em());
@@ -157,7 +157,8 @@ bool ChartPanel::draw_controls(const Ui& ui, const Scene& scene, const ExplorerS
     flow(button_width("standard parameters only") + 1.5f * em(), right, 0.5f * em());
     ImGui::Checkbox("standard parameters only", &standards_only_);
     ui.record_widget_rect("chart.standards_only");
-    tooltip("Every technique once, without the grid of its parameters: about half the time.");
+    tooltip(
+        "Measures every technique only once, without the grid of its parameters. This takes about half the time.");
     if (measurement_.rows().empty()) return false;
     flow(button_width("save…"), right, 0.5f * em());
     const bool asked = ImGui::Button("save…");
@@ -177,8 +178,8 @@ void ChartPanel::update_drawing(glm::vec2 size) {
 void ChartPanel::draw_chart(const Ui& ui, bool stale, ExplorerState& state) {
     const float scale = drawing_scale();
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    // The advice stands below; where there is little room, one scrolls to it, and families have names under
-    // the mouse alone.
+    // The advice is below the chart. If there is little space, the user scrolls to it, and the names of
+    // families appear only under the mouse.
     const glm::vec2 size(std::max(room.x, 20 * em()), std::max(room.y - 10.5f * em(), 13.5f * em()));
     update_drawing(size);
     const ImVec2 origin = ImGui::GetCursorScreenPos();
@@ -215,26 +216,27 @@ void ChartPanel::draw_chart(const Ui& ui, bool stale, ExplorerState& state) {
 bool ChartPanel::draw(const Ui& ui, const Scene& scene, ExplorerState& state, std::string& message) {
     if (state.ray) {
         ImGui::TextWrapped(
-            "A view ray of its own has no picture to measure. The ray editor leads back to the scene.");
+            "A view ray without a scene has no picture to measure. Use the ray editor to go back to the scene.");
         return false;
     }
     const bool asked = draw_controls(ui, scene, state, message);
     if (measurement_.rows().empty()) {
         ImGui::TextWrapped(
             "%s", measurement_.busy()
-                      ? "The first rows come when their rounds are done."
-                      : "Time against error of every technique on this scene. Press measure; a click on a "
-                        "mark then draws the picture with that technique and its parameters, and bounds on "
-                        "error and bits name the cheapest one that meets them.");
+                      ? "The first rows appear when their rounds are finished."
+                      : "Time against error of every technique on this scene. Press measure. Then click on a "
+                        "mark to draw the picture with that technique and its parameters, or set bounds on "
+                        "error and bits to find the cheapest technique that meets them.");
         return false;
     }
     const bool stale = is_stale(state);
     if (stale) {
         ImGui::TextWrapped(
             "%s",
-            fmt::format("These rows are of {} at {}, in the order of submission of then; press measure for "
-                        "those of what is shown now.",
-                        measurement_.scene(), size_text(measurement_.settings().size))
+            fmt::format(
+                "These rows were measured on {} at {}, with the order of submission at that time; press measure "
+                "for rows of the current scene.",
+                measurement_.scene(), size_text(measurement_.settings().size))
                 .c_str());
         ui.record_widget_rect("chart.stale");
     } else {
@@ -245,7 +247,7 @@ bool ChartPanel::draw(const Ui& ui, const Scene& scene, ExplorerState& state, st
     }
     draw_chart(ui, stale, state);
     draw_bounds(ui);
-    update_advice();  // of the bounds as they are now
+    update_advice();  // with the current bounds
     draw_advice(ui, stale, state);
     return asked;
 }

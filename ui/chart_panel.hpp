@@ -1,4 +1,4 @@
-// chart_panel.hpp -- the tab that charts techniques on the scene, and advises one of them.
+// chart_panel.hpp -- the tab that charts the techniques on the scene and recommends one of them.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -14,21 +14,21 @@ namespace momentscope::ui {
 
 class ChartPanel {
 public:
-    /// Begins to measure the scene as the panel's controls say.
+    /// Starts to measure the scene with the settings of the panel's controls.
     void start(const Scene& scene, const ExplorerState& state, std::string& message);
     void cancel() { measurement_.cancel(); }
 
-    /// Draws some of the pictures that are still to be measured. Once per frame, whatever tab is open.
+    /// Draws some of the pictures that remain to be measured. Call it once per frame, whichever tab is open.
     void work(const ExplorerState& state, std::string& message);
 
-    /// Are there pictures still to be drawn?
+    /// Are there pictures left to draw?
     bool busy() const { return measurement_.busy() || checking_; }
     bool measuring() const { return measurement_.busy(); }
 
-    /// True when a file of the chart was asked for. Clicks change technique and parameters.
+    /// Returns true if the user wants to save the chart. Clicks change technique and parameters.
     bool draw(const Ui& ui, const Scene& scene, ExplorerState& state, std::string& message);
 
-    /// As .csv, .html, .svg or .md. Throws Error.
+    /// Writes a .csv, .html, .svg or .md file. Throws Error.
     void write(const std::filesystem::path& path) const;
 
     const ChartMeasurement& measurement() const { return measurement_; }
@@ -40,7 +40,7 @@ private:
     bool draw_controls(const Ui& ui, const Scene& scene, const ExplorerState& state, std::string& message);
     void draw_sizes(const Ui& ui);
     void draw_bounds(const Ui& ui);
-    void draw_error_bound(const Ui& ui, float right);  // right: end of the room, on the screen
+    void draw_error_bound(const Ui& ui, float right);  // right: right end of the space, in screen coordinates
     void draw_bits_bound(const Ui& ui, float right);
     void draw_advice(const Ui& ui, bool stale, ExplorerState& state);
     void draw_row(const Ui& ui, const char* name, std::optional<std::size_t> row, const char* otherwise,
@@ -51,13 +51,13 @@ private:
     std::string numbers_of(std::size_t row) const;
 
     ChartMeasurement measurement_;
-    std::size_t size_ = 1;  // of those that the panel offers
+    std::size_t size_ = 1;  // index into the sizes that the panel offers
     bool standards_only_ = false;
     AdviceBounds bounds_;
     bool bounds_bits_ = false;
     int bits_ = 256;
-    std::optional<Advice> advice_;  // of the rows so far; nullopt while there are none
-    bool checking_ = false;         // at held-out views
+    std::optional<Advice> advice_;  // based on the rows so far; nullopt if there are none
+    bool checking_ = false;         // errors at held-out views
 
     struct Drawn {
         std::size_t rows = 0;

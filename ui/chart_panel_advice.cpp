@@ -1,4 +1,4 @@
-// chart_panel_advice.cpp -- bounds on error and bits, and what meets them.
+// chart_panel_advice.cpp -- the bounds on error and bits, and the techniques that meet them.
 #include <fmt/format.h>
 
 #include "core/chart/advice_text.hpp"
@@ -30,7 +30,7 @@ void ChartPanel::draw_error_bound(const Ui& ui, float right) {
         ImGui::EndCombo();
     }
     ui.record_widget_rect("chart.metric");
-    tooltip("The error of the chart and of the advice.");
+    tooltip("The metric of the chart and of the advice.");
     flow(9 * em(), right, 0.5f * em());
     ImGui::SetNextItemWidth(9 * em());
     const float most = greatest_error(bounds_.metric);
@@ -39,7 +39,7 @@ void ChartPanel::draw_error_bound(const Ui& ui, float right) {
                            ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
         bounds_.max_error = static_cast<double>(error);
     ui.record_widget_rect("chart.max_error");
-    tooltip("The greatest error that is good enough, also at views that the rows were not measured at.",
+    tooltip("The greatest error that you accept. It also holds at other views than the measured one.",
             "Ctrl+click to type");
 }
 
@@ -47,7 +47,7 @@ void ChartPanel::draw_bits_bound(const Ui& ui, float right) {
     flow(button_width("bits") + 8 * em(), right, 0.5f * em());
     ImGui::Checkbox("bits", &bounds_bits_);
     ui.record_widget_rect("chart.bounds_bits");
-    tooltip("Bounds what a pixel stores beside the colour buffers.");
+    tooltip("Limits what a pixel stores in addition to the colour buffers.");
     if (bounds_bits_) {
         ImGui::SameLine();
         ImGui::SetNextItemWidth(7 * em());
@@ -66,7 +66,7 @@ void ChartPanel::draw_bounds(const Ui& ui) {
     flow(button_width("any order") + 1.5f * em(), right, 0.5f * em());
     ImGui::Checkbox("any order", &bounds_.order_independent);
     ui.record_widget_rect("chart.order_independent");
-    tooltip("Leaves out what depends on the order of submission.");
+    tooltip("Leaves out techniques that depend on the order of submission.");
 }
 
 void ChartPanel::draw_row(const Ui& ui, const char* name, std::optional<std::size_t> row,
@@ -92,17 +92,17 @@ void ChartPanel::draw_advice(const Ui& ui, bool stale, ExplorerState& state) {
     if (advice_->winner) {
         draw_row(ui, "cheapest", advice_->winner, "", stale, state);
         draw_row(ui, "runner-up", advice_->runner_up, "Nothing else meets the bounds.", stale, state);
-        draw_row(ui, "half error", advice_->next_better, "Nothing but a ground truth has it.", stale, state);
+        draw_row(ui, "half error", advice_->next_better, "Only a ground truth has it.", stale, state);
     } else {
         ImGui::TextWrapped("%s", no_advice_text(measurement_.rows(), bounds_,
                                                 measurement_.held_out(bounds_.metric), *advice_)
                                      .c_str());
         ui.record_widget_rect("chart.nothing");
-        draw_row(ui, "nearest", advice_->nearest, "None of the rows is a candidate.", stale, state);
+        draw_row(ui, "nearest", advice_->nearest, "No row is a candidate.", stale, state);
     }
-    ImGui::TextDisabled("%s", measurement_.busy() ? "Of the rows so far, at their own view alone."
+    ImGui::TextDisabled("%s", measurement_.busy() ? "From the rows so far, at their own view only."
                               : checking_         ? "Checking at other views…"
-                              : stale             ? "At their own view alone."
+                              : stale             ? "At their own view only."
                                                   : "Checked at six other views.");
     ui.record_widget_rect("chart.checked");
 }

@@ -15,7 +15,7 @@ namespace momentscope::ui {
 
 namespace {
 
-// A switch of the state.
+// A command that switches a flag of the state.
 Command flag(const char* id, const char* name, const char* key, const char* help,
              bool ExplorerState::*field) {
     return {id,
@@ -30,8 +30,7 @@ Command flag(const char* id, const char* name, const char* key, const char* help
 void add_file(List& list) {
     list.push_back(plain("file.open_session", "Open session…", {"Ctrl+O"}, "Restores a saved session.",
                          [](Explorer& e) { e.open_session_dialog(); }));
-    list.push_back(plain("file.save_session", "Save session…", {"Ctrl+S"},
-                         "Saves everything that is chosen, as JSON.",
+    list.push_back(plain("file.save_session", "Save session…", {"Ctrl+S"}, "Saves all your choices as JSON.",
                          [](Explorer& e) { e.save_session_dialog(); }));
     list.push_back(plain("file.open_mesh", "Open mesh…", {"Ctrl+M"},
                          "Shows a mesh file as a transparent object.",
@@ -39,7 +38,7 @@ void add_file(List& list) {
     list.push_back(plain("file.open_ray", "Open view ray…", {"Ctrl+J"}, "Plots a view ray from a JSON file.",
                          [](Explorer& e) { e.open_ray_dialog(); }));
     list.push_back(plain("file.export", "Export…", {"Ctrl+E"},
-                         "Writes curves, fragments, picture or window to a file.",
+                         "Writes curves, fragments, the picture or the window to a file.",
                          [](Explorer& e) { e.export_dialog(); }));
 }
 
@@ -47,57 +46,58 @@ void add_edit(List& list) {
     list.push_back({"edit.undo",
                     "Undo",
                     {"Ctrl+Z"},
-                    "Takes the last change back.",
+                    "Undoes the last change.",
                     [](Explorer& e) { e.undo(); },
                     [](const Explorer& e) { return e.can_undo(); }});
     list.push_back({"edit.redo",
                     "Redo",
                     {"Ctrl+Y", "Ctrl+Shift+Z"},
-                    "Makes a change again that was taken back.",
+                    "Repeats a change that was undone.",
                     [](Explorer& e) { e.redo(); },
                     [](const Explorer& e) { return e.can_redo(); }});
     list.push_back({"edit.delete_fragment",
                     "Delete fragment",
                     {"Delete"},
-                    "Takes the marked fragment out of a view ray of its own.",
+                    "Removes the marked fragment from a view ray without a scene.",
                     [](Explorer& e) { delete_marked(e.state()); },
                     [](const Explorer& e) { return e.state().ray && e.state().marked.has_value(); }});
     list.push_back(plain("edit.reset_parameters", "Reset parameters", {"R"},
-                         "All parameters as at the start.", [](Explorer& e) { e.state().parameters = {}; }));
+                         "Sets all parameters to their defaults.",
+                         [](Explorer& e) { e.state().parameters = {}; }));
     for (const Parameter& row : parameters()) {
         if (row.scale == Scale::toggle || row.scale == Scale::choice) continue;
         list.push_back({fmt::format("edit.type_{}", row.key),
                         fmt::format("Type {} {}…", row.name, row.symbol),
                         {},
-                        "Opens the control for a number from the keyboard.",
+                        "Lets you type a value for this parameter.",
                         [id = row.id](Explorer& e) { e.type_parameter(id); },
                         [id = row.id](const Explorer& e) { return e.state().technique->uses(id); }});
     }
-    list.push_back(
-        plain("edit.reset_all", "Reset everything", {}, "The window as it first opens.", [](Explorer& e) {
-            const ThemeKind theme = e.state().theme;
-            e.state() = ExplorerState();
-            e.state().theme = theme;
-        }));
+    list.push_back(plain("edit.reset_all", "Reset everything", {}, "Restores the window as it first opens.",
+                         [](Explorer& e) {
+                             const ThemeKind theme = e.state().theme;
+                             e.state() = ExplorerState();
+                             e.state().theme = theme;
+                         }));
 }
 
 void add_view(List& list) {
     list.push_back(flag("view.lens", "Pixel lens", "L",
-                        "Magnifies the pixels around the picked one, with their values.",
+                        "Magnifies the pixels around the picked one and shows their values.",
                         &ExplorerState::lens));
     list.push_back({"view.lens_zoom",
                     "Lens: closer",
                     {"Shift+L"},
-                    "Fewer and larger pixels in the lens, in the end with all digits; then from the start.",
+                    "Shows fewer and larger pixels in the lens, at last with all digits, then starts over.",
                     [](Explorer& e) {
                         const LensZoom zoom = e.state().lens_zoom;
                         e.state().lens_zoom = zoom == zoomed(zoom, 1) ? LensZoom() : zoomed(zoom, 1);
                     },
                     [](const Explorer& e) { return e.state().lens; }});
     list.push_back(flag("view.failures", "Failed reconstructions", "O",
-                        "Marks pixels whose reconstruction failed or was clamped.",
+                        "Marks pixels where a reconstruction failed or was clamped.",
                         &ExplorerState::failures));
-    list.push_back(of_picture("view.reset", "Reset camera", {"Home"}, "Back to the scene's own camera.",
+    list.push_back(of_picture("view.reset", "Reset camera", {"Home"}, "Returns to the scene's own camera.",
                               [](Explorer& e) { e.state().camera.reset(); }));
     list.push_back(of_picture("view.zoom_in", "Zoom in", {"+"}, "Moves the camera towards its target.",
                               [](Explorer& e) { e.state().camera = zoomed(e.camera(), 1); }));
@@ -120,7 +120,7 @@ void add_tabs_and_theme(List& list) {
     }
     const auto light = [](const Explorer& e) { return e.state().theme == ThemeKind::light; };
     list.push_back(choice(
-        "view.theme", "Light theme", {"Ctrl+T"}, "Dark on light, as for a projector.",
+        "view.theme", "Light theme", {"Ctrl+T"}, "Switches to a light theme, which suits a projector.",
         [light](Explorer& e) { e.state().theme = light(e) ? ThemeKind::dark : ThemeKind::light; }, light));
 }
 
@@ -146,10 +146,10 @@ void add_arrows(List& list) {
 
 void add_pixel(List& list) {
     add_arrows(list);
-    list.push_back(of_picture("pixel.go_to", "Go to…", {"Ctrl+G"}, "Type the pixel to pick.",
+    list.push_back(of_picture("pixel.go_to", "Go to…", {"Ctrl+G"}, "Lets you type the pixel to pick.",
                               [](Explorer& e) { e.type_pixel(); }));
     list.push_back(of_picture("pixel.pin", "Pin", {"P"},
-                              "Keeps a small plot of this pixel, or removes it; at most four.",
+                              "Keeps a small plot of this pixel, or removes it; at most four can be pinned.",
                               [](Explorer& e) { e.toggle_pin(); }));
     list.push_back({"pixel.unpin_all",
                     "Remove all pins",
@@ -195,8 +195,7 @@ void add_help(List& list) {
                          [](Explorer& e) { e.toggle_palette(); }));
     list.push_back(plain(
         "help.close", "Close", {"Escape"},
-        "Closes an open list or menu; else a dialog, the help or the message; else forgets the region; else "
-        "closes the card.",
+        "Closes the first of these that is there: a list or menu, a dialog, the help, the message, the region, the card.",
         [](Explorer& e) { e.close_topmost(); }));
 }
 

@@ -1,4 +1,4 @@
-// command_list.hpp -- the rows of the registry of commands.
+// command_list.hpp -- builds the rows of the registry of commands.
 #pragma once
 #include "ui/commands.hpp"
 

@@ -29,7 +29,7 @@ void place_window(float width, float height, float top) {
     ImGui::SetNextWindowPos({0.5f * room.x, top * room.y}, ImGuiCond_Always, {0.5f, top});
 }
 
-// True when it was clicked.
+// Returns true if the entry was clicked.
 bool draw_entry(const Ui& ui, const Command& command, bool selected) {
     const std::string label = fmt::format("{}: {}##{}", menu_title(command), command.name, command.id);
     const bool clicked = ImGui::Selectable(label.c_str(), selected);
@@ -70,7 +70,7 @@ void CommandPalette::toggle() {
     chosen_ = 0;
 }
 
-// Types and moves the choice. True when Enter was pressed.
+// Handles typing and moves the selection. Returns true if Enter was pressed.
 bool CommandPalette::draw_typed(const Ui& ui) {
     ImGui::SetNextItemWidth(-1);
     if (begin_) ImGui::SetKeyboardFocusHere();
@@ -105,7 +105,7 @@ const Command* CommandPalette::draw(const Ui& ui, const Explorer& explorer) {
         if (draw_entry(ui, *found[i], selected) || (selected && accepted)) chosen = found[i];
         if (selected && chosen_ != before) ImGui::SetScrollHereY();
     }
-    if (found.empty()) ImGui::TextDisabled("No command has these words.");
+    if (found.empty()) ImGui::TextDisabled("No command contains these words.");
     ImGui::EndChild();
     open_ = chosen == nullptr;
     if (!open_) ImGui::CloseCurrentPopup();

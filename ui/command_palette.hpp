@@ -1,4 +1,4 @@
-// command_palette.hpp -- finds commands by typing parts of their names; and the list of all keys.
+// command_palette.hpp -- finds commands by typed words, and shows the list of all keys.
 #pragma once
 #include <string>
 
@@ -13,7 +13,7 @@ public:
     bool is_open() const { return open_; }
     void close() { open_ = false; }
 
-    /// Draws it, if it is open. Returns the command that was chosen, in the frame in which it was.
+    /// Draws the palette if it is open. Returns the chosen command in the frame in which it was chosen.
     const Command* draw(const Ui& ui, const Explorer& explorer);
 
 private:
@@ -25,10 +25,10 @@ private:
     int chosen_ = 0;
 };
 
-/// Does every word that was typed occur in the command's menu, name or help? Case does not matter.
+/// Does every typed word occur in the command's menu, name or help? Case does not matter.
 bool matches(const Command& command, const std::string& typed);
 
-/// All keys and mouse actions, in a window that `open` closes.
+/// Draws all keys and mouse actions in a window. Closing the window clears `open`.
 void draw_help(const Ui& ui, bool& open);
 
 }  // namespace momentscope::ui

@@ -23,16 +23,16 @@ constexpr MouseAction MOUSE_ACTIONS[] = {
     {"scene", "middle drag", "pans"},
     {"scene", "wheel", "zooms"},
     {"scene", "Shift+left drag", "measures a region in the Compare tab; a click forgets it"},
-    {"scene", "Ctrl+wheel", "with the lens: fewer and larger pixels, or more"},
-    {"line of the wipe", "drag", "moves it"},
+    {"scene", "Ctrl+wheel", "zooms the lens: fewer and larger pixels, or more and smaller ones"},
+    {"line of the wipe", "drag", "moves the line"},
     {"plot", "left click or drag", "moves the query depth; a click on a step marks its fragment"},
     {"plot", "right or middle drag", "pans"},
     {"plot", "wheel", "zooms at the mouse"},
-    {"an axis of the plot", "wheel or drag", "zooms or pans that axis alone"},
-    {"plot", "double-click", "fits; on an axis that axis alone"},
-    {"legend", "click, hover", "shows or hides; highlights"},
-    {"slider", "Ctrl+click", "types a value"},
-    {"slider", "double-click", "resets"},
+    {"an axis of the plot", "wheel or drag", "zooms or pans only that axis"},
+    {"plot", "double-click", "fits the plot; on an axis, only that axis"},
+    {"legend", "click, hover", "a click shows or hides a series; hovering highlights it"},
+    {"slider", "Ctrl+click", "lets you type a value"},
+    {"slider", "double-click", "resets the value"},
     {"table row", "click", "marks the fragment in the plot"}};
 
 }  // namespace
@@ -62,10 +62,10 @@ bool is_enabled(const Command& command, const Explorer& explorer) {
 }
 
 void run_pressed_commands(Explorer& explorer) {
-    // A dialog keeps the keyboard to itself; of the commands, Escape alone reaches through.
+    // A dialog takes all keys except Escape and the key of the palette.
     const bool dialog =
         explorer.shows_file_dialog() || explorer.shows_palette() || explorer.is_loading_scene();
-    const bool typing = ImGui::GetIO().WantTextInput;  // Ctrl+Z then belongs to the text
+    const bool typing = ImGui::GetIO().WantTextInput;  // Ctrl+Z then edits the text
     for (const Command& command : commands()) {
         if (!command.run || !is_enabled(command, explorer)) continue;
         if (dialog && command.id != "help.close" && command.id != "help.palette") continue;

@@ -1,5 +1,5 @@
-// commands.hpp -- the one registry of what a user can do by name: menus, shortcuts, the palette, the key list
-// and its tests follow from it.
+// commands.hpp -- the registry of commands. Menus, shortcuts, the palette, the key list and its tests are
+// built from it.
 #pragma once
 #include <functional>
 #include <span>
@@ -14,29 +14,29 @@ namespace momentscope::ui {
 class Explorer;
 
 struct Command {
-    std::string id;                      // as "edit.undo"; what stands before the dot is its menu
-    std::string name;                    // as the menu shows it
-    std::vector<std::string> keys;       // shortcuts by name, the first is shown; empty when there is none
+    std::string id;                      // such as "edit.undo"; the part before the dot is the menu
+    std::string name;                    // the text in the menu
+    std::vector<std::string> keys;       // names of shortcuts; the menu shows the first one
     std::string help;                    // one sentence
-    std::function<void(Explorer&)> run;  // empty: a key that acts while it is held
-    std::function<bool(const Explorer&)> enabled{};  // empty: always
-    std::function<bool(const Explorer&)> checked{};  // empty: it is no switch
+    std::function<void(Explorer&)> run;  // empty: the key acts while it is held
+    std::function<bool(const Explorer&)> enabled{};  // empty: always enabled
+    std::function<bool(const Explorer&)> checked{};  // empty: not a switch
 };
 
-/// All commands, menu by menu. ids are unique, and so are keys.
+/// All commands, menu by menu. Ids and keys are unique.
 std::span<const Command> commands();
 
-/// The command of that id, which must exist.
+/// The command with this id, which must exist.
 const Command& require_command(std::string_view id);
 
-/// The menus in their order: the part of ids before the dot, and its title.
+/// The menus in order: the part of command ids before the dot, and the title.
 struct Menu {
     const char* id;
     const char* title;
 };
 std::span<const Menu> menus();
 
-/// What the mouse does, for the key list.
+/// A mouse action, for the key list.
 struct MouseAction {
     const char* where;
     const char* how;
@@ -44,7 +44,7 @@ struct MouseAction {
 };
 std::span<const MouseAction> mouse_actions();
 
-/// May it run now?
+/// Can the command run now?
 bool is_enabled(const Command& command, const Explorer& explorer);
 
 /// Runs the commands whose keys were pressed in this frame.

@@ -15,14 +15,14 @@ void draw_modes(const Ui& ui, CompareState& compare) {
     constexpr struct {
         CompareMode mode;
         const char* name;
-        const char* id;  // of its command, and of the control
+        const char* id;  // part of the ids of the command and of the control
     } MODES[] = {{CompareMode::wipe, "wipe", "wipe"},
                  {CompareMode::difference, "difference", "difference"},
                  {CompareMode::false_color, "false colour", "false_color"}};
     label("show");
     if (toggle_button("picture", compare.mode == CompareMode::off)) compare.mode = CompareMode::off;
     ui.record_widget_rect("comparison.off");
-    tooltip("The picture alone; hold G to flip to the reference.");
+    tooltip("Shows only the picture; hold G to flip to the reference.");
     for (const auto& row : MODES) {
         ImGui::SameLine(0, 0.2f * em());
         if (toggle_button(row.name, compare.mode == row.mode)) compare.mode = row.mode;
@@ -32,20 +32,20 @@ void draw_modes(const Ui& ui, CompareState& compare) {
     }
 }
 
-// What belongs to the way of showing that is chosen.
+// Draws the controls of the current mode.
 void draw_mode_controls(const Ui& ui, CompareState& compare) {
     if (compare.mode == CompareMode::wipe) {
         label("");
         if (ImGui::Button("swap sides")) compare.swapped = !compare.swapped;
         ui.record_widget_rect("comparison.swap");
-        tooltip("Exchanges the sides of reference and picture.", "Shift+W");
+        tooltip("Exchanges the sides of the reference and the picture.", "Shift+W");
     } else if (compare.mode != CompareMode::off) {
         label("amplify");
         ImGui::SetNextItemWidth(14 * em());
         ImGui::SliderFloat("##gain", &compare.gain, MIN_GAIN, MAX_GAIN, "× %.3g",
                            ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
         ui.record_widget_rect("comparison.gain");
-        tooltip("By how much differences are amplified, in the picture alone: the numbers stay as they are.",
+        tooltip("The factor by which the picture amplifies differences; the numbers stay as they are.",
                 "1 to 64; Ctrl+click to type");
     }
 }
@@ -83,7 +83,7 @@ void draw_metric(const Ui& ui, const MetricRow& row, const char* name, Compariso
                 fresh);
 }
 
-// Names are short where there is little room.
+// Uses short names if there is little space.
 void draw_metrics(const Ui& ui, Comparison& comparison, ExplorerState& state) {
     const bool narrow = ImGui::GetContentRegionAvail().x < 36 * em();
     if (!ImGui::BeginTable("metrics", 4, ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings)) return;
@@ -98,7 +98,7 @@ void draw_metrics(const Ui& ui, Comparison& comparison, ExplorerState& state) {
     ImGui::EndTable();
     const bool stale =
         std::ranges::any_of(metrics(), [&](const MetricRow& row) { return !comparison.is_fresh(row.id); });
-    ImGui::TextDisabled("%s", stale ? "computing…" : "");  // keeps its line, so that nothing jumps
+    ImGui::TextDisabled("%s", stale ? "computing…" : "");  // always takes one line, so that nothing jumps
 }
 
 bool draw_actions(const Ui& ui, Comparison& comparison, CompareState& compare) {
@@ -106,8 +106,8 @@ bool draw_actions(const Ui& ui, Comparison& comparison, CompareState& compare) {
     const bool asked = ImGui::Button("next worst pixel");
     ui.record_widget_rect("comparison.next_worst");
     tooltip(
-        "Picks the pixel where the chosen metric is greatest, of the region if there is one; then the next "
-        "worst, at least 16 pixels away from those before.",
+        "Picks the pixel where the chosen metric is greatest, within the region if there is one. Further clicks pick the "
+        "next worst pixel, at least 16 pixels away from the previous ones.",
         "J");
     if (!compare.region) {
         flow(20 * em(), right, em());
@@ -117,7 +117,7 @@ bool draw_actions(const Ui& ui, Comparison& comparison, CompareState& compare) {
     ImGui::SameLine();
     if (ImGui::Button("forget region")) compare.region.reset();
     ui.record_widget_rect("comparison.forget_region");
-    tooltip("Measures the whole picture alone.", "Escape");
+    tooltip("Measures only the whole picture again.", "Escape");
     if (!compare.region) return asked;
     const PixelRegion region = pixels_of(compare.region, comparison.size());
     flow(16 * em(), right, em());
@@ -130,18 +130,18 @@ bool draw_actions(const Ui& ui, Comparison& comparison, CompareState& compare) {
 bool draw_compare_panel(const Ui& ui, OrderedAccess access, Comparison& comparison, ExplorerState& state) {
     if (state.ray) {
         ImGui::TextWrapped(
-            "A view ray of its own has no picture to compare. The ray editor leads back to the scene.");
+            "A view ray without a scene has no picture to compare. Use the ray editor to go back to the scene.");
         return false;
     }
     label("reference");
     ImGui::SetNextItemWidth(-1);
     draw_technique_combo(
         ui, "comparison.reference", access,
-        "What the picture is compared with: another technique, drawn with the same parameters.", "--compare",
+        "The technique that the picture is compared with. It is drawn with the same parameters.", "--compare",
         state.compare.reference);
     if (state.technique == state.compare.reference) {
         ImGui::TextWrapped(
-            "The picture is drawn by the reference itself, so there is nothing to compare. Choose another reference "
+            "The picture is drawn with the reference itself, so there is nothing to compare. Choose another reference "
             "here, or another technique.");
         return false;
     }

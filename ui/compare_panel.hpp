@@ -6,7 +6,7 @@
 
 namespace momentscope::ui {
 
-/// Reference, view, and the numbers of each metric. True when the next worst pixel was asked for.
+/// Draws reference, mode and the numbers of each metric. Returns true if the next worst pixel was requested.
 bool draw_compare_panel(const Ui& ui, OrderedAccess access, Comparison& comparison, ExplorerState& state);
 
 }  // namespace momentscope::ui

@@ -27,7 +27,7 @@ std::optional<MetricResult> measure_pair(const PicturePair& pair, Metric metric,
     const auto [least, most] = std::ranges::minmax_element(result.map);
     result.least = *least;
     result.most = *most;
-    // Of several the first, which is also what "next worst" begins with.
+    // If several pixels are equal, take the first one, as "next worst" does.
     const auto at = static_cast<int>(std::ranges::find(result.map, *most) - result.map.begin());
     result.worst = {at % pair.reference.width, at / pair.reference.width};
     return result;
@@ -49,8 +49,8 @@ void Comparison::set_pair(PicturePair pair) {
     ++number_;
 }
 
-// While a control is dragged each frame has another pair, so that the work is always of an older one; to see
-// that is better than to see nothing until the drag ends.
+// While a control is dragged, every frame has a new pair, so a result always belongs to an older pair.
+// Showing it is better than showing nothing until the drag ends.
 void Comparison::poll() {
     std::optional<std::optional<MetricResult>> done = work_.take();
     if (!done || !*done || work_.cancelled()) return;
@@ -123,7 +123,7 @@ std::optional<glm::ivec2> Comparison::next_worst(Metric metric, const PixelRegio
     visited_region_ = region;
     const std::vector<float>& map = result(metric)->map;
     auto pixel = next_worst_pixel(map, size().x, region, visited_);
-    if (!pixel && !visited_.empty()) {  // all the way round
+    if (!pixel && !visited_.empty()) {  // all pixels were visited: start again
         visited_.clear();
         pixel = next_worst_pixel(map, size().x, region, visited_);
     }

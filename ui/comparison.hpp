@@ -1,4 +1,4 @@
-// comparison.hpp -- what the metrics say about the picture and its reference, and how that looks.
+// comparison.hpp -- the metrics of picture and reference, and maps of their difference.
 #pragma once
 #include <array>
 #include <memory>
@@ -12,24 +12,24 @@
 
 namespace momentscope::ui {
 
-/// Linear pictures of the same size.
+/// Two linear pictures of the same size.
 struct PicturePair {
     Image reference, picture;
 };
 
-/// What one metric says about a pair.
+/// The result of one metric for a pair.
 struct MetricResult {
     Metric metric = Metric::rmse;
     std::vector<float> map;  // row by row
     double mean = 0;
     float least = 0, most = 0;
     glm::ivec2 worst{0};  // a pixel with the greatest difference
-    long pair = 0;        // the number of the pair
+    long pair = 0;        // number of the pair
 };
 
 /// A map of differences for the screen: sRGB RGBA bytes, row by row from the top.
 struct ComparisonMap {
-    CompareMode mode = CompareMode::off;  // off: there is none
+    CompareMode mode = CompareMode::off;  // off: there is no map
     Metric metric = Metric::rmse;
     float gain = 1;
     long pair = 0;
@@ -37,47 +37,48 @@ struct ComparisonMap {
     GlTexture texture;
 };
 
-/// Knows the last pair, and works on its metrics beside the window, one after another, since FLIP takes about
-/// a second per megapixel.
+/// Holds the last pair of pictures and computes its metrics in a background thread, one after another,
+/// because FLIP takes about a second per megapixel.
 class Comparison {
 public:
-    /// Other pictures: what is known of the last ones stays until it is known of these.
+    /// Sets new pictures. Results of the previous pair stay until the new ones are computed.
     void set_pair(PicturePair pair);
     bool has_pair() const { return pair_ != nullptr; }
     const PicturePair& pair() const { return *pair_; }
     glm::ivec2 size() const;
 
-    /// Takes what has ended. Once per frame, whatever is shown.
+    /// Takes over a finished result. Call it once per frame, whatever is shown.
     void poll();
 
-    /// Goes on with what is stale: `first`, then the others if `all`.
+    /// Continues with stale metrics: `first`, then the others if `all` is true.
     void work_on(Metric first, bool all);
     void stop() { work_.cancel(); }
     bool busy() const { return work_.busy(); }
 
-    /// nullptr when nothing is known yet. It may be of the last pair, while this one's is computed.
+    /// nullptr if there is no result yet. The result may belong to the previous pair while the new one is
+    /// computed.
     const MetricResult* result(Metric metric) const;
     bool is_fresh(Metric metric) const;
 
-    /// Of a part of the picture, from the result.
+    /// The mean over a part of the picture.
     double mean_of(const MetricResult& result, const PixelRegion& region);
 
-    /// Computes the map that the state asks for, unless that is the one there is. True when it changed.
+    /// Computes the map that the state requests, unless it exists already. Returns true if the map changed.
     bool update_map(const CompareState& state);
     const ComparisonMap& map() const { return map_; }
 
-    /// The next worst pixel within the region; nullopt when no other differs. Those it gave before are
-    /// forgotten with the pair, the metric or the region. Needs a fresh result.
+    /// The next worst pixel within the region, or nullopt if no other pixel differs. Changing the pair, the
+    /// metric or the region starts a new sequence. Needs a fresh result.
     std::optional<glm::ivec2> next_worst(Metric metric, const PixelRegion& region);
 
-    /// How many it gave since.
+    /// The number of pixels of the current sequence so far.
     std::size_t visited() const { return visited_.size(); }
 
 private:
     void start(Metric metric);
 
-    std::shared_ptr<const PicturePair> pair_;  // shared with the work
-    long number_ = 0;                          // of the pair
+    std::shared_ptr<const PicturePair> pair_;  // shared with the background work
+    long number_ = 0;                          // number of the pair
     std::array<std::optional<MetricResult>, METRIC_COUNT> results_;
     BackgroundWork<std::optional<MetricResult>> work_;
     ComparisonMap map_;
@@ -95,13 +96,13 @@ private:
     PixelRegion visited_region_;
 };
 
-/// Where the colours of a false-colour picture end.
+/// The value at which the colours of a false-colour picture end.
 float false_color_end(const CompareState& state);
 
-/// The pixels of a region of a picture of that size; all of them for none. Never empty.
+/// The pixels of a region in a picture of this size; all pixels if there is no region. Never empty.
 PixelRegion pixels_of(const std::optional<PictureRegion>& region, glm::ivec2 size);
 
-/// The rectangle between two pixels, both within it.
+/// The rectangle between two pixels, including both.
 PictureRegion region_between(glm::ivec2 one, glm::ivec2 other, glm::ivec2 size);
 
 }  // namespace momentscope::ui

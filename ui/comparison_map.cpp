@@ -13,9 +13,9 @@ unsigned char srgb_byte(float linear) {
     return static_cast<unsigned char>(std::lround(255 * srgb_from_linear(linear)));
 }
 
-constexpr std::size_t STEPS = 1U << 16;  // of linear values; two of them never skip a byte
+constexpr std::size_t STEPS = 1U << 16;  // of linear values; neighbours differ by at most one byte
 
-// A power for each channel of a large picture would be seen as a delay.
+// Computing a power for each channel of a large picture would cause a visible delay.
 const std::vector<unsigned char>& srgb_bytes() {
     static const std::vector<unsigned char> bytes = [] {
         std::vector<unsigned char> table;

@@ -1,4 +1,4 @@
-// comparison_map.hpp -- differences of pictures as sRGB RGBA bytes.
+// comparison_map.hpp -- maps of differences as sRGB RGBA bytes.
 #pragma once
 #include <array>
 #include <span>
@@ -8,15 +8,15 @@
 
 namespace momentscope::ui {
 
-/// Differences of the linear channels, times the gain.
+/// The absolute differences of the linear channels, times the gain.
 std::vector<unsigned char> difference_bytes(const PicturePair& pair, float gain);
 
-/// A map in core/compare's false colours, from 0 to `end`; what is beyond has the brightest colour.
+/// A map in the false colours of core/compare, from 0 to `end`. Greater values get the brightest colour.
 std::vector<unsigned char> false_color_bytes(std::span<const float> map, float end);
 
 using FalseColors = std::array<std::array<unsigned char, 4>, 256>;
 
-/// Those colours, from 0 to the end.
+/// The false colours, from 0 to the end.
 const FalseColors& false_colors();
 
 }  // namespace momentscope::ui

@@ -20,10 +20,10 @@ void wide_label(const char* text) {
 }
 
 void draw_scene_combo(const Ui& ui, ExplorerState& state) {
-    const std::string shown = state.ray ? "a view ray of its own" : state.scene;
+    const std::string shown = state.ray ? "a view ray without a scene" : state.scene;
     const bool open = ImGui::BeginCombo("##scene", shown.c_str());
     ui.record_widget_rect("controls.scene");
-    tooltip("The scene. Mesh files are opened with File > Open mesh.", "--scene");
+    tooltip("The scene. To open a mesh file, use File > Open mesh.", "--scene");
     if (!open) return;
     for (const SceneEntry& entry : scene_entries()) {
         if (ImGui::Selectable(entry.id, !state.ray && state.scene == entry.id)) choose_scene(state, entry.id);
@@ -40,7 +40,7 @@ void draw_compared_combo(const Ui& ui, ExplorerState& state) {
     const bool open = ImGui::BeginCombo("##compared", shown.empty() ? "none" : shown.c_str(),
                                         ImGuiComboFlags_HeightLargest);
     ui.record_widget_rect("controls.compared");
-    tooltip("Techniques whose reconstruction the plot shows beside that of the picture.");
+    tooltip("Further techniques whose reconstructions the plot shows.");
     if (!open) return;
     for (const Technique& row : techniques()) {
         if (!has_function(row)) continue;
@@ -79,11 +79,11 @@ void draw_control_panel(const Ui& ui, OrderedAccess access, ExplorerState& state
         any = true;
     }
     to_type.reset();
-    if (!any) ImGui::TextDisabled("This technique reads no parameters.");
+    if (!any) ImGui::TextDisabled("This technique has no parameters.");
 }
 
 void draw_picture_controls(const Ui& ui, ExplorerState& state, std::string& message) {
-    if (state.ray) return;  // has no picture
+    if (state.ray) return;  // a view ray has no picture
     ImGui::Spacing();
     for (const ParameterId id : PICTURE_PARAMETERS)
         if (id != ParameterId::shadows)

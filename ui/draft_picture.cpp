@@ -52,7 +52,7 @@ void DraftPicture::draw(const View& view, double wanted) {
     draft.size = size_ = glm::max(view.size / divisor_, glm::ivec2(1));
     renderer_->render(draft);
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
-    // The first draft uploads the scene and compiles shaders, which says nothing of the next.
+    // The first draft uploads the scene and compiles shaders, so its time does not predict the next one.
     if (!first && took.count() > wanted) divisor_ = std::min(divisor_ + 1, MAX_DIVISOR);
 }
 

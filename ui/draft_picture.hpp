@@ -1,5 +1,4 @@
-// draft_picture.hpp -- the picture at a reduced resolution and with fewer triangles, for as long as a control
-// moves.
+// draft_picture.hpp -- the picture at a reduced resolution and with fewer triangles, while a control moves.
 #pragma once
 #include <future>
 #include <memory>
@@ -8,27 +7,27 @@
 
 namespace momentscope::ui {
 
-/// Has a renderer of its own, so that the full picture keeps its passes and is redrawn from the first stale
-/// one alone.
+/// Has a renderer of its own, so the full picture keeps its passes and continues from the first stale one.
 class DraftPicture {
 public:
     explicit DraftPicture(std::shared_ptr<ProgramCache> programs) : programs_(std::move(programs)) {}
 
-    /// Another scene; drawn from the next `draw` on.
+    /// Sets another scene; the next `draw` shows it.
     void set_scene(const Scene& scene);
 
-    /// Other objects of the same meshes.
+    /// Sets other objects of the same meshes.
     void set_objects(const std::vector<Object>& objects);
 
-    /// Draws a view at a fraction of its size in each direction: a half at first, less while drafts take
-    /// longer than `wanted` milliseconds. Coarse meshes (coarse_mesh.hpp) are made beside the first drafts,
-    /// which show the full ones. Throws Error when the GL fails.
+    /// Draws a view at a fraction of its size in each direction: a half at first, and less if drafts take
+    /// longer than `wanted` milliseconds. Coarse meshes (coarse_mesh.hpp) are computed in a thread; drafts
+    /// use the full meshes until then. Throws Error if the GL fails.
     void draw(const View& view, double wanted);
 
-    /// Fragments of the draft's pixel at that place, a fraction of the picture, of the meshes that it shows.
+    /// The fragments of the draft's pixel at this place (a fraction of the picture), from the meshes of the
+    /// draft.
     PixelCapture capture(glm::vec2 place);
 
-    /// What lights that place; `eye` is its capture.
+    /// The light at this place; `eye` is its capture.
     std::optional<LightView> light(glm::vec2 place, const PixelCapture& eye,
                                    std::optional<std::size_t> receiver);
 
@@ -39,9 +38,9 @@ private:
     void use_coarse_meshes();
 
     std::shared_ptr<ProgramCache> programs_;
-    std::unique_ptr<Renderer> renderer_;  // made when it is first asked for
+    std::unique_ptr<Renderer> renderer_;  // created on first use
     Scene scene_;
-    std::future<std::vector<Mesh>> coarse_meshes_;  // of the scene, until they are there
+    std::future<std::vector<Mesh>> coarse_meshes_;  // of the scene; valid while they are computed
     bool is_coarse_ = false;
     bool scene_stale_ = true;
     int divisor_ = 2;

@@ -7,7 +7,7 @@ namespace momentscope::ui {
 
 namespace {
 
-// A font's size is its em in a drawing, and the height of its line in ImGui.
+// The size of a font is its em in a drawing, but the line height in ImGui.
 constexpr float LINE_PER_EM = 1.164f;
 const ImVec2 DASH = {6, 4};
 
@@ -33,7 +33,7 @@ public:
             list_.AddCircle(at, mark.radius * scale_, packed(mark.color), 0, 2 * scale_);
             return;
         }
-        if (mark.shape == MarkShape::cross) {  // not convex: two bars
+        if (mark.shape == MarkShape::cross) {  // not convex, so draw two bars
             list_.AddRectFilled(outline[9], outline[3], packed(mark.color));
             list_.AddRectFilled(outline[0], outline[6], packed(mark.color));
         } else {

@@ -1,4 +1,4 @@
-// drawing_painter.hpp -- drawings on the screen.
+// drawing_painter.hpp -- paints drawings with ImGui.
 #pragma once
 #include <imgui.h>
 
@@ -6,7 +6,7 @@
 
 namespace momentscope::ui {
 
-/// Paints a drawing with its upper left at `origin`, so many times as large.
+/// Paints a drawing with its upper left corner at `origin`, enlarged by `scale`.
 void paint_drawing(ImDrawList& list, const Drawing& drawing, ImVec2 origin, float scale);
 
 }  // namespace momentscope::ui

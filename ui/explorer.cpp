@@ -1,4 +1,4 @@
-// explorer.cpp -- from the state to what is shown: which stages run again, and when.
+// explorer.cpp -- computes what is shown from the state: which stages run again, and when.
 #include "ui/explorer.hpp"
 
 #include <fmt/format.h>
@@ -40,7 +40,7 @@ Explorer::Explorer(Renderer& renderer, ExplorerState state, ExplorerOptions opti
       history_(state_),
       draft_(renderer.programs()) {}
 
-// What was changed last may not be a step yet.
+// The last change may not be recorded as a step yet.
 void Explorer::undo() {
     history_.record(state_);
     if (history_.can_undo()) state_ = history_.undo();
@@ -63,7 +63,7 @@ void Explorer::toggle_pin() {
     if (state_.pins.size() < MAX_PINS)
         state_.pins.push_back(here);
     else
-        message_ = "Four pixels are pinned, which is as many as there is room for; remove one first.";
+        message_ = "Four pixels are pinned already, and there is no room for more; remove one first.";
 }
 
 void Explorer::mark_next(int step) {
@@ -83,7 +83,7 @@ void Explorer::type_parameter(ParameterId id) {
     to_type_ = id;
 }
 
-// Dialogs and text fields close themselves on Escape; here is what remains.
+// Dialogs and text fields close themselves on Escape; this function closes the rest.
 void Explorer::close_topmost() {
     if (palette_.is_open())
         palette_.close();
@@ -99,13 +99,13 @@ void Explorer::close_topmost() {
         state_.card.clear();
 }
 
-// What could not be shown is forgotten.
+// Discards a state that could not be shown.
 void Explorer::go_back_to_shown() {
     history_.reject_present(shown_state_);
     state_ = shown_state_;
 }
 
-// A scene that cannot be loaded is reported, and the state goes back to what is shown.
+// If a scene cannot be loaded, shows the error and goes back to the state that is shown.
 void Explorer::poll_loader() {
     if (!loader_.busy()) return;
     try {
@@ -139,7 +139,7 @@ void Explorer::show_scene(Scene scene) {
     apply_opacity();
 }
 
-// Opacity belongs to mesh files; built-in scenes bring their own.
+// Opacity is a parameter of mesh files only; built-in scenes have their own opacities.
 void Explorer::apply_opacity() {
     if (is_builtin_scene(scene_.id)) return;
     const float opacity = state_.parameters.number(ParameterId::opacity);
@@ -159,7 +159,7 @@ void Explorer::update(glm::ivec2 size) {
     report_ = {};
     try {
         poll_loader();
-        if (is_loading_scene()) return;  // what is shown stays until the scene is there
+        if (is_loading_scene()) return;  // the old content stays until the scene is loaded
         if (state_.ray)
             update_ray();
         else
@@ -168,7 +168,7 @@ void Explorer::update(glm::ivec2 size) {
         shown_state_ = state_;
         update_sharp_bounds();
     } catch (const Error& error) {
-        if (measurement_.curve.technique == nullptr) throw;  // nothing good to go on showing
+        if (measurement_.curve.technique == nullptr) throw;  // there is no good state to show
         message_ = error.what();
         go_back_to_shown();
         shown_view_.technique = nullptr;
@@ -184,7 +184,7 @@ void Explorer::update_ray() {
         measurement_.capture = {.ray = *state_.ray, .transmittance = {}, .stored = {}};
         measurement_.light.reset();
         measurement_.pins.clear();
-        shown_view_.technique = nullptr;  // the picture is not shown any more
+        shown_view_.technique = nullptr;  // the picture is no longer shown
     }
     measure_if_changed(changed);
 }
@@ -206,7 +206,7 @@ void Explorer::update_picture(glm::ivec2 size) {
     draft_view_.technique = nullptr;
     if (stage != Stage::nothing) renderer_.render(view);
     report_passes(before);
-    update_comparison(view, stage);  // may pick another pixel
+    update_comparison(view, stage);  // this may pick another pixel
     update_capture(view, stage);
     update_pins(view, stage);
     update_scene_picture(view, stage);
@@ -225,7 +225,7 @@ void Explorer::report_passes(const PassCounts& before) {
 }
 
 bool Explorer::fragments_stale(const View& view, Stage stage) const {
-    if (stage <= Stage::opaque || light_changed(shown_view_, view)) return true;  // their colours
+    if (stage <= Stage::opaque || light_changed(shown_view_, view)) return true;  // new colours
     const bool reordered = std::ranges::any_of(PICTURE_PARAMETERS, [&](ParameterId id) {
         return parameter(id).invalidates <= Stage::moments &&
                view.parameters[id] != shown_view_.parameters[id];
@@ -235,8 +235,8 @@ bool Explorer::fragments_stale(const View& view, Stage stage) const {
            view.parameters[ParameterId::resolution] != shown_view_.parameters[ParameterId::resolution];
 }
 
-// The fragments of a pixel depend on nothing that comes after the opaque pass but their order, and what
-// moments at low resolution mix; the second pass's T is only captured where it is shown.
+// After the opaque pass, the fragments of a pixel depend only on their order and on what low-resolution
+// moments mix. The T of the second pass is captured only if it is shown.
 void Explorer::update_capture(const View& view, Stage stage) {
     const glm::ivec2 pixel = pixel_of(state_.picked, scene_, view.size);
     const bool light = seen_from_light(state_);
@@ -272,7 +272,7 @@ void Explorer::update_pins(const View& view, Stage stage) {
     report_.capture |= shown_state_.pins != state_.pins;
 }
 
-// What lies over or in place of the picture: reference, differences, failures, lens.
+// Updates what is shown over or instead of the picture: reference, differences, failures, lens.
 void Explorer::update_scene_picture(const View& view, Stage stage) {
     picture_.scene_camera = scene_.camera;
     choose_picture();

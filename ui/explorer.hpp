@@ -1,4 +1,4 @@
-// explorer.hpp -- the window's content: scene, plot and panels over one state.
+// explorer.hpp -- the content of the window: scene, plot and panels of one state.
 #pragma once
 #include <imgui.h>
 
@@ -29,63 +29,63 @@
 
 namespace momentscope::ui {
 
-/// For a picture while something is dragged: 20 updates a second, the plot and the rest of the window
-/// included.
+/// The time for a picture during a drag. It allows 20 updates a second, including the plot and the rest of
+/// the window.
 constexpr double DRAG_MILLISECONDS = 40;
 
 struct ExplorerOptions {
-    float scale = 1;         // of fonts and spacing
-    bool show_times = true;  // milliseconds in the status line; off where pictures must repeat bit by bit
-    double most_milliseconds =
-        std::numeric_limits<double>::infinity();     // for a picture, while the mouse drags;
-                                                     // one that takes longer is drafted
-    double most_silent_milliseconds = 100;           // a picture takes as its kind did before, but times vary
-    std::function<void()> before_long_picture = {};  // called before one that takes longer, or nobody knows
-                                                     // how long; draw_waiting is for the window to show then
+    float scale = 1;         // scale of fonts and spacing
+    bool show_times = true;  // milliseconds in the status line; off if pictures must repeat bit by bit
+    // While the mouse drags, a picture that takes longer is replaced by a draft.
+    double most_milliseconds = std::numeric_limits<double>::infinity();
+    // before_long_picture is called before a picture that is expected to take longer than this, or whose
+    // time is unknown; the window can then show draw_waiting.
+    double most_silent_milliseconds = 100;
+    std::function<void()> before_long_picture = {};
 };
 
-/// What a frame had to compute; all false when nothing had changed.
+/// What a frame had to compute. All false if nothing changed.
 struct FrameReport {
     bool draft = false;  // at a reduced resolution
     bool opaque = false, first_pass = false, second_pass = false, composite = false;
     bool failures = false, reference = false, comparison = false, capture = false, plot = false,
          query = false;
 
-    /// "second pass, composite, plot", or "" when nothing was computed.
+    /// Such as "second pass, composite, plot"; "" if nothing was computed.
     std::string text() const;
 };
 
-/// Draws one ImGui frame after another. Needs a current GL context through the renderer, and an ImGui frame
-/// begun.
+/// Draws ImGui frames. The GL context of the renderer must be current, and an ImGui frame must have begun.
 class Explorer {
 public:
     Explorer(Renderer& renderer, ExplorerState state, ExplorerOptions options = {});
 
-    /// Fills the whole ImGui viewport. Recomputes what the state's changes made stale. Failures become the
-    /// message line; the last good picture stays. Throws Error only when there never was a good one.
+    /// Fills the whole ImGui viewport and recomputes what the state's changes made stale. A failure is shown
+    /// as a message, and the last good picture stays. Throws Error only if there was no good picture yet.
     void frame();
 
-    /// What is shown over the last frame while a long picture is drawn, or instead of it before the first.
+    /// Draws the notice over the last frame while a long picture is drawn; before the first picture it fills
+    /// the window.
     void draw_waiting(ImDrawList& list) const;
 
-    /// Does what is shown lag behind the state, so that another frame is needed without any input?
+    /// Does the window lag behind the state, so that another frame is needed even without input?
     bool wants_frame() const {
         return !(state_ == shown_state_) || is_loading_scene() || has_background_work() || worst_wanted_ ||
                shows_draft() || chart_panel_.busy();
     }
 
-    /// Is the picture one of reduced resolution, which the full one replaces as soon as the mouse rests?
+    /// Is a draft shown? The full picture replaces it as soon as the mouse rests.
     bool shows_draft() const { return draft_view_.technique != nullptr; }
 
-    /// Does work go on beside the window? Frames are then needed to show how far it is.
+    /// Is background work running? Frames are then needed to show its progress.
     bool has_background_work() const {
         return stress_panel_.busy() || tuning_.busy() || sharp_bounds_.busy() || comparison_.busy();
     }
 
-    /// Is a scene being read? Frames are then only needed to show how long.
+    /// Is a scene being read? Frames are then needed to show the elapsed time.
     bool is_loading_scene() const { return loader_.busy(); }
 
-    // What commands, event files and tests act on.
+    // The interface for commands, event files and tests.
     ExplorerState& state() { return state_; }
     const ExplorerState& state() const { return state_; }
     bool can_undo() const { return history_.can_undo(); }
@@ -110,16 +110,17 @@ public:
     void close_topmost();
     Camera camera() const { return state_.camera.value_or(scene_.camera); }
 
-    // What is shown.
+    // What the window shows.
     const Measurement& measurement() const { return measurement_; }
     const Comparison& comparison() const { return comparison_; }
     const ChartPanel& chart_panel() const { return chart_panel_; }
     const FrameReport& report() const { return report_; }
     const std::string& message() const { return message_; }
-    /// How many fragments of the picture fail, while they are marked.
+    /// The number of pixels with failures, while failures are marked.
     const std::optional<FailureCounts>& failures() const { return picture_.failures; }
 
-    /// What the scene is shown without, which is also its first message; empty when nothing is missing.
+    /// The parts that the scene is shown without. It is also the scene's first message; empty if nothing is
+    /// missing.
     std::string warning() const;
     const WidgetRects& widget_rects() const { return widget_rects_; }
     bool shows_reference() const { return flipped_; }
@@ -127,10 +128,10 @@ public:
     bool shows_palette() const { return palette_.is_open(); }
     bool shows_file_dialog() const { return files_.is_open(); }
 
-    /// The file to which the window as it is drawn now shall be written; asked for once per frame.
+    /// The file to which the current window shall be written. Call it once per frame.
     std::optional<std::filesystem::path> take_window_export();
 
-    /// Reports the failure of something that the window asked for.
+    /// Shows a message, for instance about a failure.
     void say(const std::string& message) { message_ = message; }
 
 private:
@@ -191,32 +192,32 @@ private:
     ExplorerOptions options_;
     GlInfo gl_ = gl_info();
     ExplorerState state_;
-    ExplorerState shown_state_;  // for which everything below was computed
+    ExplorerState shown_state_;  // everything below was computed for this state
     History history_;
     Measurement measurement_;
     FrameReport report_;
     std::string message_;
     WidgetRects widget_rects_;
 
-    Scene scene_;               // what the renderer holds
-    float light_distance_ = 1;  // its light's own
-    View shown_view_;           // technique is null when nothing is shown
+    Scene scene_;               // the scene in the renderer
+    float light_distance_ = 1;  // the default distance of its light
+    View shown_view_;           // technique is null if nothing is shown
     DraftPicture draft_;
-    View draft_view_;              // technique is null when the full picture is shown
-    bool draft_captured_ = false;  // the fragments that are shown
-    float still_seconds_ = 0;      // that the draft's view has not changed
+    View draft_view_;              // technique is null if the full picture is shown
+    bool draft_captured_ = false;  // the shown fragments are from a draft
+    float still_seconds_ = 0;      // since the draft's view last changed
     SceneLoader loader_;
-    std::unique_ptr<Renderer> reference_;  // of the same scene, made when it is first asked for
-    View reference_view_;                  // that it drew last
+    std::unique_ptr<Renderer> reference_;  // of the same scene; created on first use
+    View reference_view_;                  // the last view of the reference
     PictureTimes picture_times_;
-    bool flipped_ = false;  // to the reference
+    bool flipped_ = false;  // shows the reference
     bool flip_button_held_ = false;
     bool lens_flipped_ = false;
     bool transmittance_stale_ = true;
     bool breakdown_stale_ = true;
     Comparison comparison_;
-    bool pair_stale_ = true;     // picture or reference changed since they were compared
-    bool worst_wanted_ = false;  // as soon as it is known
+    bool pair_stale_ = true;     // picture or reference changed since the last comparison
+    bool worst_wanted_ = false;  // pick it as soon as it is known
 
     ScenePanel scene_panel_;
     ScenePicture picture_;
@@ -229,16 +230,16 @@ private:
     ChartPanel chart_panel_;
     BackgroundWork<std::optional<TuneResult>> tuning_;
     const Technique* tuned_technique_ = nullptr;
-    struct SharpBoundsInput {  // beside the ray
+    struct SharpBoundsInput {  // besides the ray
         const Technique* technique;
         float theta;
         Range depths;
         friend bool operator==(const SharpBoundsInput&, const SharpBoundsInput&) = default;
     };
     BackgroundWork<std::optional<SharpBounds>> sharp_bounds_;
-    std::optional<SharpBoundsInput> sharp_input_;  // of the last that were asked for; nullopt: of no ray
+    std::optional<SharpBoundsInput> sharp_input_;  // of the last request; nullopt: none for this ray
     bool help_ = false;
-    bool escape_is_taken_ = false;  // by a popup, a dialog or a text field that it closes
+    bool escape_is_taken_ = false;  // by a popup, dialog or text field that it closes
     std::optional<ParameterId> to_type_;
     bool focus_go_to_ = false;
     std::optional<std::filesystem::path> window_export_;

@@ -1,4 +1,4 @@
-// explorer_compare.cpp -- picture and reference: which of their passes, numbers and maps are stale.
+// explorer_compare.cpp -- picture and reference: which passes, numbers and maps are stale.
 #include <fmt/format.h>
 
 #include "ui/explorer.hpp"
@@ -10,7 +10,7 @@ bool Explorer::has_comparison() const {
     return !state_.ray && state_.technique != state_.compare.reference;
 }
 
-// It is drawn only for those who look: flipped to, beside the picture, or compared with it.
+// The reference is drawn only if it is shown, compared with or needed for the worst pixel.
 bool Explorer::wants_reference() const {
     return has_comparison() && (flipped_ || state_.compare.mode != CompareMode::off ||
                                 state_.panel == Panel::compare || worst_wanted_);
@@ -33,7 +33,7 @@ void Explorer::update_comparison(const View& view, Stage stage) {
     if (!numbers) {
         comparison_.stop();
         if (worst_wanted_)
-            message_ = "The picture is drawn by the reference itself; choose another reference.";
+            message_ = "The picture is drawn with the reference itself; choose another reference.";
         worst_wanted_ = false;
         return;
     }
@@ -64,7 +64,8 @@ void Explorer::pick_next_worst() {
     const PixelRegion region = pixels_of(compare.region, comparison_.size());
     const auto pixel = comparison_.next_worst(compare.metric, region);
     if (!pixel) {
-        message_ = fmt::format("No pixel of the {} differs.", compare.region ? "region" : "picture");
+        message_ = fmt::format("No pixel of the {} differs from the reference.",
+                               compare.region ? "region" : "picture");
         return;
     }
     pick(state_, fraction_of(*pixel, comparison_.size()));
@@ -75,7 +76,7 @@ void Explorer::pick_next_worst() {
                            pixel->x, pixel->y);
 }
 
-// What is seen where the picture is: itself, the reference, or a map of their difference.
+// Chooses what is shown in the picture's place: the picture, the reference, or a map of their difference.
 void Explorer::choose_picture() {
     const CompareState& compare = state_.compare;
     picture_.texture = renderer_.display_texture();
@@ -89,7 +90,7 @@ void Explorer::choose_picture() {
     }
     if (compare.mode == CompareMode::off) return;
     if (!has_comparison()) {
-        picture_.title = "nothing to compare: this is the reference itself";
+        picture_.title = "nothing to compare: the picture is the reference itself";
         return;
     }
     if (compare.mode == CompareMode::wipe) {

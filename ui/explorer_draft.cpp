@@ -1,9 +1,9 @@
-// explorer_draft.cpp -- the picture while a control moves.
+// explorer_draft.cpp -- the draft of the picture while a control moves.
 #include "ui/explorer.hpp"
 
 namespace momentscope::ui {
 
-// While the mouse drags what takes long to draw, until it rests.
+// Returns true while the mouse drags and the picture takes too long, until the mouse rests.
 bool Explorer::wants_draft(const View& view, Stage stage) {
     constexpr float REST_SECONDS = 0.2f;
     if (stage == Stage::nothing || shown_view_.technique == nullptr) return false;
@@ -17,8 +17,8 @@ bool Explorer::wants_draft(const View& view, Stage stage) {
     return still_seconds_ < REST_SECONDS;
 }
 
-// The plot stays exact: it is of all fragments at the picked place, to the draft's pixel while the camera
-// moves.
+// The plot stays exact because it uses all fragments at the picked place. While the camera moves, that place
+// is accurate to a pixel of the draft.
 void Explorer::draw_draft(const View& view, Stage stage) {
     if (first_stale_stage(draft_view_, view) != Stage::nothing) {
         draft_.draw(view, options_.most_milliseconds);

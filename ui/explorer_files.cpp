@@ -1,4 +1,4 @@
-// explorer_files.cpp -- what the window opens and saves.
+// explorer_files.cpp -- files that the window opens and saves.
 #include <fmt/format.h>
 
 #include "core/error.hpp"
@@ -81,9 +81,9 @@ void Explorer::use_file(const FileDialog::Choice& choice) {
             Session session = read_session_file(choice.path);
             state_ = std::move(session.state);
             if (!session.ignored.empty())
-                message_ =
-                    fmt::format("The session was opened; what this version does not know was ignored: {}.",
-                                fmt::join(session.ignored, ", "));
+                message_ = fmt::format(
+                    "The session was opened, but this version does not know these keys and ignored them: {}.",
+                    fmt::join(session.ignored, ", "));
             break;
         }
         case FilePurpose::save_session:
@@ -116,10 +116,10 @@ void Explorer::export_to(const FileDialog::Choice& choice) {
     curves.insert(curves.end(), measurement_.compared.begin(), measurement_.compared.end());
     if (kind == "window_png") {
         window_export_ = choice.path;
-        frames_to_export_ = 2;  // this frame still shows the dialog
-        return;                 // who writes it says so
+        frames_to_export_ = 2;  // the current frame still shows the dialog
+        return;                 // the code that writes it shows the message
     } else if (kind.starts_with("picture")) {
-        if (state_.ray) throw Error("A view ray of its own has no picture; choose a scene first.");
+        if (state_.ray) throw Error("A view ray without a scene has no picture; choose a scene first.");
         write_image(renderer_.read_picture(), choice.path, tone_map_of(state_.parameters));
     } else if (kind == "curves_csv") {
         write_file(curves_to_csv(curves), choice.path);

@@ -1,4 +1,4 @@
-// explorer_layout.cpp -- where things stand in the window.
+// explorer_layout.cpp -- the layout of the window.
 #include <fmt/format.h>
 #include <imgui_internal.h>
 
@@ -22,13 +22,14 @@ ImVec4 color_of(ImU32 tint) {
     return ImGui::ColorConvertU32ToFloat4(tint);
 }
 
-// A bar that is dragged to divide room; double-click puts it back. Changes the share of what lies before it.
+// A draggable bar between two areas. A double-click restores the default. Changes the share of the area
+// before the bar.
 void splitter(const Ui& ui, const char* name, bool vertical, ImVec2 size, float room, float default_value,
               float& share) {
     ImGui::InvisibleButton(name, {std::max(size.x, 1.0f), std::max(size.y, 1.0f)});
     ui.record_widget_rect(name);
     const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
-    tooltip("Drag to divide the room; double-click to divide it as at first.");
+    tooltip("Drag to divide the space; double-click to restore the original division.");
     if (hot) ImGui::SetMouseCursor(vertical ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
     const float moved = vertical ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y;
     if (ImGui::IsItemActive() && room > 1) share = std::clamp(share + moved / room, MIN_SHARE, MAX_SHARE);
@@ -45,15 +46,15 @@ void splitter(const Ui& ui, const char* name, bool vertical, ImVec2 size, float 
 
 }  // namespace
 
-// A list, a menu or another popup closes before Escape reaches anything else; dialog and palette, which are
-// popups, too, close themselves, and a text that is being typed goes first.
+// On Escape, an open list, menu or other popup closes first. The dialog and the palette are popups, too, but
+// close themselves, and a text field that is being edited goes before all of them.
 bool Explorer::close_popup_on_escape() const {
     constexpr int ESCAPE = 256;
     const int stay = files_.is_open() || palette_.is_open() ? 1 : 0;
     const int open = ImGui::GetCurrentContext()->OpenPopupStack.Size;
     if (open <= stay || ImGui::GetIO().WantTextInput || !ImGui::IsKeyPressed(ESCAPE, false)) return false;
     ImGui::ClosePopupToLevel(open - 1, true);
-    ImGui::GetIO().KeysDownDuration[ESCAPE] = FLT_MIN;  // held, but not pressed any more
+    ImGui::GetIO().KeysDownDuration[ESCAPE] = FLT_MIN;  // held, but no longer newly pressed
     return true;
 }
 
@@ -76,9 +77,9 @@ void Explorer::frame() {
                      ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse |
                      ImGuiWindowFlags_NoSavedSettings);
     const bool dialog = files_.is_open() || palette_.is_open();
-    const bool reading = is_loading_scene();  // may change within the frame
+    const bool reading = is_loading_scene();  // it may change within this frame
     escape_is_taken_ = close_popup_on_escape() || dialog || reading || ImGui::GetIO().WantTextInput;
-    ImGui::BeginDisabled(reading);  // what is shown and what is chosen must not part
+    ImGui::BeginDisabled(reading);  // the state must not change while a scene is read
     flipped_ = !state_.ray && !dialog && (held({.key = 'G'}) || flip_button_held_);
     draw_menu(ui);
     draw_lessons(ui);
@@ -91,7 +92,7 @@ void Explorer::frame() {
     if (const Command* chosen = palette_.draw(ui, *this)) chosen->run(*this);
     draw_loading(ui);
     run_pressed_commands(*this);
-    // A drag is one step, and only what could be shown is one.
+    // Record a drag as one step, and only states that could be shown.
     if (state_ == shown_state_ && !ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive())
         history_.record(state_);
 }
@@ -143,7 +144,7 @@ void Explorer::draw_work_area(const Ui& ui) {
 
 void Explorer::draw_right_side(const Ui& ui, ImVec2 size) {
     if (measurement_.curve.technique == nullptr)
-        return ImGui::Dummy(size);  // the first scene is still being read
+        return ImGui::Dummy(size);  // the first scene is not loaded yet
     const float bar = 0.6f * em();
     const float plot = std::max(std::floor(state_.plot_share * size.y), 1.0f);
     const float pins = state_.pins.empty() || state_.ray ? 0.0f : std::floor(0.26f * plot);
@@ -162,11 +163,11 @@ void Explorer::draw_right_side(const Ui& ui, ImVec2 size) {
 
 void Explorer::draw_tabs(const Ui& ui) {
     constexpr const char* HELP[] = {"Scene, technique and parameters.",
-                                    "The pixel's history: every fragment with its T.",
-                                    "What the technique is and costs.",
+                                    "The history of the pixel: every fragment with its transmittance T.",
+                                    "What the technique does and what it costs.",
                                     "The reconstruction at the query depth, step by step.",
                                     "Move, add and colour fragments by hand.",
-                                    "Where techniques break: all of them under hard conditions.",
+                                    "Where techniques fail: all of them under difficult conditions.",
                                     "How far the picture is from a reference.",
                                     "Time against error of all techniques, and advice."};
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
@@ -182,7 +183,7 @@ void Explorer::draw_tabs(const Ui& ui) {
         case Panel::controls:
             if (seen_from_light(state_))
                 draw_shadow_controls(ui, scene_.light, light_distance_, state_,
-                                     message_);  // what the plot shows
+                                     message_);  // the plot shows the light's ray
             draw_control_panel(ui, renderer_.ordered_access(), state_, to_type_, message_);
             draw_tuning(ui);
             draw_picture_controls(ui, state_, message_);
@@ -215,13 +216,13 @@ void Explorer::draw_tabs(const Ui& ui) {
     widget_rects_["panel"] = {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
 }
 
-// A message stays until the user does the next thing.
+// A message stays until the next input of the user.
 void Explorer::message_until_input() {
     const ImGuiIO& io = ImGui::GetIO();
     bool input = io.InputQueueCharacters.Size > 0;
     for (const bool clicked : io.MouseClicked) input |= clicked;
     for (int key = 0; key < IM_ARRAYSIZE(io.KeysDown); ++key) input |= ImGui::IsKeyPressed(key, false);
-    if (input && !pressed({.key = 256})) message_.clear();  // Escape has its own rule
+    if (input && !pressed({.key = 256})) message_.clear();  // Escape is handled elsewhere
 }
 
 void Explorer::draw_status(const Ui& ui) {
@@ -231,9 +232,8 @@ void Explorer::draw_status(const Ui& ui) {
         tooltip(message_);
         return;
     }
-    if (measurement_.curve.technique == nullptr)
-        return ImGui::TextUnformatted("The first scene is being read.");
-    std::string status = state_.ray ? std::string("view ray of its own")
+    if (measurement_.curve.technique == nullptr) return ImGui::TextUnformatted("Reading the first scene.");
+    std::string status = state_.ray ? std::string("view ray without a scene")
                                     : fmt::format("pixel {}, {}", measurement_.pixel.x, measurement_.pixel.y);
     status += fmt::format("   {}   absorbance {:.4g}",
                           fragment_count_text(measurement_.capture.ray.fragments.size()),
@@ -246,7 +246,7 @@ void Explorer::draw_status(const Ui& ui) {
     ImGui::TextUnformatted(status.c_str());
     ui.record_widget_rect("status");
     tooltip(
-        "The picked pixel, what lies on its ray, and how long the GL took for each pass when it last ran.");
+        "The picked pixel, what lies on its ray, and the time that the GL took for the last run of each pass.");
     const std::string gl = gl_.software ? fmt::format("no GPU: {}", gl_.renderer) : gl_.renderer;
     const float width = std::min(ImGui::CalcTextSize(gl.c_str()).x, 0.35f * ImGui::GetContentRegionMax().x);
     ImGui::SameLine(std::max(ImGui::GetContentRegionMax().x - width, 1.0f));
@@ -269,15 +269,15 @@ void Explorer::draw_loading(const Ui& ui) {
     ImGui::TextWrapped("Reading %s", loader_.name().c_str());
     const float top = ImGui::GetCursorPosY();
     ImGui::TextWrapped("%s", loader_.stage().c_str());
-    // The button stays where it is, however long the text.
+    // Keep the button in place, however long the text is.
     ImGui::SetCursorPosY(top + 3 * ImGui::GetTextLineHeightWithSpacing());
     const double seconds = loader_.seconds();
     const auto sweep =
-        static_cast<float>(seconds - std::floor(seconds));  // how long it takes is not known beforehand
+        static_cast<float>(seconds - std::floor(seconds));  // the duration is not known in advance
     ImGui::ProgressBar(sweep, {-1, 0}, fmt::format("{:.1f} s", seconds).c_str());
     if (ImGui::Button("Cancel", {6 * em(), 0}) || pressed({.key = 256})) loader_.cancel();
     ui.record_widget_rect("loading.cancel");
-    tooltip("Stops reading; the last scene stays.", "Escape");
+    tooltip("Stops reading; the previous scene stays.", "Escape");
     ImGui::End();
 }
 

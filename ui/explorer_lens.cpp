@@ -1,4 +1,4 @@
-// explorer_lens.cpp -- what the lens magnifies: the pixels that are seen, with their values.
+// explorer_lens.cpp -- the content of the lens: the visible pixels and their values.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -28,7 +28,7 @@ bool writes_values(LensZoom zoom) {
 
 }  // namespace
 
-// A pixel of a map: its colour there, and the differences or the one number that it stands for.
+// A pixel of a map: its colour, and the differences or the number behind it.
 LensPixel Explorer::map_pixel(glm::ivec2 at) const {
     const ComparisonMap& map = comparison_.map();
     const auto index = static_cast<std::size_t>(at.y * comparison_.size().x + at.x);
@@ -50,13 +50,13 @@ LensPixel Explorer::map_pixel(glm::ivec2 at) const {
     return pixel;
 }
 
-// Does the pixel lie on the reference's side of the wipe?
+// Is the pixel on the reference's side of the wipe?
 bool Explorer::on_reference_side(int x, int width) const {
     const float divider = state_.compare.divider * static_cast<float>(width);
     return (static_cast<float>(x) + 0.5f < divider) != state_.compare.swapped;
 }
 
-// Reads pixels back only when others are to be seen.
+// Reads pixels back only if the lens shows other ones.
 void Explorer::update_lens(glm::ivec2 size, bool stale) {
     Lens& lens = picture_.lens;
     if (!state_.lens) lens = {};

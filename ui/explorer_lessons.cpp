@@ -25,7 +25,7 @@ void Explorer::draw_lessons(const Ui& ui) {
                 open_lesson(state_, lesson);
         }
         ui.record_widget_rect(fmt::format("card.{}", lesson.id));
-        if (!open) tooltip(lesson.question, "click to start from there; Ctrl+Z brings everything back");
+        if (!open) tooltip(lesson.question, "click to start this lesson; Ctrl+Z brings everything back");
         ++number;
     }
     draw_card(ui);

@@ -4,12 +4,12 @@
 
 namespace momentscope::ui {
 
-// The ray of the capture becomes the light's.
+// Replaces the ray of the capture by the light's ray.
 void Explorer::see_from_light(glm::ivec2 pixel) {
     measurement_.light = view_from_light(renderer_, pixel, measurement_.capture, state_.receiver);
     if (!measurement_.light) {
         message_ =
-            "This pixel shows nothing that could receive light; the plot shows the eye's ray. Pick another one.";
+            "This pixel shows nothing that could receive light, so the plot shows the eye's ray; pick another one.";
         set_viewpoint(state_, Viewpoint::eye);
         return;
     }
@@ -17,7 +17,7 @@ void Explorer::see_from_light(glm::ivec2 pixel) {
     measurement_.capture.transmittance.clear();
 }
 
-// Shadows were turned off while their plot was shown.
+// Goes back to the eye if shadows were turned off.
 void Explorer::leave_light_without_shadows() {
     if (state_.viewpoint != Viewpoint::eye && !has_shadows(state_.parameters))
         set_viewpoint(state_, Viewpoint::eye);

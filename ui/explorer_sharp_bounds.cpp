@@ -1,4 +1,5 @@
-// explorer_sharp_bounds.cpp -- the sharp bounds of the plot: many linear programs, so beside the window.
+// explorer_sharp_bounds.cpp -- the sharp bounds of the plot. They take many linear programs, so a background
+// thread computes them.
 #include "ui/explorer.hpp"
 
 namespace momentscope::ui {
@@ -9,7 +10,7 @@ constexpr std::size_t BOUND_SAMPLES = 129;
 
 }  // namespace
 
-// Once per frame. Bounds of another ray, function or part of the axis are not shown.
+// Called once per frame. Bounds for another ray, function or part of the axis are not shown.
 void Explorer::update_sharp_bounds() {
     const Curve& curve = measurement_.curve;
     const bool wanted =

@@ -1,4 +1,4 @@
-// explorer_tuning.cpp -- the button that looks for the best parameters beside the window.
+// explorer_tuning.cpp -- the button that searches for the best parameters in the background.
 #include <fmt/format.h>
 
 #include "core/error.hpp"
@@ -9,7 +9,7 @@ namespace momentscope::ui {
 
 namespace {
 
-constexpr glm::ivec2 TUNED_SIZE(64, 36);  // enough pixels to see a scene evenly
+constexpr glm::ivec2 TUNED_SIZE(64, 36);  // enough pixels to cover a scene evenly
 
 }  // namespace
 
@@ -33,21 +33,21 @@ void Explorer::start_tuning() try {
     message_ = error.what();
 }
 
-// Once per frame, whatever tab is open.
+// Called once per frame, whichever tab is open.
 void Explorer::poll_tuning() {
     try {
         const auto result = tuning_.take();
         if (!result || !*result) return;
         const TuneResult& tuned = **result;
         if (tuned_technique_ != state_.technique) {
-            message_ = "Another technique was chosen meanwhile, so what tuning found was not applied.";
+            message_ = "Another technique was chosen meanwhile, so the result of tuning was not applied.";
             return;
         }
         state_.parameters = tuned.values;
         message_ =
-            fmt::format("Tuned: error of T {:.4f} instead of {:.4f}{}. Ctrl+Z brings the old values back.",
+            fmt::format("Tuned: error of T {:.4f} instead of {:.4f}{}; Ctrl+Z brings the old values back.",
                         tuned.error, tuned.error_before,
-                        tuned.safe ? "" : ", though no moment bias kept failures below one in a thousand");
+                        tuned.safe ? "" : ", but no moment bias kept failures below one in a thousand");
     } catch (const Error& error) {
         message_ = error.what();
     }
@@ -60,9 +60,8 @@ void Explorer::draw_tuning(const Ui& ui) {
         if (ImGui::Button("tune α, θ, β")) start_tuning();
         ui.record_widget_rect("controls.tune");
         tooltip(
-            "Looks for the moment bias, wrapping zone angle and overestimation weight of least error against "
-            "the truth, over the pixels of this scene or for this ray, as the paper advises finding them by "
-            "hand.",
+            "Searches for the moment bias, the wrapping zone angle and the overestimation weight with the least error "
+            "against the truth, over the pixels of this scene or for this ray. The paper advises tuning them by hand.",
             "momentscope tune");
         return;
     }

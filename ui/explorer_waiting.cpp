@@ -1,4 +1,4 @@
-// explorer_waiting.cpp -- what the window shows while a picture is being drawn.
+// explorer_waiting.cpp -- the notice that the window shows while it draws a picture.
 #include <fmt/format.h>
 
 #include <cfloat>
@@ -24,7 +24,7 @@ PictureKind Explorer::picture_kind(const View& view, Stage stage) const {
     return kind;
 }
 
-// Called before anything is drawn, when the last frame is still what the window shows.
+// Called before anything is drawn, while the window still shows the last frame.
 void Explorer::announce(const PictureKind& kind, glm::ivec2 size) const {
     if (!options_.before_long_picture) return;
     if (kind.stage == Stage::nothing && kind.reference_stage == Stage::nothing && !kind.failures) return;
@@ -44,7 +44,7 @@ void Explorer::draw_waiting(ImDrawList& list) const {
                WORD, palette(state_.theme));
 }
 
-// Before the first picture: the name above what is being opened, in the middle of the window.
+// Before the first picture: the program's name above the scene's, in the middle of the window.
 void Explorer::draw_opening(ImDrawList& list) const {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     list.AddRectFilled({0, 0}, size, ImGui::GetColorU32(ImGuiCol_WindowBg));

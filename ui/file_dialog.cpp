@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t MAX_ENTRIES = 5000;  // more than anybody scrolls through
+constexpr std::size_t MAX_ENTRIES = 5000;  // nobody scrolls through more
 
 std::string size_text(std::uintmax_t bytes) {
     if (bytes < 1000) return fmt::format("{} B", bytes);
@@ -88,8 +88,8 @@ void FileDialog::draw_entries(const Ui& ui, bool& accept) {
     for (const Entry& entry : entries_) {
         const std::string label = entry.folder ? entry.name + "/" : entry.name;
         if (ImGui::Selectable(label.c_str(), name_ == entry.name, ImGuiSelectableFlags_AllowDoubleClick)) {
-            // The second click of a double-click on a folder meets whatever stands in its row of the new
-            // listing.
+            // A double-click on a folder enters it with the first click. The second click then hits a row of
+            // the new list, so ignore it.
             const bool second = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
             if (second && just_entered_) continue;
             just_entered_ = entry.folder;
@@ -105,12 +105,12 @@ void FileDialog::draw_entries(const Ui& ui, bool& accept) {
             ImGui::TextDisabled("%s", size_text(entry.bytes).c_str());
         }
     }
-    if (entries_.empty()) ImGui::TextDisabled("Nothing of this kind is here.");
+    if (entries_.empty()) ImGui::TextDisabled("There are no files of this kind here.");
     ImGui::EndChild();
     if (entered) enter(*entered);
 }
 
-// Folders are entered, files chosen; what cannot be is explained.
+// Enters a folder or chooses a file. Explains why if neither is possible.
 std::optional<FileDialog::Choice> FileDialog::accept() {
     if (name_.empty()) {
         problem_ = "Type the name of a file, or click one.";
@@ -155,10 +155,10 @@ void FileDialog::draw_kinds(const Ui& ui) {
         ImGui::EndCombo();
     }
     ui.record_widget_rect("file.kind");
-    tooltip("What is written.");
+    tooltip("The kind of file to write.");
 }
 
-// The name and the two buttons.
+// Draws the name field and the two buttons.
 void FileDialog::draw_answer(const Ui& ui, bool& accept, bool& cancel) {
     ImGui::SetNextItemWidth(-1);
     if (begin_) ImGui::SetKeyboardFocusHere();
@@ -166,14 +166,14 @@ void FileDialog::draw_answer(const Ui& ui, bool& accept, bool& cancel) {
     accept |= ImGui::InputTextWithHint("##name", "name of the file, or a path", &name_,
                                        ImGuiInputTextFlags_EnterReturnsTrue);
     ui.record_widget_rect("file.name");
-    tooltip("A name in this folder, or a whole path.");
+    tooltip("A name in this folder, or a full path.");
     accept |= ImGui::Button(mode_ == Mode::save ? "Save" : "Open", {6 * em(), 0});
     ui.record_widget_rect("file.accept");
     tooltip(mode_ == Mode::save ? "Writes the file." : "Opens the file, or enters the folder.", "Enter");
     ImGui::SameLine();
     cancel |= ImGui::Button("Cancel", {6 * em(), 0}) || pressed({.key = 256});
     ui.record_widget_rect("file.cancel");
-    tooltip("Closes the dialog and changes nothing.", "Escape");
+    tooltip("Closes the dialog without a change.", "Escape");
 }
 
 std::optional<FileDialog::Choice> FileDialog::draw(const Ui& ui) {

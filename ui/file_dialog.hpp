@@ -1,4 +1,4 @@
-// file_dialog.hpp -- a file browser within the window, for opening and saving.
+// file_dialog.hpp -- a file browser inside the window, for opening and saving.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -16,21 +16,21 @@ struct FileKind {
     const char* extension;  // ".json"; "" for any
 };
 
-/// The root when it was deleted.
+/// The working folder, or the root if that folder was deleted.
 std::filesystem::path working_folder();
 
 class FileDialog {
 public:
     enum class Mode { open, save };
 
-    /// Opens with the folder of the last time, at first the working directory.
+    /// Opens in the folder of the last time; at first in the working folder.
     void open(Mode mode, const char* title, std::vector<FileKind> kinds, const std::string& suggested_name);
 
     struct Choice {
         std::filesystem::path path;
         const FileKind* kind;
     };
-    /// Draws it, if it is open. What was chosen, in the frame in which it was.
+    /// Draws the dialog if it is open. Returns the choice in the frame in which it was made.
     std::optional<Choice> draw(const Ui& ui);
     bool is_open() const { return open_; }
 
@@ -50,7 +50,7 @@ private:
 
     bool open_ = false;
     bool begin_ = false;
-    bool just_entered_ = false;  // a folder, by the last click
+    bool just_entered_ = false;  // the last click entered a folder
     Mode mode_ = Mode::open;
     std::string title_;
     std::vector<FileKind> kinds_;
@@ -59,7 +59,7 @@ private:
     std::vector<Entry> entries_;
     std::string name_;
     std::string problem_;
-    std::string confirmed_;  // the existing file that the next click on save replaces
+    std::string confirmed_;  // the existing file that the next click on Save replaces
 };
 
 }  // namespace momentscope::ui

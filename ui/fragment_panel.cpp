@@ -16,17 +16,17 @@ struct Column {
     const char* help;
 };
 constexpr Column COLUMNS[] = {
-    {"#", "Place from front to back, and after the stroke the place in which it was submitted."},
-    {"z", "Depth, warped to [−1, 1]."},
+    {"#", "Position from front to back, and after the slash the position in the order of submission."},
+    {"z", "Warped depth in [−1, 1]."},
     {"opac. α_l", "Opacity α_l of the fragment."},
     {"absorb.", "Absorbance −ln(1 − α_l), as the shaders compute it."},
-    {"T true", "Transmittance of everything strictly in front of it."},
-    {"T GL", "Transmittance that the GL's second pass computed for it."},
-    {"T C++", "The same from the same source, compiled as C++."},
-    {"error", "T C++ minus T true: positive where the fragment shines through too much."},
-    {"weight", "T α_l: what its colour is multiplied by."},
+    {"T true", "Transmittance of everything strictly in front of the fragment."},
+    {"T GL", "Transmittance that the second pass on the GL computed for the fragment."},
+    {"T C++", "The same transmittance from the same source, compiled as C++."},
+    {"error", "T C++ minus T true: positive if the fragment is too visible."},
+    {"weight", "T α_l, the factor of the fragment's colour."},
     {"adds", "Colour that blending adds (source); the tooltip of a row has the numbers."},
-    {"onto", "Sum that blending adds to (destination), of what was submitted before."}};
+    {"onto", "Sum that blending adds to (destination), from the fragments submitted before."}};
 
 std::string submitted_place(const PixelHistoryRow& row) {
     return fmt::format("{}", row.fragment + 1);
@@ -73,7 +73,7 @@ void draw_row(const Ui& ui, const Measurement& m, const PixelHistoryRow& row, st
             "click to mark it in the plot");
     cell(fmt::format("{:.3f}", f.depth));
     cell(fmt::format("{:.3f}", f.opacity));
-    cell(fmt::format("{:.3f}", row.absorbance + 0.0f));  // of opacity 0 it is -0
+    cell(fmt::format("{:.3f}", row.absorbance + 0.0f));  // it is -0 for opacity 0
     cell(fmt::format("{:.4f}", row.true_transmittance));
     cell(row.gl_transmittance ? fmt::format("{:.4f}", *row.gl_transmittance) : "–");
     cell(fmt::format("{:.4f}", row.transmittance));
@@ -89,8 +89,8 @@ void draw_row(const Ui& ui, const Measurement& m, const PixelHistoryRow& row, st
     swatch(glm::vec3(row.sum));
 }
 
-// Scrolls to the marked row when the mark has moved; the clipper draws no row out of sight that could ask for
-// it.
+// Scrolls to the marked row if the mark has moved. The row itself cannot do that, because the clipper skips
+// rows outside the view.
 void show_marked(const Measurement& m, const ExplorerState& state) {
     const int marked = state.marked ? static_cast<int>(*state.marked) : -1;
     int& last = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("marked"), -1);
@@ -100,7 +100,7 @@ void show_marked(const Measurement& m, const ExplorerState& state) {
     if (row == m.history.end()) return;
     const float height = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
     const float y = height * static_cast<float>(row - m.history.begin());
-    const float view = ImGui::GetWindowHeight() - 4 * height;  // below the header, above the scroll bar
+    const float view = ImGui::GetWindowHeight() - 4 * height;  // between the header and the scroll bar
     if (y < ImGui::GetScrollY() || y > ImGui::GetScrollY() + view)
         ImGui::SetScrollY(std::max(y - 0.5f * view, 0.0f));
 }
@@ -119,8 +119,8 @@ std::string summary(const Measurement& m) {
 
 std::string breakdown_help(const ErrorBreakdown& breakdown) {
     std::string text =
-        "What the pixel's error is made of, step by step from the truth to what is shown; negative shares make "
-        "up for others. Distances in linear RGB.";
+        "The parts of the pixel's error, step by step from the truth to the shown colour. Negative shares "
+        "compensate others. Distances are in linear RGB.";
     for (const Contribution& one : breakdown.contributions)
         text += fmt::format("\n{:+.4f}  {}", one.share, one.cause);
     return text;
@@ -129,8 +129,9 @@ std::string breakdown_help(const ErrorBreakdown& breakdown) {
 std::string light_help(const LightView& light) {
     const LightBreakdown& v = light.breakdown;
     std::string text = fmt::format(
-        "Shares of the light. Transparent casters let {:.4f} through, {:.4f} by the truth of a deep shadow map with the same "
-        "filter; opaque ones {:.4f}, {:.4f} by comparing every texel. The GL shades with {:.4f}.\nWhat the difference is made of:",
+        "Shares of the light. Transparent casters let {:.4f} through (truth, by a deep shadow map with the same filter: "
+        "{:.4f}), opaque ones {:.4f} (truth, by comparing every texel: {:.4f}). The GL shades with {:.4f}.\n"
+        "The parts of the difference:",
         v.transmittance, v.true_transmittance, 1 - v.shadowed, 1 - v.true_shadowed, light.visibility);
     for (const Contribution& one : v.contributions)
         text += fmt::format("\n{:+.4f}  {}", one.share, one.cause);
@@ -139,7 +140,7 @@ std::string light_help(const LightView& light) {
 
 std::string light_summary(const LightView& light) {
     return fmt::format(
-        "Seen from the light: {} of {} filtered texels, opacities as much as their texel weighs.",
+        "Seen from the light: {} of {} filtered texels, with absorbances multiplied by the weight of their texel.",
         fragment_count_text(light.ray.fragments.size()), light.bundle.texels.size());
 }
 
@@ -166,7 +167,7 @@ void draw_fragment_panel(const Ui& ui, const Measurement& m, ExplorerState& stat
                                   ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingFixedFit |
                                   ImGuiTableFlags_NoSavedSettings;
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding,
-                        {0.2f * em(), 0.1f * em()});  // all columns fit a window of 1280 pixels
+                        {0.2f * em(), 0.1f * em()});  // so that all columns fit a window of 1280 pixels
     if (!ImGui::BeginTable("fragments", static_cast<int>(std::size(COLUMNS)), flags))
         return ImGui::PopStyleVar();
     ImGui::TableSetupScrollFreeze(1, 1);

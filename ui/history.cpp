@@ -7,7 +7,7 @@ namespace momentscope::ui {
 
 namespace {
 
-constexpr std::size_t MAX_STEPS = 1000;  // a state is small; a long lesson has some hundred
+constexpr std::size_t MAX_STEPS = 1000;  // a state is small, and a long lesson takes a few hundred steps
 
 }  // namespace
 

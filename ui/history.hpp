@@ -10,24 +10,25 @@ class History {
 public:
     explicit History(const ExplorerState& first) : present_(first) {}
 
-    /// Makes a changed state a step that can be undone; the same state again is none. Forgets what was
-    /// undone.
+    /// Records a changed state as a step that can be undone, and discards the redo steps. An unchanged state
+    /// is not recorded.
     void record(const ExplorerState& state);
 
-    /// The present cannot be shown: goes back to the state that is, and forgets the step to the present.
+    /// Call this if the present cannot be shown. Goes back to the state that is shown, and discards the step
+    /// to the present.
     void reject_present(const ExplorerState& shown);
 
     bool can_undo() const { return !past_.empty(); }
     bool can_redo() const { return !future_.empty(); }
 
-    /// The state before or after. Call only when there is one.
+    /// The previous or the next state. Call only if there is one.
     const ExplorerState& undo();
     const ExplorerState& redo();
 
     const ExplorerState& present() const { return present_; }
 
 private:
-    std::vector<ExplorerState> past_, future_;  // the last is the nearest
+    std::vector<ExplorerState> past_, future_;  // the last element is the nearest step
     ExplorerState present_;
 };
 

@@ -1,5 +1,4 @@
-// json_reader.hpp -- reads an object of a session key by key, checks every value, and notices keys that
-// nobody asked for.
+// json_reader.hpp -- reads an object of a session key by key, checks every value, and reports unknown keys.
 #pragma once
 #include <fmt/format.h>
 
@@ -14,10 +13,10 @@
 
 namespace momentscope::ui {
 
-constexpr std::size_t MAX_NAMED = 20;  // keys that nobody asked for; a file may have millions
-constexpr std::size_t MAX_NAME = 60;   // letters of each
+constexpr std::size_t MAX_NAMED = 20;  // number of unknown keys that are reported; a file may have millions
+constexpr std::size_t MAX_NAME = 60;   // length of a reported key
 
-/// Reads one object's keys; every key that was asked for is known, the first others are reported.
+/// Reads the keys of one object. All keys that were not read are unknown; the first of them are reported.
 class JsonReader {
 public:
     JsonReader(const nlohmann::json& object, std::string path, std::vector<std::string>& ignored)
@@ -32,7 +31,7 @@ public:
     JsonReader(const JsonReader&) = delete;
     JsonReader& operator=(const JsonReader&) = delete;
 
-    /// nullptr when the key is missing.
+    /// nullptr if the key is missing.
     const nlohmann::json* find(const std::string& key) {
         known_.insert(key);
         const auto found = object_.find(key);
@@ -62,7 +61,7 @@ public:
         if (at == std::end(names)) fail(key, fmt::format("one of {}", fmt::join(names, ", ")));
         value = static_cast<Enum>(at - std::begin(names));
     }
-    /// `count` numbers, each within [low, high].
+    /// A list of `count` numbers, each in [low, high].
     std::vector<float> numbers(const nlohmann::json& list, const std::string& key, std::size_t count,
                                float low, float high) const {
         if (!list.is_array() || list.size() != count) fail(key, fmt::format("a list of {} numbers", count));

@@ -1,4 +1,4 @@
-// lessons.hpp -- the "Try this" cards: a state to start from, what is seen there, and a question.
+// lessons.hpp -- the "Try this" cards: a state to start from, a description and a question.
 #pragma once
 #include <span>
 #include <string_view>
@@ -10,16 +10,16 @@ namespace momentscope::ui {
 struct Lesson {
     const char* id;
     const char* title;
-    const char* text;      // two sentences: what is shown, and what to look at
-    const char* question;  // answered by what is shown
+    const char* text;      // what is shown, and what to look at
+    const char* question;  // the shown state answers it
     const char* answer;
-    void (*prepare)(ExplorerState& state);  // from a fresh state
+    void (*prepare)(ExplorerState& state);  // changes a fresh state
 };
 
 std::span<const Lesson> lessons();
-const Lesson* find_lesson(std::string_view id);  // nullptr when there is none
+const Lesson* find_lesson(std::string_view id);  // nullptr if there is none
 
-/// A fresh state with the card open; theme and layout stay.
+/// Sets a fresh state with the card open. Theme and layout stay.
 void open_lesson(ExplorerState& state, const Lesson& lesson);
 
 }  // namespace momentscope::ui

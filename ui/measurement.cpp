@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t SAMPLES = 512;
 
-// Neighbouring depths of which something is true, as one range.
+// Merges neighbouring depths where `is` holds into ranges.
 template <typename Predicate>
 std::vector<Range> ranges_where(const std::vector<float>& depths, const Predicate& is) {
     std::vector<Range> ranges;
@@ -36,9 +36,9 @@ const ViewRay& ray_of(const LightView& light, Viewpoint viewpoint) {
 std::vector<float> plot_depths(const ViewRay& ray, std::size_t samples, Range range) {
     std::vector<float> depths = even_depths(samples);
     for (float& depth : depths) depth = range.low + 0.5f * (depth + 1) * (range.high - range.low);
-    constexpr std::size_t MAX_SAMPLED_FRAGMENTS = 1000;  // more lie closer together than the samples
+    constexpr std::size_t MAX_SAMPLED_FRAGMENTS = 1000;  // beyond that, samples are dense enough
     if (ray.fragments.size() > MAX_SAMPLED_FRAGMENTS) return depths;
-    const float beside = 1e-3f * (range.high - range.low);  // below one pixel of any plot
+    const float beside = 1e-3f * (range.high - range.low);  // less than a pixel of any plot
     for (const Fragment& fragment : ray.fragments)
         for (const float offset : {-beside, 0.0f, beside})
             depths.push_back(std::clamp(fragment.depth + offset, range.low, range.high));
@@ -55,7 +55,7 @@ Range visible_depths(const ViewRay& ray, const PlotState& plot) {
     };
     Range range = {std::clamp(warped(plot.depth->low), -1.0f, 1.0f),
                    std::clamp(warped(plot.depth->high), -1.0f, 1.0f)};
-    if (!(range.high - range.low > 1e-5f)) return {-1, 1};  // nothing of the depth range is visible
+    if (!(range.high - range.low > 1e-5f)) return {-1, 1};  // the depth range is out of sight
     return range;
 }
 
@@ -70,7 +70,7 @@ BoundViolation bound_violation(const Curve& curve) {
     BoundViolation exit;
     if (curve.beta0.empty()) return exit;
     const auto tolerance =
-        static_cast<float>(2e-3 * std::max(curve.total_absorbance, 1e-6));  // a pixel of the plot
+        static_cast<float>(2e-3 * std::max(curve.total_absorbance, 1e-6));  // about a pixel of the plot
     exit.where = ranges_where(curve.depth, [&](std::size_t i) {
         const auto truth = static_cast<float>(curve.truth[i]);
         const float by = std::max(curve.beta0[i] - truth, truth - curve.beta1[i]);
@@ -140,8 +140,8 @@ void measure_query(Measurement& m, const ExplorerState& state) {
 }
 
 std::string empty_ray_text(const Measurement& measurement) {
-    return measurement.light ? "The light's map has no such caster there."
-                             : "No transparent surface covers this pixel. Click one in the scene.";
+    return measurement.light ? "The light's map has no caster of this kind here."
+                             : "No transparent surface covers this pixel. Click on one in the scene.";
 }
 
 }  // namespace momentscope::ui

@@ -1,4 +1,4 @@
-// measurement.hpp -- all numbers that the window shows of the picked ray, computed from the state and the
+// measurement.hpp -- all numbers that the window shows for the picked ray, computed from the state and the
 // captured pixel.
 #pragma once
 #include <optional>
@@ -15,21 +15,21 @@
 
 namespace momentscope::ui {
 
-/// Where the truth lies outside of what beta = 0 and beta = 1 give.
+/// Where the truth lies outside the band between the results for beta = 0 and beta = 1.
 struct BoundViolation {
     std::vector<Range> where;  // depths, ascending
-    float worst = 0;           // absorbance by which it leaves
+    float worst = 0;           // greatest absorbance by which it leaves
     float worst_depth = 0;
 };
 
-/// Where the solver's result is no number, or outside [0, b0] before it is clamped. Only the textbook's can
-/// be.
+/// Where the solver's result, before clamping, is not finite or outside [0, b0]. Only the textbook solver can
+/// fail so.
 struct SolverFailure {
     std::vector<Range> where;  // depths, ascending
-    bool no_number = false;    // at one of them at least
+    bool no_number = false;    // a result is NaN at least once
 };
 
-/// A pinned pixel and its functions.
+/// A pinned pixel, its ray and its curve.
 struct Pinned {
     glm::ivec2 pixel{0};
     ViewRay ray;
@@ -39,26 +39,26 @@ struct Pinned {
 struct Measurement {
     glm::ivec2 pixel{0};
     glm::ivec2 picture_size{0};
-    PixelCapture capture;               // its transmittance is of the second pass when it was last asked for
-    Curve curve;                        // as the plot draws it; depths ascend
+    PixelCapture capture;               // its transmittance belongs to the last captured second pass
+    Curve curve;                        // as the plot draws it, with ascending depths
     std::vector<Curve> compared;        // at the same depths
-    std::vector<float> unbiased_exact;  // the same; empty while it is not shown
-    SharpBounds sharp;                  // at depths of its own; empty until it is computed beside the window
-    std::optional<LightView> light;     // when the capture's ray is the light's
+    std::vector<float> unbiased_exact;  // at the same depths; empty if hidden
+    SharpBounds sharp;                  // at its own depths; empty until computed in the background
+    std::optional<LightView> light;     // set if the capture's ray is the light's
     CanonicalRepresentation canonical;
     Steps steps;                           // at the same query depth
     std::vector<PixelHistoryRow> history;  // front to back
-    ErrorBreakdown breakdown;              // on the pixel's colour
+    ErrorBreakdown breakdown;              // of the pixel's colour
     BoundViolation exit;
     SolverFailure failure;
     std::vector<Pinned> pins;
 };
 
-/// The ray that a viewpoint has of a receiver; viewpoint is not the eye.
+/// The ray of a viewpoint; `viewpoint` must not be the eye.
 const ViewRay& ray_of(const LightView& light, Viewpoint viewpoint);
 
-/// Where to evaluate a curve so that its drawing misses nothing: evenly within the range, and at and around
-/// every fragment's own depth.
+/// The depths at which to evaluate a curve so that its drawing misses nothing: evenly within the range, and
+/// at and around every fragment's own depth.
 std::vector<float> plot_depths(const ViewRay& ray, std::size_t samples, Range range = {-1, 1});
 
 /// The part of [-1, 1] that the plot shows.
@@ -67,22 +67,22 @@ Range visible_depths(const ViewRay& ray, const PlotState& plot);
 /// The warped depth at which bounds, beta and the canonical representation are drawn.
 float query_depth(const Measurement& measurement, const ExplorerState& state);
 
-/// Where a curve's truth leaves the band by more than rounding does.
+/// Where the truth of a curve leaves the band by more than rounding explains.
 BoundViolation bound_violation(const Curve& curve);
 
-/// Where the curve's solver fails; evaluates it once more per depth if it is the textbook's.
+/// Where the curve's solver fails. The textbook solver is evaluated once more at every depth.
 SolverFailure solver_failure(const Curve& curve);
 
-/// What panels say in place of a ray without fragments.
+/// The text that panels show if the ray has no fragments.
 std::string empty_ray_text(const Measurement& measurement);
 
-/// Do two states have the same curves over one capture?
+/// Do two states have the same curves for the same capture?
 bool same_curves(const ExplorerState& a, const ExplorerState& b);
 
-/// Recomputes what follows from the captures: curves, band, history, pins' curves.
+/// Recomputes everything that follows from the captures: curves, band, history and the curves of the pins.
 void measure_curves(Measurement& measurement, const ExplorerState& state);
 
-/// Recomputes why the pixel's colour is wrong; depends on all parameters.
+/// Recomputes why the pixel's colour is wrong. This depends on all parameters.
 void measure_breakdown(Measurement& measurement, const ExplorerState& state);
 
 /// Recomputes the canonical representation and the steps at the query depth, from the curve's moments.

@@ -13,19 +13,19 @@ namespace momentscope::ui {
 
 namespace {
 
-constexpr float MIN_EXPONENT = -9;  // sliders of logarithmic parameters start at 10^-9, and left of it at 0
+constexpr float MIN_EXPONENT = -9;  // logarithmic sliders start at 10^-9; the left end is 0
 
 std::string shown_name(const Parameter& row) {
-    return fmt::format("{} {}", row.name, row.symbol);  // never a bare alpha
+    return fmt::format("{} {}", row.name, row.symbol);  // with the name, because alpha alone is ambiguous
 }
 
-// ImGui's own logarithmic sliders do not reach this far down, so the slider moves the exponent.
+// ImGui's own logarithmic sliders do not reach this far down, so this slider sets the exponent.
 bool draw_logarithmic(const Parameter& row, float& value) {
     const float most = std::log10(row.maximum);
     const float first = row.minimum > 0 ? std::log10(row.minimum) : MIN_EXPONENT;
     const float least = row.minimum > 0 ? first : MIN_EXPONENT - 0.25f;
     float exponent = value > 0 ? std::clamp(std::log10(value), first, most) : least;
-    const bool plain = row.maximum > 1;  // a length, not a small share
+    const bool plain = row.maximum > 1;  // a length instead of a small share
     const std::string shown = plain       ? fmt::format("{:.4g}", static_cast<double>(value))
                               : value > 0 ? fmt::format("{:.2e}", static_cast<double>(value))
                                           : "0";
@@ -84,14 +84,14 @@ bool draw_value(const Ui& ui, const Parameter& row, const Technique& technique, 
             break;
     }
     const std::string format = *row.unit != '\0' ? fmt::format("%.3f {}", row.unit) : "%.3f";
-    // Rounding to what is shown would leave the range: pi is less than 3.142.
+    // Rounding to the shown digits would leave the range: pi is less than 3.142.
     return ImGui::SliderFloat(
         "##value", &value, row.minimum, row.maximum, format.c_str(),
         ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput | ImGuiSliderFlags_NoRoundToFormat);
 }
 
-// Ctrl+click on the slider opens a text field in its place. What is typed goes the way of the command line,
-// so it is checked and explained alike.
+// Ctrl+click on the slider replaces it by a text field. The typed text is parsed like an option of the
+// command line, with the same checks and messages.
 enum Typing { not_typing, begin_typing, typing };
 
 int& typing_state() {
@@ -101,7 +101,7 @@ int& typing_state() {
 void draw_typed(const Parameter& row, ParameterValues& values, std::string& message) {
     int& state = typing_state();
     if (state == begin_typing) ImGui::SetKeyboardFocusHere();
-    std::string typed;  // ImGui keeps what is typed until Enter
+    std::string typed;  // ImGui keeps the typed text until Enter
     const bool entered =
         ImGui::InputTextWithHint("##typed", row.default_value ? "a number" : "a number, or auto", &typed,
                                  ImGuiInputTextFlags_EnterReturnsTrue);
@@ -112,7 +112,7 @@ void draw_typed(const Parameter& row, ParameterValues& values, std::string& mess
             message = error.what();
         }
     }
-    // A popup that is just closing may take the keyboard back; then it is asked for again.
+    // A popup that is just closing may take back the keyboard; then request it again.
     if (ImGui::IsItemActive())
         state = typing;
     else if (entered || (state == typing && ImGui::IsItemDeactivated()))
@@ -124,7 +124,8 @@ bool is_slider(const Parameter& row) {
 }
 
 void draw_tooltip(const Parameter& row) {
-    tooltip(parameter_help(row), is_slider(row) ? "Ctrl+click types a value, double-click resets it." : "");
+    tooltip(parameter_help(row),
+            is_slider(row) ? "Ctrl+click to type a value, double-click to reset it." : "");
 }
 
 bool double_clicked() {
@@ -135,7 +136,7 @@ bool double_clicked() {
 
 std::string parameter_help(const Parameter& row) {
     const std::string unit = row.default_value && *row.unit != '\0' ? fmt::format(" {}", row.unit) : "";
-    return fmt::format("{}. {}\n--{}, {}; normally {}{}. Source: {}.", shown_name(row), row.help, row.key,
+    return fmt::format("{}. {}\n--{}, {}; default {}{}. Source: {}.", shown_name(row), row.help, row.key,
                        parameter_values_text(row), parameter_text(row, row.default_value), unit, row.source);
 }
 
@@ -165,16 +166,17 @@ void draw_parameter_control(const Ui& ui, const Parameter& row, const Technique&
     draw_tooltip(row);
     if (reset) {
         values.set(row.id, row.default_value);
-        ImGui::ClearActiveID();  // the button is still down; without this the slider would follow it again
+        ImGui::ClearActiveID();  // the button is still down; otherwise the slider would follow it again
     }
     if (!row.default_value) {
         ImGui::SameLine();
         bool on = !values[row.id].has_value();
         if (ImGui::Checkbox("auto", &on)) values.set(row.id, on ? std::nullopt : std::optional(value));
         ui.record_widget_rect(fmt::format("parameter.{}.auto", row.key));
-        tooltip(automatic ? fmt::format("The scene's own, {:.3g}.", static_cast<double>(recommended))
-                          : fmt::format("What the bias preset says for this technique, {:.1e}.",
-                                        static_cast<double>(recommended)));
+        tooltip(automatic
+                    ? fmt::format("Takes the scene's own value, {:.3g}.", static_cast<double>(recommended))
+                    : fmt::format("Takes the bias preset's value for this technique, {:.1e}.",
+                                  static_cast<double>(recommended)));
     }
     ImGui::PopID();
 }

@@ -1,4 +1,4 @@
-// parameter_controls.hpp -- one control per row of the registry of parameters.
+// parameter_controls.hpp -- draws one control for each row of the registry of parameters.
 #pragma once
 #include <optional>
 #include <string>
@@ -8,15 +8,16 @@
 
 namespace momentscope::ui {
 
-/// Draws the control of a parameter: slider with typed values, tooltip, `auto` where there is one.
-/// Double-clicking the name or the slider resets it. The technique says what auto means, and which choices
-/// make no sense beside the other values: these are grey. `type_now` opens it as a text field. A value that
-/// was refused is explained in `message`. `automatic` is what auto means where the technique does not say.
+/// Draws the control of a parameter: a slider, which also takes typed values, a tooltip, and `auto` if the
+/// parameter has it. A double-click on the name or the slider resets the value. The technique defines the
+/// meaning of `auto`, unless `automatic` is given, and which choices make no sense with the other values;
+/// those are greyed out. `type_now` opens the control as a text field. If a value is refused, `message`
+/// explains why.
 void draw_parameter_control(const Ui& ui, const Parameter& row, const Technique& technique, float label_width,
                             bool type_now, ParameterValues& values, std::string& message,
                             std::optional<float> automatic = {});
 
-/// What the tooltip says: meaning, option, range, standard and source.
+/// The text of the tooltip: meaning, option, range, default and source.
 std::string parameter_help(const Parameter& row);
 
 }  // namespace momentscope::ui

@@ -1,4 +1,4 @@
-// picture_times.hpp -- how long the next picture takes, which nobody knows but from others of its kind.
+// picture_times.hpp -- predicts the time of the next picture from earlier pictures of the same kind.
 #pragma once
 #include <glm/glm.hpp>
 #include <map>
@@ -11,23 +11,22 @@
 
 namespace momentscope::ui {
 
-/// What the time of a picture depends on, beside its size.
+/// What the time of a picture depends on, besides its size.
 struct PictureKind {
     std::string scene;
     const Technique* technique = nullptr;
-    std::vector<std::optional<float>> choices =
-        {};                                // of parameters without a continuous range: their programs
-    Stage stage = Stage::nothing;          // from which it is drawn
-    const Technique* reference = nullptr;  // drawn beside it, or null
+    std::vector<std::optional<float>> choices = {};  // values of discrete parameters, which select programs
+    Stage stage = Stage::nothing;                    // first stage that is drawn
+    const Technique* reference = nullptr;            // reference that is drawn, too, or null
     Stage reference_stage = Stage::nothing;
-    bool failures = false;  // marked anew
+    bool failures = false;  // failures are marked again
     friend auto operator<=>(const PictureKind&, const PictureKind&) = default;
 };
 
 class PictureTimes {
 public:
-    /// Milliseconds, as the last picture of the kind took for each of its pixels; nullopt when there was
-    /// none.
+    /// The expected milliseconds, from the time per pixel of the last picture of this kind; nullopt if there
+    /// was none.
     std::optional<double> expected(const PictureKind& kind, glm::ivec2 size) const {
         const auto found = per_pixel_.find(kind);
         if (found == per_pixel_.end()) return std::nullopt;

@@ -33,7 +33,7 @@ void draw_small_plot(const Ui& ui, const Pinned& pin, std::size_t number, PlotSt
 void draw_pinned_plots(const Ui& ui, const Measurement& m, ExplorerState& state, ImVec2 size) {
     if (m.pins.empty()) return;
     const float gap = 0.4f * em();
-    const float cross = 1.3f * ImGui::GetTextLineHeight();  // side of the square that removes
+    const float cross = 1.3f * ImGui::GetTextLineHeight();  // side of the square that removes the pin
     const auto count = static_cast<float>(m.pins.size());
     const ImVec2 each = {std::max((size.x - gap * (count - 1)) / count, 1.0f), std::max(size.y, 1.0f)};
     std::optional<std::size_t> removed;
@@ -48,7 +48,7 @@ void draw_pinned_plots(const Ui& ui, const Measurement& m, ExplorerState& state,
         const bool on_cross = mouse.x > area.high.x - cross && mouse.y < low.y + cross;
         ui.widget_rects[fmt::format("pin.{}.remove", i + 1)] = {{area.high.x - cross, low.y},
                                                                 {area.high.x, low.y + cross}};
-        tooltip(on_cross ? "Remove this pin." : "Click to go to this pixel.");
+        tooltip(on_cross ? "Removes this pin." : "Click to go to this pixel.");
         draw_small_plot(ui, m.pins[i], i + 1, state.plot, area);
         if (clicked && on_cross) removed = i;
         if (clicked && !on_cross) pick(state, state.pins[i]);

@@ -1,11 +1,11 @@
-// pinned_plots.hpp -- small plots of the pinned pixels.
+// pinned_plots.hpp -- draws small plots of the pinned pixels.
 #pragma once
 #include "ui/measurement.hpp"
 #include "ui/ui.hpp"
 
 namespace momentscope::ui {
 
-/// In a row of that size. Clicking one goes to its pixel, its cross removes it.
+/// Draws the plots in a row of this size. A click on a plot goes to its pixel; its cross removes it.
 void draw_pinned_plots(const Ui& ui, const Measurement& measurement, ExplorerState& state, ImVec2 size);
 
 }  // namespace momentscope::ui

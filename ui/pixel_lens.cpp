@@ -23,8 +23,8 @@ float width_of(const std::string& text, float size) {
     return ImGui::GetFont()->CalcTextSizeA(size, 1e6f, 0, text.c_str()).x;
 }
 
-// The largest text, up to the usual one, with which every value stays within its pixel; 0 when it could not
-// be read.
+// The largest text size, up to the usual one, at which every value fits into its pixel; 0 if it would not be
+// readable.
 float value_size(const Lens& lens, float cell) {
     float size = std::min(0.9f * em(), 0.27f * cell);
     for (const LensPixel& pixel : lens.pixels)

@@ -1,4 +1,4 @@
-// pixel_lens.hpp -- pixels around the picked one, magnified, with their values where there is room.
+// pixel_lens.hpp -- magnifies the pixels around the picked one and shows their values where there is space.
 #pragma once
 #include <array>
 #include <glm/glm.hpp>
@@ -12,25 +12,25 @@ namespace momentscope::ui {
 
 struct LensPixel {
     std::array<unsigned char, 3> color{};  // sRGB
-    std::array<std::string, 3> values;     // written into it; empty: none
+    std::array<std::string, 3> values;     // texts in the pixel; empty: none
 };
 
 struct Lens {
-    glm::ivec2 corner{0};  // of its upper left pixel in the picture
+    glm::ivec2 corner{0};  // the upper left pixel in the picture
     glm::ivec2 extent{0};  // 0: no lens
     std::vector<LensPixel> pixels;
-    std::string values;  // what the numbers are, as "sRGB"
+    std::string values;  // what the numbers mean, such as "sRGB"
 };
 
-/// How far the lens reaches from its middle, in pixels.
+/// The number of pixels from the middle of the lens to its edge.
 int lens_radius(LensZoom zoom);
 
-/// Draws it into the lower left corner of the picture's area, or into the right one where it would hide the
-/// picked pixel, which it frames. Returns the height that it took in the left corner.
+/// Draws the lens in the lower left corner of the picture's area, or in the right corner if it would hide the
+/// picked pixel. Frames the picked pixel. Returns the height that the lens takes in the left corner.
 float draw_lens(ImDrawList& list, const Rect& area, const Lens& lens, LensZoom zoom, glm::ivec2 pixel,
                 const Palette& colors);
 
-/// Text on a background of its own, with its upper left corner at `at`.
+/// Draws text on its own background, with the upper left corner at `at`.
 void draw_label(ImDrawList& list, ImVec2 at, const std::string& text, const Palette& colors);
 
 }  // namespace momentscope::ui

@@ -17,7 +17,7 @@ Range fitting_depths(const PlotAxes& axes, const Curve& curve, const PlotState& 
     const float low = axes.axis_of(-1);
     const float high = axes.axis_of(1);
     if (!has_wrapping_zone(curve, plot)) return {low, high};
-    // In view depth the zone grows exponentially: a part of it is shown.
+    // In view depth the zone grows exponentially, so only a part of it is shown.
     constexpr float MAX_ZONE = 0.2f;
     const float end = axes.axis_of(end_of_circle(curve.parameters.theta));
     if (axes.axis == DepthAxis::view) return {low, std::min(end, high + MAX_ZONE * (high - low))};
@@ -27,7 +27,7 @@ Range fitting_depths(const PlotAxes& axes, const Curve& curve, const PlotState& 
 Range fitting_values(const Curve& curve, Quantity quantity) {
     if (quantity == Quantity::transmittance) return {0, 1.04f};
     float highest = 1e-3f;
-    const auto reach = [&](float value) {  // no axis reaches infinity
+    const auto reach = [&](float value) {  // the axis must stay finite
         if (std::isfinite(value)) highest = std::max(highest, value);
     };
     reach(static_cast<float>(curve.total_absorbance));
@@ -44,7 +44,7 @@ float tick_step(float range, float count) {
     return 10 * power;
 }
 
-// Rounded to the step, so that 0.30000001 is written 0.3.
+// Rounds to the step, so that 0.30000001 is written as 0.3.
 std::string tick_label(float value, float step) {
     const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-3f)), 0, 7);
     return fmt::format("{:.{}f}", static_cast<double>(value == 0 ? 0.0f : value), decimals);

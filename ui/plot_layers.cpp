@@ -15,7 +15,7 @@ bool shows(const PlotInput& input, Series series) {
     return input.state.plot.shows(series);
 }
 
-// Fades what is not under the mouse in the legend.
+// Fades all series except the one under the mouse in the legend.
 ImU32 tint_of(const PlotInput& input, Series series, ImU32 tint) {
     if (!input.highlighted || *input.highlighted == series) return tint;
     const ImU32 opacity = ((tint >> IM_COL32_A_SHIFT) & 0xFF) / 4;
@@ -36,7 +36,7 @@ std::vector<ImVec2> points_of(const PlotAxes& axes, const std::vector<float>& de
 }
 
 void draw_line(ImDrawList& list, const std::vector<ImVec2>& points, ImU32 tint, float thickness) {
-    // In pieces that share a point: ImGui numbers the vertices of one call with 16 bits.
+    // Draw pieces that share a point, because ImGui numbers the vertices of one call with 16 bits.
     constexpr std::size_t PIECE = 4000;
     for (std::size_t first = 0; first + 1 < points.size(); first += PIECE - 1)
         list.AddPolyline(&points[first], static_cast<int>(std::min(PIECE, points.size() - first)), tint,
@@ -45,7 +45,7 @@ void draw_line(ImDrawList& list, const std::vector<ImVec2>& points, ImU32 tint, 
 
 void draw_band(ImDrawList& list, const PlotAxes& axes, const Curve& curve, ImU32 fill, ImU32 edge,
                float width) {
-    // Smoothed edges of neighbouring quads would overlap in visible stripes; the outline is drawn as lines.
+    // Smoothed edges of neighbouring quads would overlap in visible stripes. The outline is drawn as lines.
     const ImDrawListFlags flags = list.Flags;
     list.Flags &= ~ImDrawListFlags_AntiAliasedFill;
     const auto low = points_of(axes, curve.depth, curve.beta0);
@@ -70,7 +70,7 @@ void draw_truth(ImDrawList& list, const PlotAxes& axes, const ViewRay& ray, ImU3
     draw_line(list, points, tint, width);
 }
 
-// The stretch of the circle beyond the depth range, where roots wrap from the far end to the near one.
+// The part of the circle beyond the depth range, where roots wrap from the far end to the near end.
 void draw_wrapping_zone(ImDrawList& list, const PlotAxes& axes, const Palette& colors,
                         const PlotInput& input) {
     const Curve& curve = input.measurement.curve;
@@ -87,14 +87,14 @@ void draw_wrapping_zone(ImDrawList& list, const PlotAxes& axes, const Palette& c
               edge);
 }
 
-// Where the truth is outside the band, along the depth axis.
+// Underlines the depth axis where the truth is outside the band.
 void draw_exits(ImDrawList& list, const PlotAxes& axes, const Palette& colors, const Measurement& m) {
     const float y = axes.area.high.y - 3;
     for (const Range& range : m.exit.where)
         list.AddLine({axes.x(range.low) - 1, y}, {axes.x(range.high) + 1, y}, colors.exit, 4);
 }
 
-// Where the solver's result is none, along the top.
+// Marks along the top the depths at which the solver fails.
 void draw_failure(ImDrawList& list, const PlotAxes& axes, const Palette& colors, const Measurement& m) {
     const float tick = 0.5f * em();
     for (const Range& range : m.failure.where)
@@ -103,9 +103,9 @@ void draw_failure(ImDrawList& list, const PlotAxes& axes, const Palette& colors,
                          colors.exit, 1.5f);
 }
 
-// From the truth to the reconstruction at every fragment's own depth: the error that the picture has.
+// A line from the truth to the reconstruction at every fragment's own depth: the error in the picture.
 void draw_errors(ImDrawList& list, const PlotAxes& axes, const Palette& colors, const PlotInput& input) {
-    constexpr std::size_t MAX_MARKED_FRAGMENTS = 300;  // their marks would hide the curves
+    constexpr std::size_t MAX_MARKED_FRAGMENTS = 300;  // more marks would hide the curves
     if (input.measurement.history.size() > MAX_MARKED_FRAGMENTS) return;
     const ImU32 tint = tint_of(input, Series::errors, colors.errors);
     const float scale = em() / 15;
@@ -121,14 +121,14 @@ void draw_errors(ImDrawList& list, const PlotAxes& axes, const Palette& colors, 
     }
 }
 
-// The canonical representation: a stem per mass, as high as its absorbance.
+// The canonical representation: one stem per mass, as high as its absorbance.
 void draw_stems(ImDrawList& list, const PlotAxes& axes, const Palette& colors, const PlotInput& input) {
     const CanonicalRepresentation& canonical = input.measurement.canonical;
     const float b0 = input.measurement.curve.moments.b0;
     if (!(b0 > 0)) return;
     const float scale = em() / 15;
     const ImU32 tint = tint_of(input, Series::stems, colors.stems);
-    // In a plot of T a stem's height is its share of b0.
+    // In a plot of T, the height of a stem is its share of b0.
     const auto top = [&](float absorbance) {
         return axes.y_of(axes.quantity == Quantity::absorbance ? absorbance : absorbance / b0);
     };
@@ -138,7 +138,7 @@ void draw_stems(ImDrawList& list, const PlotAxes& axes, const Palette& colors, c
         if (!std::isfinite(node.depth)) continue;
         const ImVec2 head = {axes.x(node.depth), top(node.absorbance)};
         list.AddLine({head.x, ground}, head, tint, width);
-        if (node.value > 0.5f)  // full heads count as in front
+        if (node.value > 0.5f)  // full head: counts as in front
             list.AddCircleFilled(head, 4.2f * scale, tint);
         else
             list.AddCircle(head, 4.2f * scale, tint, 0, 1.6f * scale);
@@ -151,7 +151,7 @@ void draw_stems(ImDrawList& list, const PlotAxes& axes, const Palette& colors, c
                        {x, top(canonical.query_absorbance) + 5 * scale}, tint);
 }
 
-// Where beta lies between the two bounds at the query depth.
+// Shows where beta lies between the two bounds at the query depth.
 void draw_query(ImDrawList& list, const PlotAxes& axes, const Palette& colors, const PlotInput& input) {
     const CanonicalRepresentation& canonical = input.measurement.canonical;
     const float scale = em() / 15;
@@ -179,7 +179,7 @@ void draw_query(ImDrawList& list, const PlotAxes& axes, const Palette& colors, c
     const float text_y = std::clamp(y, axes.area.low.y + height, axes.area.high.y - height);
     const ImVec2 extent = ImGui::CalcTextSize(label.c_str());
     const float text_x = right ? x + 1.6f * bar : x - 1.6f * bar - extent.x;
-    // Curves must not strike it out.
+    // Cover the curves behind the label.
     list.AddRectFilled({text_x - 3, text_y - height}, {text_x + extent.x + 3, text_y + height},
                        colors.plot_background, 3);
     draw_text(list, {text_x, text_y}, {0, 0.5f}, label, fill);
@@ -198,7 +198,7 @@ void draw_marked(ImDrawList& list, const PlotAxes& axes, const Palette& colors, 
 }  // namespace
 
 ImVec2 dash_of(std::size_t i) {
-    // Five, against four colours: twenty techniques look different.
+    // Five patterns and four colours make twenty techniques look different.
     static const ImVec2 DASHES[] = {{10, 4}, {3, 3}, {14, 3}, {2, 5}, {5, 2}};
     return DASHES[i % std::size(DASHES)];
 }

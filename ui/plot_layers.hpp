@@ -1,4 +1,4 @@
-// plot_layers.hpp -- what the plot draws over its axes, one function per series.
+// plot_layers.hpp -- draws the series over the axes, with one function per series.
 #pragma once
 #include <optional>
 
@@ -6,28 +6,28 @@
 
 namespace momentscope::ui {
 
-/// Everything a layer needs to know.
+/// The input of all layers.
 struct PlotInput {
     const Measurement& measurement;
     const ExplorerState& state;
-    std::optional<Series> highlighted;  // the legend entry under the mouse; others are dimmed
+    std::optional<Series> highlighted;  // the legend entry under the mouse; other series are dimmed
 };
 
-/// All series that the state shows, in an order in which none hides another.
+/// Draws all series that the state shows, in an order in which none hides another.
 void draw_layers(ImDrawList& list, const PlotAxes& axes, const Palette& colors, const PlotInput& input);
 
-/// Truth, band and reconstruction alone, for the small plots of pinned pixels.
+/// Draws only truth, band and reconstruction, for the small plots of pinned pixels.
 void draw_small_layers(ImDrawList& list, const PlotAxes& axes, const Palette& colors, const ViewRay& ray,
                        const Curve& curve);
 
-/// Of the exact curve without bias.
+/// The dashes of the unbiased exact curve and of the sharp bounds.
 inline const ImVec2 GHOST_DASH = {7, 4};
 inline const ImVec2 SHARP_DASH = {2, 3};
 
-/// The dash lengths of the i-th compared technique, in pixels on and off.
+/// The dash lengths of the i-th compared technique: pixels on and off.
 ImVec2 dash_of(std::size_t i);
 
-/// A line through points that is dashed along its length.
+/// Draws a line through the points that is dashed along its length.
 void draw_dashed(ImDrawList& list, const std::vector<ImVec2>& points, ImU32 tint, float thickness,
                  ImVec2 dash);
 

@@ -9,7 +9,7 @@ namespace momentscope::ui {
 
 namespace {
 
-// A legend entry as a control: a swatch and a name. Goes to the next line when this one is full.
+// A legend entry that can be clicked: a swatch and a name. It goes to the next line if this one is full.
 bool legend_entry(const Ui& ui, const char* name, ImU32 tint, ImVec2 dash, bool on, float right, bool first,
                   const std::string& anchor) {
     const float swatch = 1.5f * em();
@@ -23,7 +23,7 @@ bool legend_entry(const Ui& ui, const char* name, ImU32 tint, ImVec2 dash, bool 
     const float y = at.y + 0.5f * size.y;
     draw_dashed(list, {{at.x, y}, {at.x + swatch, y}}, on ? tint : text, on ? em() / 5 : 1, dash);
     list.AddText({at.x + swatch + 0.4f * em(), at.y + 1}, text, name);
-    if (!on)  // struck out, so that grey alone does not carry the meaning
+    if (!on)  // struck through, so that the meaning does not depend on grey alone
         list.AddLine({at.x + swatch + 0.4f * em(), y + 1}, {at.x + size.x, y + 1}, text);
     return clicked;
 }

@@ -1,4 +1,4 @@
-// plot_legend.hpp -- the plot's series as controls.
+// plot_legend.hpp -- the legend of the plot, whose entries can be clicked.
 #pragma once
 #include <optional>
 
@@ -8,7 +8,7 @@
 namespace momentscope::ui {
 
 /// Draws an entry per series and per compared technique, in lines that end at `right`. A click shows or hides
-/// a series and removes a compared technique. Returns the series under the mouse, if it is shown.
+/// a series, or removes a compared technique. Returns the series under the mouse if it is shown.
 std::optional<Series> draw_legend(const Ui& ui, const Measurement& measurement, ExplorerState& state,
                                   float right);
 

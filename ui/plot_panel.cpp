@@ -13,9 +13,10 @@ namespace momentscope::ui {
 
 namespace {
 
-// Absorbance or transmittance, warped or view depth. Buttons flow into the next line at `right`.
+// The choice of absorbance or transmittance, and of warped or view depth. Buttons flow to the next line at
+// `right`.
 void draw_axis_choices(const Ui& ui, bool warped, PlotState& plot, float right) {
-    // True when another choice was clicked.
+    // Returns true if another choice was clicked.
     const auto choose = [&](const char* label, bool on, const char* anchor, const char* help,
                             const char* key) {
         const bool clicked = toggle_button(label, on);
@@ -24,29 +25,29 @@ void draw_axis_choices(const Ui& ui, bool warped, PlotState& plot, float right) 
         return clicked && !on;
     };
     const auto next = [&](const char* label, float gap) { flow(button_width(label), right, gap * em()); };
-    if (choose("A", plot.quantity == Quantity::absorbance, "plot.absorbance", "Show absorbance A(z).", "T"))
+    if (choose("A", plot.quantity == Quantity::absorbance, "plot.absorbance", "Shows absorbance A(z).", "T"))
         set_quantity(plot, Quantity::absorbance);
     next("T", 0.2f);
     if (choose("T", plot.quantity == Quantity::transmittance, "plot.transmittance",
-               "Show transmittance T(z) = exp(−A(z)).", "T"))
+               "Shows transmittance T(z) = exp(−A(z)).", "T"))
         set_quantity(plot, Quantity::transmittance);
     next("warped", 1);
     if (choose("warped", plot.axis == DepthAxis::warped, "plot.warped",
-               "Warped depth, as the moments see it (Section 3.3).", "D"))
+               "Warped depth, on which the moments are defined (Section 3.3).", "D"))
         set_depth_axis(plot, DepthAxis::warped);
     next("view", 0.2f);
     ImGui::BeginDisabled(!warped);
     if (choose("view", plot.axis == DepthAxis::view, "plot.view",
                warped ? "View depth: the distance from the camera's plane in scene units."
-                      : "This ray has no warp: view depth is its depth.",
+                      : "This ray has no depth warp, so both depths are the same.",
                "D"))
         set_depth_axis(plot, DepthAxis::view);
     ImGui::EndDisabled();
 }
 
-// Whose ray is plotted.
+// The choice of the ray: from the eye or from the light.
 void draw_viewpoint_choice(const Ui& ui, ExplorerState& state, float right) {
-    if (state.ray) return;  // comes from a file
+    if (state.ray) return;  // the ray has no scene
     const Viewpoint shown = seen_from_light(state) ? state.viewpoint : Viewpoint::eye;
     const struct {
         Viewpoint viewpoint;
@@ -54,11 +55,11 @@ void draw_viewpoint_choice(const Ui& ui, ExplorerState& state, float right) {
     } choices[] = {
         {Viewpoint::eye, "eye", "plot.eye", "The ray from the eye through the picked pixel."},
         {Viewpoint::transparent_casters, "light", "plot.light",
-         "What the light's map of transparent casters has of the surface in the picked pixel, or of the marked fragment: the mixture "
-         "of all texels of the filter. Turns shadows on."},
+         "What the light's map of transparent casters stores about the surface in the picked pixel, or about the marked "
+         "fragment: the mixture of all texels of the filter. Turns shadows on."},
         {Viewpoint::opaque_casters, "opaque", "plot.opaque",
-         "The same of the map of opaque casters: A(z) is the share of the filter region in front of z, and moments are those of "
-         "four moments shadow mapping with β = 0; the sharp bounds are its Hausdorff variant."}};
+         "The same for the map of opaque casters. A(z) is the share of the filter region in front of z, the moments are those of "
+         "four-moment shadow mapping with β = 0, and the sharp bounds are its Hausdorff variant."}};
     for (const auto& choice : choices) {
         if (toggle_button(choice.label, shown == choice.viewpoint)) set_viewpoint(state, choice.viewpoint);
         ui.record_widget_rect(choice.anchor);
@@ -75,7 +76,7 @@ void draw_tools(const Ui& ui, const Measurement& m, ExplorerState& state, float 
     flow(button_width("fit"), right, em());
     if (ImGui::Button("fit")) fit(plot);
     ui.record_widget_rect("plot.fit");
-    tooltip("Fit the plot to the ray.", "F, or double-click in the plot");
+    tooltip("Fits the plot to the ray.", "F, or double-click in the plot");
     flow(9 * em(), right, em());
     ImGui::SetNextItemWidth(std::min(9 * em(), std::max(right - ImGui::GetCursorScreenPos().x, 20.0f)));
     float query = query_depth(m, state);
@@ -83,11 +84,11 @@ void draw_tools(const Ui& ui, const Measurement& m, ExplorerState& state, float 
         plot.query = query;
     ui.record_widget_rect("plot.query");
     tooltip(
-        "The query depth z at which bounds, β and the canonical representation are drawn. Drag in the plot, "
+        "The query depth z, at which the bounds, β and the canonical representation are drawn. Drag in the plot, "
         "or Ctrl+click here to type a number.");
 }
 
-// The fragment whose step is nearest to the mouse, if it is near.
+// The fragment whose step is nearest to the mouse, if it is near enough.
 std::optional<std::size_t> fragment_at(const PlotAxes& axes, const ViewRay& ray, float x) {
     std::optional<std::size_t> nearest;
     float least = 0.35f * em();
@@ -107,14 +108,14 @@ void value_line(const char* name, ImU32 tint, float absorbance, const PlotAxes& 
                 static_cast<double>(axes.shown(absorbance)));
 }
 
-// The values of all curves at the mouse.
+// Draws the crosshair and lists the values of all curves at the mouse.
 void draw_crosshair(const Ui& ui, const PlotAxes& axes, const Measurement& m, const ExplorerState& state) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const float warped = axes.warped_of(axes.depth_at(mouse.x));
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddLine({mouse.x, axes.area.low.y}, {mouse.x, axes.area.high.y}, ui.colors.axis);
     list.AddLine({axes.area.low.x, mouse.y}, {axes.area.high.x, mouse.y}, ui.colors.grid);
-    const float at_mouse = axes.depth_at(mouse.x);  // unlike its warp not clamped to the depth range
+    const float at_mouse = axes.depth_at(mouse.x);  // not clamped to the depth range, unlike `warped`
     if (!(at_mouse >= axes.axis_of(-1) && at_mouse <= axes.axis_of(1))) return;
     const ViewRay& ray = m.capture.ray;
     const float at[] = {warped};
@@ -153,7 +154,7 @@ void draw_note(const Ui& ui, const std::string& note, float right) {
     ImGui::PopTextWrapPos();
 }
 
-// What receives the light, and how much of it.
+// Describes the receiver of the light and how much light reaches it.
 void draw_light_line(const Ui& ui, const Measurement& m, float right) {
     if (!m.light) return;
     ImGui::PushTextWrapPos(right - ImGui::GetWindowPos().x);
@@ -162,9 +163,9 @@ void draw_light_line(const Ui& ui, const Measurement& m, float right) {
     ImGui::PopTextWrapPos();
     ui.record_widget_rect("plot.receiver");
     tooltip(
-        "What lights the surface in the picked pixel: the fragment that was marked, or the one with which the pixel "
-        "is covered by half, else the opaque surface. To choose another, mark a fragment of the eye's ray. The truth "
-        "that is plotted is the mixture of the filter's texels.");
+        "The receiver of the light in the picked pixel: the marked fragment, or the one with which the pixel is half "
+        "covered, or else the opaque surface. To choose another one, mark a fragment of the eye's ray. The plotted "
+        "truth is the mixture of the filter's texels.");
 }
 
 bool contains(const Rect& rect, ImVec2 at) {
@@ -176,20 +177,20 @@ bool contains(const Rect& rect, ImVec2 at) {
 std::string band_note(const Measurement& m) {
     if (m.curve.beta0.empty() || m.exit.where.empty()) return "";
     const std::string where = fmt::format(
-        "Near z = {:.2f} the truth leaves the band by {:.3g}: ", m.exit.worst_depth, m.exit.worst);
+        "Near z = {:.2f} the truth is outside the band by {:.3g}: ", m.exit.worst_depth, m.exit.worst);
     if (m.canonical.floored_pivots > 0)
-        return where + "the matrix of the moments is singular in floats; a greater moment bias α mends it.";
+        return where + "the matrix of the moments is singular in floats; increase the moment bias α.";
     return where + (m.curve.technique->has_bounds()
-                        ? "it bounds what has the biased moments, and bias moved them."
-                        : "for trigonometric moments β = 0 and β = 1 are no bounds.");
+                        ? "the bounds are for the biased moments, not for the exact ones."
+                        : "for trigonometric moments, β = 0 and β = 1 give no bounds.");
 }
 
 std::string failure_note(const Measurement& m) {
     if (m.failure.where.empty()) return "";
     return fmt::format(
-        "At the depths ticked along the top the textbook's result is {}outside [0, b₀]: the matrix of the moments "
-        "is singular in floats. A greater moment bias α mends it, or the robust solver.",
-        m.failure.no_number ? "no number (drawn as 0) or " : "");
+        "At the depths ticked along the top, the result of the textbook solver is {}outside [0, b₀]: the matrix of the "
+        "moments is singular in floats. Increase the moment bias α, or use the robust solver.",
+        m.failure.no_number ? "NaN (drawn as 0) or " : "");
 }
 
 void PlotPanel::zoom(const PlotAxes& axes, PlotState& plot, bool depth, bool value, float notches) const {
@@ -198,7 +199,7 @@ void PlotPanel::zoom(const PlotAxes& axes, PlotState& plot, bool depth, bool val
     const auto around = [&](const Range& range, float fixed) {
         return Range{fixed + (range.low - fixed) * factor, fixed + (range.high - fixed) * factor};
     };
-    constexpr float LEAST = 1e-4f, MOST = 1e4f;  // beyond, floats have no digits left for ticks
+    constexpr float LEAST = 1e-4f, MOST = 1e4f;  // beyond, floats have too few digits for ticks
     const auto sensible = [](const Range& range) {
         return range.high - range.low > LEAST && range.high - range.low < MOST;
     };
@@ -230,7 +231,7 @@ void PlotPanel::handle_mouse(const PlotAxes& axes, const Measurement& m, Explore
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
         if (!on_value_axis) state.plot.depth.reset();
         if (!on_depth_axis) state.plot.value.reset();
-        if (inside) {  // its first click was no choice of a query depth
+        if (inside) {  // the first click must not change the query depth
             state.plot.query = query_before_click_;
             state.marked = marked_before_click_;
         }
@@ -251,7 +252,7 @@ void PlotPanel::handle_mouse(const PlotAxes& axes, const Measurement& m, Explore
     }
     if (grip_ == Grip::pan) pan(axes, state.plot);
     if (grip_ == Grip::query) {
-        // A click on a step snaps to its fragment, dragging leaves it.
+        // A click on a step snaps to its fragment; dragging ends the snap.
         const bool snapped = state.marked && !ImGui::IsMouseDragging(ImGuiMouseButton_Left);
         const float at = axes.warped_of(axes.depth_at(io.MousePos.x));
         state.plot.query = snapped ? std::nullopt : std::optional(std::clamp(at, -1.0f, 1.0f));

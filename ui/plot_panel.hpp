@@ -1,4 +1,4 @@
-// plot_panel.hpp -- the plot with its tool row, legend, mouse and notes.
+// plot_panel.hpp -- the plot with its tools, legend, mouse handling and notes.
 #pragma once
 #include <optional>
 
@@ -8,7 +8,7 @@ namespace momentscope::ui {
 
 class PlotPanel {
 public:
-    /// Draws into a rectangle of that size at the cursor. The mouse and the controls change `state`.
+    /// Draws into a rectangle of this size at the cursor. The mouse and the controls change `state`.
     void draw(const Ui& ui, const Measurement& measurement, ExplorerState& state, ImVec2 size);
 
 private:
@@ -21,14 +21,14 @@ private:
     Grip grip_ = Grip::none;
     std::optional<float> query_before_click_;
     std::optional<std::size_t> marked_before_click_;
-    bool grips_depth_ = true;  // does panning move the depth axis, the other one, or both?
+    bool grips_depth_ = true;  // whether panning moves the depth axis and the value axis
     bool grips_value_ = true;
 };
 
-/// What the band says about the truth, in one sentence; empty when there is nothing to say.
+/// One sentence about where and why the truth leaves the band; empty if it does not.
 std::string band_note(const Measurement& measurement);
 
-/// Why the solver's result is none at some depths; "" where it is one.
+/// Why the solver fails at some depths; "" if it does not fail.
 std::string failure_note(const Measurement& measurement);
 
 }  // namespace momentscope::ui

@@ -18,7 +18,7 @@ namespace momentscope::ui {
 
 constexpr float MAX_OPACITY = 0.9999f;
 
-// From depth and opacity to the screen and back.
+// Maps depth and opacity to the screen and back.
 struct EditorCanvas {
     Rect area;
     float x(float depth) const { return area.low.x + 0.5f * (depth + 1) * (area.high.x - area.low.x); }
@@ -33,10 +33,10 @@ struct EditorCanvas {
 
 namespace {
 
-constexpr std::size_t MAX_HANDLES = 2000;  // more would cover each other
+constexpr std::size_t MAX_HANDLES = 2000;  // more handles would cover each other
 
 void place(Fragment& fragment, float depth, const DepthWarp& warp) {
-    // Through the view depth, as the shaders get there, so that a saved ray comes back the same.
+    // Compute the depth from the view depth, as the shaders do, so that a saved ray comes back the same.
     fragment.view_depth = warp.has_view_depths() ? to_view_depth(depth, warp) : depth;
     fragment.depth = warp.has_view_depths() ? to_depth(fragment.view_depth, warp) : depth;
 }
@@ -45,7 +45,7 @@ void draw_sources(const Ui& ui, const Measurement& m, ExplorerState& state) {
     ImGui::SetNextItemWidth(10 * em());
     const bool open = ImGui::BeginCombo("##preset", "start from ...", ImGuiComboFlags_HeightLargest);
     ui.record_widget_rect("editor.preset");
-    tooltip("Puts a ray to experiment with in place of this one; Ctrl+Z brings it back.");
+    tooltip("Replaces this ray by a ready-made one to experiment with; Ctrl+Z brings the old ray back.");
     if (open) {
         for (const RayPreset& preset : ray_presets()) {
             if (ImGui::Selectable(preset.name)) edit_ray(state, preset.make());
@@ -58,11 +58,11 @@ void draw_sources(const Ui& ui, const Measurement& m, ExplorerState& state) {
     if (state.ray) {
         if (ImGui::Button("back to the scene")) leave_ray(state);
         ui.record_widget_rect("editor.leave");
-        tooltip("Leaves the ray for the scene and its picked pixel.");
+        tooltip("Goes back to the scene and its picked pixel.");
     } else {
         if (ImGui::Button("edit this ray")) edit_ray(state, m.capture.ray);
         ui.record_widget_rect("editor.detach");
-        tooltip("Takes the picked pixel's ray off the scene, so that its fragments can be moved.");
+        tooltip("Copies the picked pixel's ray from the scene, so that you can move its fragments.");
     }
 }
 
@@ -84,7 +84,7 @@ void draw_clipboard(const Ui& ui, const Measurement& m, ExplorerState& state, st
         }
     }
     ui.record_widget_rect("editor.paste");
-    tooltip("Puts the ray in the clipboard, as JSON, in place of this one.",
+    tooltip("Replaces this ray by the ray in the clipboard, which is read as JSON.",
             "File > Open view ray reads one from a file.");
 }
 
@@ -104,14 +104,14 @@ void draw_swatches(const Ui& ui, const Measurement& m, const ExplorerState& stat
     ImGui::SameLine(0, 1.5f * em());
     swatch(state.technique->id, colors.technique);
     ui.record_widget_rect("editor.technique");
-    tooltip("The pixel's colour as the technique weighs its fragments; linear RGB.");
+    tooltip("The pixel's colour with the fragment weights of the technique; linear RGB.");
 }
 
 void draw_marked(const Ui& ui, ExplorerState& state) {
     if (!state.ray) return;
     if (!state.marked || *state.marked >= state.ray->fragments.size()) {
-        ImGui::AlignTextToFramePadding();  // as high as the controls that stand here otherwise
-        ImGui::TextDisabled("Double-click adds a fragment; drag sideways for depth, up for opacity.");
+        ImGui::AlignTextToFramePadding();  // as high as the controls that are here otherwise
+        ImGui::TextDisabled("Double-click to add a fragment; drag sideways for depth, up for opacity.");
         return;
     }
     Fragment fragment = state.ray->fragments[*state.marked];
@@ -123,7 +123,7 @@ void draw_marked(const Ui& ui, ExplorerState& state) {
         changed = true;
     }
     ui.record_widget_rect("editor.depth");
-    tooltip("Depth of the marked fragment, warped to [−1, 1]. Drag, or double-click to type.");
+    tooltip("Warped depth of the marked fragment in [−1, 1]. Drag, or double-click to type.");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(8 * em());
     changed |= ImGui::DragFloat("##opacity", &fragment.opacity, 0.002f, 0, 1, "α_l = %.4f",
@@ -138,7 +138,7 @@ void draw_marked(const Ui& ui, ExplorerState& state) {
     ImGui::SameLine();
     if (ImGui::Button("delete")) return delete_marked(state);
     ui.record_widget_rect("editor.delete");
-    tooltip("Takes the marked fragment out of the ray.", "Delete");
+    tooltip("Removes the marked fragment from the ray.", "Delete");
     if (!changed) return;
     ViewRay ray = *state.ray;
     ray.fragments[*state.marked] = fragment;
@@ -197,7 +197,7 @@ void draw_handles(const Ui& ui, const EditorCanvas& canvas, const ViewRay& ray,
     const auto& [low, high] = canvas.area;
     if (ray.fragments.empty())
         draw_text(list, {0.5f * (low.x + high.x), 0.5f * (low.y + high.y)}, {0.5f, 0.5f},
-                  "Double-click here adds a fragment.", ui.colors.text);
+                  "Double-click here to add a fragment.", ui.colors.text);
 }
 
 }  // namespace
@@ -226,7 +226,7 @@ void delete_marked(ExplorerState& state) {
     state.marked.reset();
 }
 
-// The ray as the mouse changed it in this frame, if it did.
+// The ray as the mouse changed it in this frame; nullopt if it did not.
 std::optional<ViewRay> RayEditor::edited(const EditorCanvas& canvas, const ViewRay& shown,
                                          ExplorerState& state) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -267,7 +267,7 @@ void RayEditor::draw_canvas(const Ui& ui, const Measurement& m, ExplorerState& s
     const auto shown = [&]() -> const ViewRay& { return state.ray ? *state.ray : m.capture.ray; };
     if (std::optional<ViewRay> ray = edited(canvas, shown(), state)) {
         if (!state.ray)
-            edit_ray(state, *std::move(ray));  // the first touch takes the ray off the scene
+            edit_ray(state, *std::move(ray));  // the first edit detaches the ray from the scene
         else
             state.ray = *std::move(ray);
         state.marked = held_;

@@ -1,4 +1,4 @@
-// ray_editor.hpp -- the tab in which a view ray is made by hand.
+// ray_editor.hpp -- the tab for editing a view ray by hand.
 #pragma once
 #include <optional>
 #include <string>
@@ -8,13 +8,13 @@
 
 namespace momentscope::ui {
 
-/// Puts a ray of one's own in place of the picked pixel's.
+/// Replaces the picked pixel's ray by this ray, without a scene.
 void edit_ray(ExplorerState& state, ViewRay ray);
 
-/// The scene's pixel again.
+/// Goes back to the scene and its picked pixel.
 void leave_ray(ExplorerState& state);
 
-/// Takes the marked fragment out of a ray of one's own.
+/// Removes the marked fragment from a ray without a scene.
 void delete_marked(ExplorerState& state);
 
 struct EditorCanvas;

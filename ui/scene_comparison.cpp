@@ -17,7 +17,7 @@ float divider_x(const Rect& area, const CompareState& compare) {
     return area.low.x + compare.divider * (area.high.x - area.low.x);
 }
 
-// Name and id, or the id alone; nothing where there is no room for it.
+// Name and id, or only the id, or nothing, depending on the space.
 std::string label_within(const Technique& technique, float room) {
     for (const std::string& text : {technique_label(technique), std::string(technique.id)})
         if (ImGui::CalcTextSize(text.c_str()).x <= room) return text;
@@ -63,7 +63,7 @@ void draw_color_legend(ImDrawList& list, const Rect& area, const ColorLegend& le
     const std::string range = fmt::format("least {:.3g}, greatest {:.3g}", legend.least, legend.most);
     const std::string end = fmt::format("{:.3g} and more", legend.end);
     const float line = ImGui::GetTextLineHeight();
-    // The words that come and go do not change the width.
+    // Reserve space for text that comes and goes, so that the width stays the same.
     const float width = std::max({15 * em(), ImGui::CalcTextSize(range.c_str()).x,
                                   ImGui::CalcTextSize((std::string(row.name) + ": computing…").c_str()).x});
     const float pad = 0.8f * em();

@@ -1,4 +1,4 @@
-// scene_comparison.hpp -- what a comparison draws over the picture: divider, labels, legend, region.
+// scene_comparison.hpp -- draws the parts of a comparison over the picture: divider, labels, legend, region.
 #pragma once
 #include <optional>
 #include <string>
@@ -9,24 +9,24 @@
 
 namespace momentscope::ui {
 
-/// What false colours mean.
+/// The meaning of the false colours.
 struct ColorLegend {
     Metric metric = Metric::rmse;
     float end = 1;  // of the colours
     float least = 0, most = 0;
-    bool computing = false;  // of these pictures: the colours are those of the last ones
+    bool computing = false;  // the metric is being computed; the colours are those of the last pair
 };
 
-/// Where the divider can be grabbed.
+/// The area where the divider can be grabbed.
 Rect divider_area(const Rect& area, const CompareState& compare);
 
-/// The line between the sides, and a label of the technique on each side where there is room.
+/// Draws the line between the sides, and a technique label on each side if there is space.
 void draw_wipe(ImDrawList& list, const Rect& area, const ExplorerState& state, const Palette& colors);
 
-/// In the upper right corner.
+/// Draws the legend in the upper right corner.
 void draw_color_legend(ImDrawList& list, const Rect& area, const ColorLegend& legend, const Palette& colors);
 
-/// The frame of the region that was dragged.
+/// Draws the frame of the region.
 void draw_region(ImDrawList& list, const Rect& area, const PictureRegion& region, const Palette& colors);
 
 }  // namespace momentscope::ui

@@ -36,7 +36,7 @@ std::optional<Scene> SceneLoader::take() {
     if (!busy() || result_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
         return std::nullopt;
     if (!std::exchange(drawing_is_told_, true)) return std::nullopt;
-    return result_.get();  // leaves the future without a state: not busy any more, even if it throws
+    return result_.get();  // makes the future invalid, so busy() is false, even if get() throws
 }
 
 void SceneLoader::tell(const std::string& what) {

@@ -1,4 +1,4 @@
-// scene_loader.hpp -- reads a mesh file in a thread of its own, so that the window goes on.
+// scene_loader.hpp -- reads a mesh file in a thread, so that the window stays responsive.
 #pragma once
 #include <chrono>
 #include <future>
@@ -18,19 +18,19 @@ public:
     SceneLoader(const SceneLoader&) = delete;
     SceneLoader& operator=(const SceneLoader&) = delete;
 
-    /// Call only when not busy.
+    /// Call this only if not busy.
     void start(const std::string& id_or_path, float opacity);
     bool busy() const { return result_.valid(); }
     void cancel() { stop_.request_stop(); }
 
-    /// The scene when it is there, nullopt before, and once more, so that a frame says that it is drawn now,
-    /// which may take longer than a frame. Throws the Error of a file that cannot be used.
+    /// The scene once it is read, nullopt before. A read scene is held back for one more frame, so that this
+    /// frame can announce the drawing, which may take longer. Throws the Error of a file that cannot be used.
     std::optional<Scene> take();
 
     const std::string& name() const { return name_; }
     double seconds() const;
 
-    /// What is done now: "placing its triangles".
+    /// The current step, such as "placing its triangles".
     std::string stage() const;
 
 private:
@@ -38,7 +38,7 @@ private:
 
     std::string name_;
     mutable std::mutex mutex_;
-    std::string stage_;  // behind the mutex
+    std::string stage_;  // protected by the mutex
     bool drawing_is_told_ = false;
     std::stop_source stop_;
     std::future<Scene> result_;

@@ -15,7 +15,7 @@ namespace momentscope::ui {
 
 namespace {
 
-// A crosshair that is seen on any background.
+// Draws a crosshair that is visible on any background.
 void draw_crosshair_mark(ImDrawList& list, ImVec2 at, const Palette& colors) {
     const float scale = em() / 15;
     for (const auto& [tint, thickness] : {std::pair(colors.mark_edge, 3.5f), std::pair(colors.mark, 1.5f)}) {
@@ -27,7 +27,7 @@ void draw_crosshair_mark(ImDrawList& list, ImVec2 at, const Palette& colors) {
 }
 
 void draw_pin_mark(ImDrawList& list, ImVec2 at, std::size_t number, const Palette& colors) {
-    // The number stands beside the place, where the cross on a picked pixel does not hide it.
+    // Put the number beside the place, so that the crosshair of a picked pixel does not hide it.
     const float radius = 0.6f * em();
     const ImVec2 head = {at.x - 1.3f * em(), at.y - 1.3f * em()};
     list.AddLine(at, head, colors.mark_edge, 0.2f * em());
@@ -43,7 +43,7 @@ void draw_failure_counts(ImDrawList& list, const Rect& area, const ScenePicture&
     const std::string counts = picture.failures
                                    ? fmt::format("failed: {} pixels (hatched)   clamped: {} pixels (plain)",
                                                  picture.failures->failed, picture.failures->clamped)
-                                   : std::string("no moments, so no reconstruction could fail");
+                                   : std::string("no moments, so no reconstruction can fail");
     draw_label(list, {area.low.x + pad, area.high.y - pad - ImGui::GetTextLineHeight() - above}, counts,
                colors);
 }
@@ -85,10 +85,10 @@ void ScenePanel::draw_tools(const Ui& ui, const Measurement& m, const ScenePictu
         tooltip(help, key);
     };
     if (ImGui::Button("reset view")) state.camera.reset();
-    explain("scene.reset", "Back to the scene's own camera.", "Home");
+    explain("scene.reset", "Returns to the scene's own camera.", "Home");
     next("views ▾");
     if (ImGui::Button("views ▾")) ImGui::OpenPopup("views");
-    explain("scene.views", "Look from a named direction.", "");
+    explain("scene.views", "Looks from a named direction.", "");
     if (ImGui::BeginPopup("views")) {
         for (const NamedView& view : named_views())
             if (ImGui::Selectable(view.name))
@@ -97,34 +97,34 @@ void ScenePanel::draw_tools(const Ui& ui, const Measurement& m, const ScenePictu
     }
     next("lens");
     if (toggle_button("lens", state.lens)) state.lens = !state.lens;
-    explain("scene.lens", "Magnify the pixels around the picked one, with their values.", "L");
+    explain("scene.lens", "Magnifies the pixels around the picked one and shows their values.", "L");
     next("failures");
     if (toggle_button("failures", state.failures)) state.failures = !state.failures;
     explain(
         "scene.failures",
-        "Mark pixels with a fragment whose matrix was singular in floats (hatched) or whose sum left [0, 1] "
-        "and "
-        "was clamped (plain).",
+        "Marks pixels with a fragment whose matrix was singular in floats (hatched), or whose sum left [0, 1] "
+        "and was clamped (plain).",
         "O");
     next("flip");
     ImGui::Button("flip");
     flip_held_ = ImGui::IsItemActive();
-    explain("scene.flip", "Shows the picture of the reference as long as it is held.", "G, held");
+    explain("scene.flip", "Shows the picture of the reference while the button is held.", "G, held");
     next("wipe");
     if (toggle_button("wipe", state.compare.mode == CompareMode::wipe))
         toggle(state.compare, CompareMode::wipe);
-    explain("scene.wipe", "Shows reference and picture side by side; drag the line between them.", "W");
+    explain("scene.wipe", "Shows the reference and the picture side by side; drag the line between them.",
+            "W");
     const float width = 6.5f * em();
     flow(width, right, 0.2f * em());
     ImGui::SetNextItemWidth(std::max(std::min(width, ImGui::GetContentRegionAvail().x), 20.0f));
     draw_go_to(m.picture_size, state, message);
-    explain("scene.goto", "Type the column and row of a pixel and press Enter.", "Ctrl+G");
+    explain("scene.goto", "Type the column and the row of a pixel and press Enter.", "Ctrl+G");
 }
 
 void ScenePanel::draw_go_to(glm::ivec2 size, ExplorerState& state, std::string& message) {
     if (focus_go_to_) ImGui::SetKeyboardFocusHere();
     focus_go_to_ = false;
-    std::string typed;  // ImGui keeps what is typed until Enter; then one starts afresh
+    std::string typed;  // ImGui keeps the typed text until Enter; each entry starts empty
     if (!ImGui::InputTextWithHint("##goto", "go to x, y", &typed, ImGuiInputTextFlags_EnterReturnsTrue))
         return;
     const auto place = parse_place(typed);
@@ -154,7 +154,7 @@ glm::ivec2 ScenePanel::draw_controls(const Ui& ui, const Measurement& m, const S
     return {static_cast<int>(extent.x), static_cast<int>(extent.y)};
 }
 
-// What a press of the left button begins goes on until it is let go.
+// The action that a press of the left button begins continues until the button is released.
 void ScenePanel::handle_left(const Ui& ui, const Measurement& m, const ScenePicture& picture,
                              ExplorerState& state) {
     const ImGuiIO& io = ImGui::GetIO();
@@ -181,11 +181,11 @@ void ScenePanel::handle_left(const Ui& ui, const Measurement& m, const ScenePict
         pick(state, fraction_of(pixel, m.picture_size));
     } else if (drag_ == Drag::region) {
         const glm::ivec2 way = glm::abs(pixel - drag_from_);
-        if (way.x + way.y == 0) {  // a click forgets the region
+        if (way.x + way.y == 0) {  // a click removes the region
             state.compare.region.reset();
         } else {
             state.compare.region = region_between(drag_from_, pixel, m.picture_size);
-            state.panel = Panel::compare;  // where its numbers are
+            state.panel = Panel::compare;  // this panel shows its numbers
         }
     }
 }
@@ -193,7 +193,7 @@ void ScenePanel::handle_left(const Ui& ui, const Measurement& m, const ScenePict
 void ScenePanel::handle_mouse(const Ui& ui, const Measurement& m, const ScenePicture& picture,
                               ExplorerState& state) {
     const ImGuiIO& io = ImGui::GetIO();
-    if (state.ray || m.picture_size.x < 1) return;  // no picture to act on
+    if (state.ray || m.picture_size.x < 1) return;  // there is no picture to act on
     handle_left(ui, m, picture, state);
     Camera camera = state.camera.value_or(picture.scene_camera);
     const bool active = ImGui::IsItemActive();
@@ -220,7 +220,7 @@ void ScenePanel::draw_picture(const Ui& ui, const Measurement& m, const ScenePic
         list.AddRectFilled(area.low, area.high, ui.colors.plot_background);
         list.AddText(
             {area.low.x + pad, area.low.y + pad}, ui.colors.text,
-            "A view ray of its own: it has a function, but no picture.\nThe ray editor leads back to the scene.");
+            "A view ray without a scene has no picture.\nUse the ray editor to go back to the scene.");
         return;
     }
     if (picture.texture == 0) return list.AddRectFilled(area.low, area.high, ui.colors.plot_background);
@@ -229,7 +229,7 @@ void ScenePanel::draw_picture(const Ui& ui, const Measurement& m, const ScenePic
         return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(name));
     };
     list.PushClipRect(area.low, area.high, true);
-    // GL's first row is the lowest. While another scene is read the last picture may have another size.
+    // The first row in GL is the lowest. While another scene is read, the last picture may have another size.
     const auto draw_part = [&](unsigned name, float from, float to) {
         const float width = area.high.x - area.low.x;
         if (name == 0) return;

@@ -1,4 +1,4 @@
-// scene_panel.hpp -- the picture with its tool row, marks, lens and mouse.
+// scene_panel.hpp -- the picture with its tools, marks, lens and mouse handling.
 #pragma once
 #include <string>
 
@@ -10,32 +10,32 @@
 
 namespace momentscope::ui {
 
-/// What the panel shows beside the state; textures are GL names of the picture's size.
+/// What the panel shows besides the state. Textures are GL names of the picture's size.
 struct ScenePicture {
     unsigned texture = 0;
-    unsigned overlay = 0;               // of failures, or 0
+    unsigned overlay = 0;               // the failures, or 0
     unsigned beside = 0;                // the reference on its side of a wipe, or 0
-    std::optional<ColorLegend> legend;  // of the false colours that are shown in place of the picture
+    std::optional<ColorLegend> legend;  // legend of the false colours that replace the picture
     std::optional<FailureCounts> failures;
-    std::string title;  // drawn in the corner, as "reference: ..."; or empty
+    std::string title;  // text in the corner, such as "reference: ..."; may be empty
     Lens lens;
     Camera scene_camera;  // the scene's own
 };
 
 class ScenePanel {
 public:
-    /// Draws the tool row and makes room for the picture; the mouse and the controls change `state`. Returns
-    /// the picture's size in pixels, for which the picture is then computed, and drawn by draw_picture.
+    /// Draws the tools and reserves space for the picture. The mouse and the controls change `state`. Returns
+    /// the picture's size in pixels; the caller computes a picture of this size, and draw_picture draws it.
     glm::ivec2 draw_controls(const Ui& ui, const Measurement& measurement, const ScenePicture& picture,
                              ExplorerState& state, ImVec2 size, std::string& message);
 
     void draw_picture(const Ui& ui, const Measurement& measurement, const ScenePicture& picture,
                       const ExplorerState& state) const;
 
-    /// Is the button that flips to the reference held down?
+    /// Is the button held that flips to the reference?
     bool flip_held() const { return flip_held_; }
 
-    /// Puts the keyboard into the go-to box in the next frame.
+    /// Moves the keyboard focus to the go-to box in the next frame.
     void focus_go_to() { focus_go_to_ = true; }
 
 private:
@@ -56,13 +56,13 @@ private:
     glm::ivec2 drag_from_{0};
 };
 
-/// The fraction of the picture at the middle of a pixel, which is first brought within it.
+/// The middle of a pixel as a fraction of the picture. The pixel is first clamped to the picture.
 glm::vec2 fraction_of(glm::ivec2 pixel, glm::ivec2 size);
 
-/// The pixel that the state picks in a picture of that size.
+/// The picked pixel in a picture of this size.
 glm::ivec2 pixel_of(const std::optional<glm::vec2>& fraction, const Scene& scene, glm::ivec2 size);
 
-/// Picks a pixel; what was marked on the last ray is forgotten.
+/// Picks a pixel and removes the mark of the previous ray.
 void pick(ExplorerState& state, glm::vec2 fraction);
 
 }  // namespace momentscope::ui

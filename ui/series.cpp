@@ -6,35 +6,35 @@ namespace {
 
 constexpr SeriesRow ROWS[] = {
     {Series::truth, "truth", "U", "truth", nullptr,
-     "A(z): the sum of the absorbances of all fragments in front of z. It has a step at every fragment.",
+     "The true absorbance A(z): the sum of the absorbances of all fragments in front of z. It has a step at every fragment.",
      nullptr, &Palette::truth},
     {Series::reconstruction, "reconstruction", "K", "reconstruction", nullptr,
-     "A(z, b, β): what the technique makes of the moments. Its value at a fragment's own depth weighs that fragment "
-     "in the picture.",
+     "A(z, b, β): what the technique reconstructs from the moments. Its value at a fragment's own depth determines the "
+     "weight of that fragment in the picture.",
      nullptr, &Palette::reconstruction},
     {Series::bounds, "bounds", "B", "lower, upper bound", "β = 0, β = 1 (no bounds)",
-     "The least and the greatest absorbance that any distribution with the biased moments has in front of z (β = 0 "
+     "The least and the greatest absorbance in front of z that any distribution with the biased moments can have (β = 0 "
      "and β = 1).",
      "The results for β = 0 and β = 1. For trigonometric moments these are not bounds: the truth may lie outside.",
      &Palette::bounds},
     {Series::sharp, "sharp", "S", "sharp bounds", nullptr,
-     "The least and the greatest absorbance that any distribution on the depth range with the exact moments, without "
-     "bias, has in front of z. The truth is never outside; how far they are apart is what the moments do not say.",
+     "The least and the greatest absorbance in front of z that a distribution on the depth range with the exact moments, "
+     "without bias, can have. The truth is never outside. The wider the gap, the less the moments say.",
      nullptr, &Palette::sharp},
     {Series::unbiased_exact, "ghost", "X", "exact, no bias", nullptr,
-     "The reconstruction in exact arithmetic without moment bias, in long double. What lies between it and the orange "
-     "curve is the price of bias and rounding.",
+     "The unbiased exact curve: the reconstruction without moment bias, computed in long double. Its distance to the "
+     "orange curve is the price of bias and rounding.",
      nullptr, &Palette::unbiased_exact},
     {Series::stems, "stems", "C", "canonical masses", nullptr,
-     "The canonical representation: masses that have the biased moments, one of them at the query depth (diamond). "
-     "Full heads count as in front of it. In a plot of T a stem's height is its share of b₀.",
+     "The canonical representation: masses with the biased moments, one of them at the query depth (diamond). "
+     "Stems with full heads count as in front of the query depth. In a plot of T a stem's height is its share of b₀.",
      nullptr, &Palette::stems},
     {Series::errors, "errors", "E", "error at own depth", nullptr,
-     "From truth to reconstruction at every fragment's own depth: only these values reach the picture.",
+     "A line from the truth to the reconstruction at every fragment's own depth: only these values reach the picture.",
      nullptr, &Palette::errors},
     {Series::wrapping_zone, "wrapping_zone", "Z", "wrapping zone θ", nullptr,
-     "The arc θ of the circle that holds no depths: beyond the far end of the depth range, where roots wrap to the "
-     "near end (Eq. 6).",
+     "The arc of angle θ on the unit circle that holds no depths. It lies beyond the far end of the depth range, where "
+     "roots wrap to the near end (Eq. 6).",
      nullptr, &Palette::wrapping_zone}};
 static_assert(std::size(ROWS) == SERIES_COUNT);
 

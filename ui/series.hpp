@@ -1,5 +1,5 @@
-// series.hpp -- the registry of what the plot can draw: legend, shortcuts, sessions and colours follow from
-// it.
+// series.hpp -- the registry of the series that the plot can draw. Legend, shortcuts, sessions and colours
+// are built from it.
 #pragma once
 #include <span>
 
@@ -11,19 +11,19 @@ namespace momentscope::ui {
 
 struct SeriesRow {
     Series id;
-    const char* key;       // sessions, event files
-    const char* shortcut;  // shows or hides it
+    const char* key;       // in sessions and event files
+    const char* shortcut;  // shows or hides the series
     const char* name;
-    const char* name_without_bounds;  // for techniques whose beta = 0 and 1 are no bounds; null: the same
+    const char* name_without_bounds;  // if beta = 0 and beta = 1 are not bounds; null: the same name
     const char* help;
     const char* help_without_bounds;
     ImU32 Palette::*color;
 };
 
-/// All series, in the order of Series, which is that of the legend.
+/// All series in the order of the enum Series, which is the order of the legend.
 std::span<const SeriesRow> series_rows();
 
-/// Does the technique have it?
+/// Does the technique have this series?
 bool has_series(Series series, const Technique& technique);
 const char* series_name(const SeriesRow& row, const Technique& technique);
 const char* series_help(const SeriesRow& row, const Technique& technique);

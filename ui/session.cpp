@@ -255,7 +255,7 @@ Session session_from_json(const std::string& text) {
     reader.flag("failures", state.failures);
     reader.text("card", state.card);
     if (!state.card.empty() && find_lesson(state.card) == nullptr)
-        reader.fail("card", "the id of a card, or empty");
+        reader.fail("card", "the id of a card or empty");
     reader.flag("answer", state.answer);
     reader.choice("theme", state.theme, THEMES);
     reader.number("scene_share", state.scene_share, 0.2f, 0.8f);

@@ -1,4 +1,4 @@
-// session_file.cpp -- sessions on disk, and where they look for their mesh.
+// session_file.cpp -- session files, and how they refer to their mesh.
 #include "ui/session.hpp"
 
 #include <nlohmann/json.hpp>
@@ -18,7 +18,7 @@ std::filesystem::path folder_of(const std::filesystem::path& file) {
     return std::filesystem::path(absolute_scene(file.string())).parent_path();
 }
 
-// Relative to the session's folder if the mesh lies there, so that both can be moved together.
+// The name relative to the session's folder if the mesh lies there, so that both can be moved together.
 std::string portable_scene(const std::string& scene, const std::filesystem::path& session) {
     if (is_builtin_scene(scene)) return scene;
     const std::filesystem::path path = absolute_scene(scene);
@@ -26,7 +26,7 @@ std::string portable_scene(const std::string& scene, const std::filesystem::path
     return relative.empty() || *relative.begin() == ".." ? path.string() : relative.string();
 }
 
-// A path that does not begin at the root is looked for beside the session first.
+// A relative path is first looked up beside the session.
 std::string scene_beside(const std::string& scene, const std::filesystem::path& session) {
     if (is_builtin_scene(scene)) return scene;
     const std::filesystem::path beside = folder_of(session) / scene;

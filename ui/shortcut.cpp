@@ -11,8 +11,8 @@ namespace {
 
 struct NamedKey {
     const char* name;
-    int number;  // GLFW's
-    int imgui;   // ImGuiKey_, or -1
+    int number;  // GLFW's number
+    int imgui;   // ImGuiKey_ value, or -1
 };
 constexpr NamedKey KEYS[] = {{"Space", 32, ImGuiKey_Space},
                              {"Escape", 256, ImGuiKey_Escape},

@@ -19,7 +19,7 @@ void set_viewpoint(ExplorerState& state, Viewpoint viewpoint) {
     } else if (before && !after) {
         state.marked = state.receiver;
     } else if (viewpoint != state.viewpoint) {
-        state.marked.reset();  // it is a fragment of another ray
+        state.marked.reset();  // it belongs to another ray
     }
     state.viewpoint = viewpoint;
     state.plot.query.reset();

@@ -1,5 +1,5 @@
-// state.hpp -- all that the user chose, as one value: sessions save it, undo restores it, everything shown
-// follows from it.
+// state.hpp -- all choices of the user as one value. Sessions save it, undo restores it, and everything that
+// is shown follows from it.
 #pragma once
 #include <array>
 #include <memory>
@@ -19,7 +19,7 @@ namespace momentscope::ui {
 enum class Quantity { absorbance, transmittance };
 enum class DepthAxis { warped, view };
 
-/// What the plot can draw. The legend's entries, in its order.
+/// The series of the plot, in the order of the legend.
 enum class Series : std::size_t {
     truth,
     reconstruction,
@@ -43,16 +43,16 @@ struct PlotState {
     Quantity quantity = Quantity::absorbance;
     DepthAxis axis = DepthAxis::warped;
     std::array<bool, SERIES_COUNT> shown = {true, true, true, false, false, true, true, true};
-    std::optional<Range> depth;  // visible part of the axis, in [-1, 1] or view depth; nullopt: all
-    std::optional<Range> value;  // the same of the vertical axis
-    std::optional<float>
-        query;  // warped depth of the canonical representation; nullopt: the marked fragment's, or 0
+    std::optional<Range> depth;  // visible part of the axis, in warped or view depth; nullopt: all
+    std::optional<Range> value;  // visible part of the vertical axis
+    // Warped query depth; nullopt: that of the marked fragment, or 0.
+    std::optional<float> query;
     bool shows(Series series) const { return shown[static_cast<std::size_t>(series)]; }
     friend bool operator==(const PlotState&, const PlotState&) = default;
 };
 
-/// Whose ray the plot shows: that of the eye through the picked pixel, or what the light's maps of
-/// transparent or of opaque casters have of the surface there.
+/// The ray that the plot shows: from the eye through the picked pixel, or from the light to the surface
+/// there, in the light's map of transparent or of opaque casters.
 enum class Viewpoint { eye, transparent_casters, opaque_casters };
 
 /// The tabs below the plot.
@@ -61,8 +61,8 @@ enum class Panel { controls, fragments, technique, steps, editor, stress, compar
 constexpr std::array<const char*, 8> PANEL_NAMES = {"Controls",   "Fragments", "Technique", "Steps",
                                                     "Ray editor", "Stress",    "Compare",   "Chart"};
 
-/// A view ray from a file. States share it, since a history holds many of them and a ray may be large; equal
-/// if it has the same content.
+/// A view ray without a scene. States share it, because a history holds many states and a ray may be large.
+/// Two are equal if they have the same content.
 class SharedRay {
 public:
     SharedRay() = default;
@@ -80,7 +80,7 @@ private:
     std::shared_ptr<const ViewRay> ray_;
 };
 
-/// From many small pixels to a few with all their digits.
+/// From many small pixels to a few large ones with all their digits.
 enum class LensZoom { far, near, values, digits };
 constexpr std::size_t LENS_ZOOM_COUNT = 4;
 
@@ -88,10 +88,10 @@ enum class ThemeKind { dark, light };
 
 constexpr std::size_t MAX_PINS = 4;
 
-/// How picture and reference are shown. off: the picture alone.
+/// How picture and reference are shown. off: only the picture.
 enum class CompareMode { off, wipe, difference, false_color };
 
-/// A rectangle of the picture, as fractions from its upper left corner.
+/// A rectangle in the picture, in fractions from the upper left corner.
 struct PictureRegion {
     glm::vec2 low{0};
     glm::vec2 high{1};
@@ -101,69 +101,69 @@ struct PictureRegion {
 constexpr float MIN_GAIN = 1, MAX_GAIN = 64;
 constexpr float MIN_DIVIDER = 0.02f, MAX_DIVIDER = 0.98f;
 
-/// What the picture is compared with, and how.
+/// The reference of the picture, and how the two are compared.
 struct CompareState {
     const Technique* reference = &require_technique("sorted");  // drawn with the same parameters
     CompareMode mode = CompareMode::off;
-    Metric metric = Metric::rmse;         // of false colour and the worst pixel
-    float gain = 4;                       // of difference and false colour
+    Metric metric = Metric::rmse;         // for false colour and the worst pixel
+    float gain = 4;                       // for difference and false colour
     float divider = 0.5f;                 // of the wipe, as a fraction of the picture's width
-    bool swapped = false;                 // wipe: the reference on the right instead of the left
-    std::optional<PictureRegion> region;  // of numbers beside those of the whole picture
+    bool swapped = false;                 // in the wipe, the reference is on the right instead of the left
+    std::optional<PictureRegion> region;  // metrics are also computed for this region
     friend bool operator==(const CompareState&, const CompareState&) = default;
 };
 
 struct ExplorerState {
-    std::string scene = "teapots";  // registry id or path of a mesh file
-    SharedRay ray;                  // a ray from a file; then its plot is shown without a scene
+    std::string scene = "teapots";  // id in the registry, or path of a mesh file
+    SharedRay ray;                  // if set, its plot is shown without a scene
     const Technique* technique = &require_technique("power6-32");
-    std::vector<const Technique*> compared;  // drawn beside it in the plot
+    std::vector<const Technique*> compared;  // drawn in the plot, too
     ParameterValues parameters;
     CompareState compare;
     std::optional<Camera> camera;  // nullopt: the scene's own
-    std::optional<glm::vec2>
-        picked;  // fraction of the picture from its upper left corner; nullopt: the scene's own
+    // Fraction of the picture from the upper left corner; nullopt: the scene's own.
+    std::optional<glm::vec2> picked;
     std::vector<glm::vec2> pins;        // at most MAX_PINS, as fractions
     std::optional<std::size_t> marked;  // index of a fragment of the picked ray
     Viewpoint viewpoint = Viewpoint::eye;
-    std::optional<std::size_t>
-        receiver;  // of the light: index of a fragment of the eye's ray; nullopt: what is seen
+    // Receiver of the light: index of a fragment of the eye's ray; nullopt: the visible surface.
+    std::optional<std::size_t> receiver;
     PlotState plot;
     Panel panel = Panel::controls;
     bool lens = false;
     LensZoom lens_zoom = LensZoom::values;
     bool failures = false;  // overlay of failed and clamped reconstructions
     std::string card;       // id of the open "Try this" card, or ""
-    bool answer = false;    // is the card's answer shown?
+    bool answer = false;    // whether the card's answer is shown
     ThemeKind theme = ThemeKind::dark;
     float scene_share = 0.54f;  // of the window's width, in [0.2, 0.8]
     float plot_share = 0.54f;   // of the right side's height, in [0.2, 0.8]
     friend bool operator==(const ExplorerState&, const ExplorerState&) = default;
 };
 
-/// Is the ray that the plot shows one of the light? Needs a scene with shadows.
+/// Does the plot show a ray of the light? This needs a scene with shadows.
 bool seen_from_light(const ExplorerState& state);
 
-/// What receives the light is the fragment that was marked, else what is seen of the pixel. The light's
-/// viewpoints turn shadows on.
+/// Changes the viewpoint. The receiver of the light is the marked fragment, or else the visible surface. The
+/// viewpoints of the light turn shadows on.
 void set_viewpoint(ExplorerState& state, Viewpoint viewpoint);
 
-/// What the plot's curve is of: the picture's technique, or that of the light's map.
+/// The configuration of the plotted curve: that of the picture, or that of the light's map.
 Configuration plotted_configuration(const ExplorerState& state);
 
-/// Chooses another scene; what belonged to the last one is forgotten.
+/// Chooses another scene and resets everything that belonged to the previous one.
 void choose_scene(ExplorerState& state, const std::string& id_or_path);
 
 /// Shows the whole ray again.
 void fit(PlotState& plot);
 
-/// Shows the comparison in that way, or the picture alone if it is shown so already.
+/// Shows the comparison in this mode, or only the picture if this mode is active already.
 void toggle(CompareState& compare, CompareMode mode);
 
-/// The next levels of the lens, closer for positive steps; stops at the last one.
+/// The level of the lens after some steps, closer for positive ones; stops at the first and the last level.
 LensZoom zoomed(LensZoom zoom, int steps);
 
-/// Changes an axis, and fits it, since the old range has another unit.
+/// Changes an axis and fits it, because the old range has another unit.
 void set_quantity(PlotState& plot, Quantity quantity);
 void set_depth_axis(PlotState& plot, DepthAxis axis);
 

@@ -21,7 +21,7 @@ ImU32 blend(ImU32 from, ImU32 to, float share) {
     return ImGui::ColorConvertFloat4ToU32({mix(a.x, b.x), mix(a.y, b.y), mix(a.z, b.z), 1});
 }
 
-// Entries from -1 to 1: one hue each, stronger for greater ones, none for 0.
+// The colour of a matrix entry from -1 to 1: one hue for each sign, stronger for greater values, none for 0.
 ImU32 entry_color(const Ui& ui, double value) {
     const auto share = static_cast<float>(std::sqrt(std::min(std::abs(value), 1.0)));
     return blend(ui.colors.plot_background, value < 0 ? ui.colors.reconstruction : ui.colors.bounds,
@@ -62,14 +62,15 @@ void draw_matrix(const Ui& ui, const char* name, const MomentMatrix& matrix, boo
 }
 
 constexpr int KERNEL_SAMPLES = 240;
-constexpr double KERNEL_REACH = 1.25;  // beyond the depth range, where a node may lie
+constexpr double KERNEL_REACH = 1.25;  // beyond the depth range, because a node may lie there
 
 double kernel_depth(int sample) {
     return KERNEL_REACH * (2.0 * sample / (KERNEL_SAMPLES - 1) - 1);
 }
 
-// (z - z_f)^n K / K(z_f, z_f) over depth: it has the roots of the kernel and is finite everywhere. Drawn as
-// its signed n-th root, so that small bumps beside large ones show; scaled to [-1, 1].
+// (z - z_f)^n K / K(z_f, z_f) over depth: it has the roots of the kernel polynomial and is finite everywhere.
+// It is drawn as its signed n-th root, so that small bumps are visible beside large ones, and scaled to [-1,
+// 1].
 std::array<double, KERNEL_SAMPLES> kernel_samples(const Steps& steps) {
     std::array<double, KERNEL_SAMPLES> values{};
     double most = 1e-30;
@@ -116,11 +117,11 @@ void draw_kernel(const Ui& ui, const Steps& steps) {
     ImGui::Dummy(size);
     ui.record_widget_rect("steps.kernel");
     tooltip(
-        "The kernel polynomial over depth, with the dots where it vanishes: nodes of the canonical "
-        "representation. Drawn as its n-th root, so that small bumps show.");
+        "The kernel polynomial over depth. The dots are its roots, the nodes of the canonical representation. "
+        "The plot shows the n-th root of the polynomial, so that small bumps are visible.");
 }
 
-// Nodes on the unit circle, the wrapping zone as an arc.
+// Draws the nodes on the unit circle, and the wrapping zone as an arc.
 void draw_circle(const Ui& ui, const Steps& steps) {
     const float radius = 4.2f * em();
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -151,8 +152,8 @@ void draw_circle(const Ui& ui, const Steps& steps) {
     ImGui::Dummy({2 * radius + 5 * em(), 2 * radius + 2.4f * em()});
     ui.record_widget_rect("steps.circle");
     tooltip(
-        "Depths on the unit circle: the near end at the right, then counter-clockwise. The thick arc is the wrapping zone. Dots "
-        "are the nodes, larger for greater masses.");
+        "Depths on the unit circle, from the near end at the right counter-clockwise. The thick arc is the wrapping zone. The "
+        "dots are the nodes; larger dots stand for greater masses.");
 }
 
 void draw_figures(const Ui& ui, const Steps& steps, const std::string& title, bool circle) {
@@ -174,19 +175,19 @@ void draw_figures(const Ui& ui, const Steps& steps, const std::string& title, bo
 void draw_steps_panel(const Ui& ui, const Measurement& m) {
     if (!m.curve.technique->has_moments()) {
         ImGui::TextWrapped(
-            "%s has no steps: it has no moments to reconstruct from. Choose a technique with moments.",
+            "%s has no steps, because it does not reconstruct from moments. Choose a technique with moments.",
             m.curve.technique->name);
         return;
     }
     const Steps& steps = m.steps;
     if (steps.empty) {
-        ImGui::TextWrapped("No transparent surface lies on this ray. Click one in the scene.");
+        ImGui::TextWrapped("No transparent surface lies on this ray. Click on one in the scene.");
         return;
     }
     if (steps.parameters.textbook)
         ImGui::TextWrapped(
-            "These are the steps of the robust solver. The picture is drawn by the textbook's, which takes the same "
-            "way with fewer precautions.");
+            "These are the steps of the robust solver. The picture is drawn with the textbook solver, which takes the same "
+            "steps with fewer precautions.");
     const bool circle = m.curve.technique->on_circle();
     for (const StepText& step : step_texts(steps)) {
         ImGui::PushFont(bold_font());

@@ -1,4 +1,4 @@
-// steps_panel.hpp -- the tab that follows one reconstruction, forward through Algorithm 1 or 2.
+// steps_panel.hpp -- the tab that shows one reconstruction step by step, following Algorithm 1 or 2.
 #pragma once
 #include "ui/measurement.hpp"
 #include "ui/ui.hpp"

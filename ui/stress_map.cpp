@@ -33,7 +33,7 @@ bool begins_group(const std::vector<StressCell>& cells, std::size_t column) {
     return column > 0 && cells[column].condition->group != cells[column - 1].condition->group;
 }
 
-// Left edge of each column, and the right edge of the last.
+// The left edge of each column, and the right edge of the last one.
 std::vector<float> column_edges(const std::vector<StressCell>& cells, const Layout& layout) {
     std::vector<float> edges = {layout.row_labels};
     for (std::size_t i = 1; i <= layout.columns; ++i) {
@@ -49,7 +49,7 @@ void centred(ImDrawList* draw, ImVec2 low, float width, float y, ImU32 color, co
     draw->AddText(ImGui::GetFont(), size, {low.x + 0.5f * (width - taken), y}, color, text.c_str());
 }
 
-// A group's name above its columns, in as many lines as their width asks for.
+// Draws the name of a group above its columns, in as many lines as the width requires.
 void draw_group(ImDrawList* draw, const Ui& ui, const std::string& name, float left, float right, float top) {
     const float size = 0.78f * em();
     const float bottom = top + 3.1f * em();
@@ -87,7 +87,7 @@ bool draw_cell(const StressCell& cell, ImVec2 low, ImVec2 high) {
     const bool clicked = ImGui::InvisibleButton("cell", {high.x - low.x, high.y - low.y});
     tooltip(fmt::format("{}, {} {}. {}\n{}", cell.technique->id, cell.condition->group, cell.condition->name,
                         cell.condition->help, cell_sentence(cell)),
-            "Click to open its worst ray in the editor.");
+            "Click to open the worst ray of this cell in the editor.");
     ImGui::PopID();
     return clicked;
 }

@@ -1,5 +1,5 @@
-// stress_map.hpp -- techniques times conditions as a heat map of failure rates: in the window's panel and as
-// a picture.
+// stress_map.hpp -- draws failure rates as a heat map of techniques and conditions, for the window's panel
+// and for pictures.
 #pragma once
 #include <optional>
 
@@ -8,11 +8,11 @@
 
 namespace momentscope::ui {
 
-/// How large the map of so many cells wants to be, in pixels at the current font.
+/// The size of the map of these cells in pixels at the current font.
 ImVec2 stress_map_size(const std::vector<StressCell>& cells);
 
-/// Draws the map at the cursor and returns the cell that was clicked. Rows and columns follow from the cells,
-/// which are ordered technique by technique. Hovering tells a cell's numbers.
+/// Draws the map at the cursor and returns the cell that was clicked. The cells are ordered technique by
+/// technique and determine rows and columns. A tooltip shows the numbers of a cell.
 std::optional<std::size_t> draw_stress_map(const Ui& ui, const std::vector<StressCell>& cells);
 
 }  // namespace momentscope::ui

@@ -25,7 +25,7 @@ void StressPanel::draw_progress(const Ui& ui) {
     ImGui::SameLine();
     if (ImGui::Button("cancel")) work_.cancel();
     ui.record_widget_rect("stress.cancel");
-    tooltip("Ends the run; what was shown before stays.");
+    tooltip("Ends the run; the previous map stays.");
 }
 
 void StressPanel::open_worst(const StressCell& cell, ExplorerState& state, std::string& message) {
@@ -53,19 +53,19 @@ void StressPanel::draw(const Ui& ui, ExplorerState& state, std::string& message)
         if (ImGui::Button("run")) start(state);
         ui.record_widget_rect("stress.run");
         tooltip(
-            "Tries every technique under every condition with the current solver, bias and β, and counts failures.");
+            "Tests every technique under every condition with the current solver, bias and β, and counts failures.");
         ImGui::SameLine();
         ImGui::SetNextItemWidth(9 * em());
         ImGui::SliderInt("##rays", &rays_, 10, 1000, "%d rays a cell",
                          ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
         ui.record_widget_rect("stress.rays");
-        tooltip("Random rays for each technique and condition: more find rarer failures.");
+        tooltip("Number of random rays for each technique and condition. More rays find rarer failures.");
     }
     if (cells_.empty()) {
         ImGui::TextWrapped(
-            "Techniques times conditions as a map of failures: no number, a result outside [0, b₀], or T off by more "
-            "than .02 from the exact result at the same moment bias. Press run; a click in the map opens the worst "
-            "ray of a cell in the editor.");
+            "A map of failures, with a cell for each technique and condition. A failure is a result that is not finite, or "
+            "outside [0, b₀], or with T off by more than 0.02 from the exact result at the same moment bias. Press run. A "
+            "click in the map opens the worst ray of a cell in the editor.");
         return;
     }
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));

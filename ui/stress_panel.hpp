@@ -1,4 +1,4 @@
-// stress_panel.hpp -- the tab that tries techniques under hard conditions.
+// stress_panel.hpp -- the tab that tests techniques under difficult conditions.
 #pragma once
 #include <string>
 #include <vector>
@@ -12,10 +12,10 @@ namespace momentscope::ui {
 
 class StressPanel {
 public:
-    /// Takes the cells of a run that has ended. Once per frame, whatever tab is open.
+    /// Takes the cells of a finished run. Call it once per frame, whichever tab is open.
     void poll();
 
-    /// Opens a clicked cell's worst ray in the editor.
+    /// Draws the tab. A click on a cell opens its worst ray in the editor.
     void draw(const Ui& ui, ExplorerState& state, std::string& message);
 
     bool busy() const { return work_.busy(); }

@@ -1,4 +1,4 @@
-// technique_combo.hpp -- one technique out of the registry.
+// technique_combo.hpp -- a list to choose one technique of the registry.
 #pragma once
 #include <string>
 
@@ -11,8 +11,8 @@ namespace momentscope::ui {
 /// Name and id, as in every list of techniques.
 std::string technique_label(const Technique& row);
 
-/// A list to choose from, in which techniques that the GL cannot draw are greyed and say why. `anchor` names
-/// it and, followed by an id, its rows.
+/// Draws the list. Techniques that the GL cannot draw are greyed out, and their tooltips say why. The anchor
+/// of the list is `anchor`; those of its rows add the id of a technique.
 void draw_technique_combo(const Ui& ui, const std::string& anchor, OrderedAccess access,
                           const std::string& help, const std::string& source, const Technique*& chosen);
 

@@ -38,17 +38,17 @@ void draw_technique_panel(const Ui& ui, const Measurement& m, const ExplorerStat
     if (!ImGui::BeginTable("properties", 2, ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings)) return;
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 10 * em());
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
-    row("id", technique.id, "By this name the command line and session files know it.");
+    row("id", technique.id, "The name of the technique on the command line and in session files.");
     row("memory", memory(technique, state.parameters, m.picture_size),
-        "What the technique stores beside the colour buffers that every technique has. With factorisation per pixel a factor "
-        "of the moments takes their place between the passes, which may need more.");
+        "What the technique stores in addition to the colour buffers that every technique has. With factorisation per pixel, a "
+        "factor of the moments takes their place between the passes and may need more memory.");
     row("geometry passes",
         technique.geometry_passes > 0 ? fmt::format("{}", technique.geometry_passes) : "one for every layer",
         "How often the transparent geometry is rasterised.");
     row("order of submission", technique.order_dependent ? "changes the picture" : "does not matter",
-        "Must geometry be sorted before it is drawn?");
-    row("bounds", technique.has_bounds() ? "yes: β = 0 and β = 1 bound what has the biased moments" : "no",
-        "Does it know how far the truth can be from its result?");
+        "Whether the order in which geometry is drawn changes the picture.");
+    row("bounds", technique.has_bounds() ? "yes: β = 0 and β = 1 are bounds for the biased moments" : "no",
+        "Whether the technique can bound how far the truth is from its result.");
     if (technique.has_moments())
         row("recommended bias",
             fmt::format("α = {:.1e}", static_cast<double>(technique.moments().recommended_bias)),

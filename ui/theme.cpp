@@ -115,14 +115,14 @@ void load_fonts(float scale) {
     static const ImWchar ranges[] = {0x20,   0xFF,   0x370,  0x3FF,  0x2010, 0x2027, 0x2070, 0x209F, 0x2100,
                                      0x214F, 0x2190, 0x21FF, 0x2200, 0x22FF, 0x25A0, 0x25FF, 0};
     for (const char* font : {REGULAR, BOLD}) {
-        std::error_code code;  // a folder that may not be entered has no fonts either
+        std::error_code code;  // a folder that cannot be entered has no fonts either
         if (!std::filesystem::exists(font, code))
             throw Error("The font DejaVu Sans is missing; install the package fonts-dejavu-core.");
     }
     ImGuiIO& io = ImGui::GetIO();
     io.Fonts->AddFontFromFileTTF(REGULAR, SIZE * scale, nullptr, ranges);
     io.Fonts->AddFontFromFileTTF(BOLD, SIZE * scale, nullptr, ranges);
-    io.IniFilename = nullptr;               // nothing is written behind the user's back
+    io.IniFilename = nullptr;               // write no settings file
     io.ConfigInputTextCursorBlink = false;  // a blinking cursor would redraw an idle window
     io.ConfigWindowsMoveFromTitleBarOnly = true;
 }

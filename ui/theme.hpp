@@ -8,24 +8,24 @@
 
 namespace momentscope::ui {
 
-/// Colours of what the plot and the scene view draw. Those of curves are Okabe and Ito's, which colour-blind
-/// people tell apart; the light theme takes the darker ones.
+/// Colours of the plot and the scene view. The curves have the colours of Okabe and Ito, which colour-blind
+/// people can tell apart; the light theme uses the darker ones.
 struct Palette {
     ImU32 text, warning;
     ImU32 plot_background, grid, axis;
     ImU32 truth, reconstruction, bounds, band, sharp, unbiased_exact, stems, errors, wrapping_zone,
         wrapping_zone_fill, exit;
-    std::array<ImU32, 4> compared;  // in turn, with a dash pattern each
+    std::array<ImU32, 4> compared;  // used in turn, each with its own dash pattern
     ImU32 mark, mark_edge, pin;
 };
 const Palette& palette(ThemeKind kind);
 
-/// Loads DejaVu Sans with Greek and the mathematical signs that labels use, and its bold for headings. Throws
-/// Error when the font is not installed. Call once per ImGui context.
+/// Loads DejaVu Sans with Greek and mathematical signs for labels, and its bold style for headings. Throws
+/// Error if the font is not installed. Call it once per ImGui context.
 void load_fonts(float scale);
 ImFont* bold_font();
 
-/// Sets ImGui's colours and sizes. Cheap; call it when kind or scale changed.
+/// Sets ImGui's colours and sizes. It is cheap; call it if kind or scale changed.
 void apply_style(ThemeKind kind, float scale);
 
 }  // namespace momentscope::ui

@@ -1,4 +1,4 @@
-// ui.hpp -- what every panel draws with: colours, sizes, and the places of its controls.
+// ui.hpp -- common tools of all panels: colours, sizes, and the places of controls.
 #pragma once
 #include <imgui.h>
 
@@ -15,46 +15,45 @@ struct Rect {
     bool empty() const { return !(low.x < high.x && low.y < high.y); }
 };
 
-/// Where named controls were drawn in the last frame, so that event files and tests can point at them without
-/// knowing the layout.
+/// The places of named controls in the last frame, so that event files and tests can point at them without
+/// knowledge of the layout.
 using WidgetRects = std::map<std::string, Rect>;
 
 struct Ui {
     const Palette& colors;
     WidgetRects& widget_rects;
 
-    /// Names the control that was drawn last.
+    /// Records the place of the last drawn control under a name.
     void record_widget_rect(const std::string& name) const {
         widget_rects[name] = {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
     }
 };
 
-/// One font height, by which all sizes are measured.
+/// One font height; all sizes are multiples of it.
 inline float em() {
     return ImGui::GetFontSize();
 }
 
-/// A text before a control, which begins `width` font heights from the left.
+/// Draws a text before a control. The control begins `width` font heights from the left.
 void label(const char* text, float width = 6.5f);
 
-/// A wrapped tooltip for the control that was drawn last: what it is, and in weaker text its shortcut or
-/// source.
+/// A wrapped tooltip for the last drawn control: its meaning, and in weaker text its shortcut or source.
 void tooltip(const std::string& text, const std::string& weaker = "");
 
-/// A colour of [0, 1], as draw lists take it.
+/// A colour with channels in [0, 1], packed for draw lists.
 ImU32 packed(const glm::vec3& color);
 
-/// A linear colour as the display shows it.
+/// A linear colour, converted for the display.
 ImVec4 display_color(const glm::vec3& linear);
 
-/// Puts the next control of that width beside the last one, or into a new line where it would pass `right` (a
+/// Puts the next control, of this width, beside the last one, or on a new line if it would pass `right` (a
 /// screen coordinate).
 void flow(float width, float right, float gap);
 
-/// How wide a button with that label is.
+/// The width of a button with this label.
 float button_width(const char* label);
 
-/// A button that looks pressed while `on`. True when it was clicked.
+/// A button that looks pressed if `on` is true. Returns true if it was clicked.
 bool toggle_button(const char* label, bool on);
 
 }  // namespace momentscope::ui

@@ -66,18 +66,17 @@ double excess(const ChartRow& row, const AdviceBounds& bounds, double error) {
 void require_sensible(const AdviceBounds& bounds) {
     const MetricRow& metric = metrics()[static_cast<std::size_t>(bounds.metric)];
     if (!std::isfinite(bounds.max_error) || !(bounds.max_error > 0))
-        throw Error(fmt::format(
-            "An error of at most {:g} is met by nothing but the ground truth; give a number above 0.",
-            bounds.max_error));
+        throw Error(fmt::format("Only the ground truth has an error of at most {:g}; give a number above 0.",
+                                bounds.max_error));
     if (bounds.metric == Metric::flip && bounds.max_error >= 1)
-        throw Error(fmt::format("{} is never above 1, so that {:g} bounds nothing; give a number below 1.",
+        throw Error(fmt::format("{} is never above 1, so {:g} is no bound; give a number below 1.",
                                 metric.symbol, bounds.max_error));
     if (bounds.max_bits && *bounds.max_bits < 1)
         throw Error(
-            fmt::format("Nothing is stored in {} bits per pixel; give at least 1.", *bounds.max_bits));
+            fmt::format("Nothing can be stored in {} bits per pixel; give at least 1.", *bounds.max_bits));
     if (bounds.max_ms && (!std::isfinite(*bounds.max_ms) || !(*bounds.max_ms > 0)))
-        throw Error(
-            fmt::format("Nothing is drawn in {:g} ms; give a time above 0 milliseconds.", *bounds.max_ms));
+        throw Error(fmt::format("Nothing can be drawn in {:g} ms; give a time above 0 milliseconds.",
+                                *bounds.max_ms));
 }
 
 const Technique* technique_of(const ChartRow& row) {

@@ -37,7 +37,7 @@ std::string role_of(std::size_t row, const Advice& advice) {
 std::string price_text(const ChartRow& row, const ChartRow& winner) {
     const double more = row.numbers->total.median - winner.numbers->total.median;
     const double noise = 0.5 * (row.numbers->total.range + winner.numbers->total.range);
-    return more > noise ? fmt::format("{:.1f} ms more", more) : "no more time than the measurement tells";
+    return more > noise ? fmt::format("{:.1f} ms more", more) : "no measurable extra time";
 }
 
 std::string named(std::span<const ChartRow> rows, const AdviceBounds& bounds, const HeldOutErrors& held_out,
@@ -108,19 +108,19 @@ const char* judgement_text(Judgement judgement) {
 std::string no_advice_text(std::span<const ChartRow> rows, const AdviceBounds& bounds,
                            const HeldOutErrors& held_out, const Advice& advice) {
     if (advice.nearest && advice.ground_truths.empty())
-        return fmt::format("Nothing meets this ({}); the nearest is {}; allow more.", bounds_text(bounds),
-                           named(rows, bounds, held_out, *advice.nearest));
+        return fmt::format("Nothing meets these bounds ({}), and the nearest is {}; allow more.",
+                           bounds_text(bounds), named(rows, bounds, held_out, *advice.nearest));
     if (advice.ground_truths.empty())
-        return "None of the configurations can be advised here; allow others, or those that depend on the order.";
+        return "None of these configurations can be advised; allow others, or those that depend on the order.";
     std::string truths;
     for (const std::size_t i : advice.ground_truths)
         truths += fmt::format("{}{} at {:.1f} ms", truths.empty() ? "" : " and ", rows[i].configuration,
                               rows[i].numbers->total.median);
-    const std::string rest = advice.nearest ? fmt::format("; the nearest of the others is {}; allow more",
+    const std::string rest = advice.nearest ? fmt::format(", and the nearest of the others is {}; allow more",
                                                           named(rows, bounds, held_out, *advice.nearest))
                                             : std::string("; allow other techniques");
-    return fmt::format("Only a ground truth meets this ({}), which is {}{}.", bounds_text(bounds), truths,
-                       rest);
+    return fmt::format("Only a ground truth meets these bounds ({}), namely {}{}.", bounds_text(bounds),
+                       truths, rest);
 }
 
 std::vector<std::size_t> evidence_of(std::span<const ChartRow> rows, const AdviceBounds& bounds,

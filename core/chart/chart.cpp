@@ -74,10 +74,10 @@ std::vector<std::size_t> front_of(std::span<const ChartRow> rows, Metric metric)
 std::string chart_method(const Chart& chart) {
     const auto text = [&](const char* name) { return one_line(setting(chart.settings, name)); };
     return fmt::format(
-        "Pictures of {} pixels by Momentscope {} on {}. Times in milliseconds, {}: medians of {} rounds, in which "
-        "configurations take turns; in parentheses from the lower to the upper quartile. Total is the sum of a technique's "
-        "passes; the difference is that to `unsorted` in the same round. Errors against `sorted`. Stability: the "
-        "greatest change of the RMSE from one picture to the next along {}.",
+        "Pictures of {} pixels by Momentscope {} on {}. Times are in milliseconds, {}: medians of {} rounds, in which "
+        "configurations take turns, with the range from the lower to the upper quartile in parentheses. Total is the sum "
+        "of a technique's passes, and the difference is to `unsorted` in the same round. Errors are against `sorted`. "
+        "Stability is the greatest change of the RMSE from one picture to the next along {}.",
         text("size"), text(run_setting::VERSION), text("gl"), text("times"), text("repeat"),
         text("camera path"));
 }

@@ -17,14 +17,14 @@ namespace {
 
 constexpr MetricRow ROWS[] = {
     {Metric::rmse, "rmse", "root mean square error", "RMSE",
-     "Of the three linear channels; 0 for equal pictures. What one wrong pixel does depends on how wrong it is alone.",
+     "Over the three linear channels; 0 for equal pictures. How much a pixel adds depends on its own error only.",
      "Münstermann et al. 2018, Section 7", 0.25f},
     {Metric::delta_e, "delta-e", "CIELAB ΔE", "ΔE",
-     "Mean distance in CIELAB under D65: about 2 is just seen side by side, 100 is black against white.",
+     "Mean distance in CIELAB under D65: about 2 is just visible side by side, 100 is black against white.",
      "CIE 1976", 25.0f},
     {Metric::flip, "flip", "FLIP", "FLIP",
-     "Mean of what is seen when pictures are flipped at 67 pixels per degree, in [0, 1]: colour as the eye blurs it, "
-     "and more where edges and points differ.",
+     "Mean difference that is seen when flipping between the pictures at 67 pixels per degree, in [0, 1]: it compares "
+     "colours as the eye blurs them, and counts different edges and points more.",
      "Andersson et al. 2020", 1.0f}};
 
 double pixel_rmse(const glm::dvec3& a, const glm::dvec3& b) {

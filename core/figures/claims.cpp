@@ -75,10 +75,10 @@ std::vector<ClaimResult> measure_overestimation(RenderSource& setups) {
     }
     return {{"β = 0 and β = 1 bound the absorbance from below and above", outside == 0,
              fmt::format("{} of {} depths outside", outside, DEPTHS)},
-            falling("β = 0.25 lies nearer the truth than either bound",
+            falling("β = 0.25 is closer to the truth than the upper bound",
                     {{"mean error of T for β = 1:", curve_error(ray, "power6-32", {{beta, 1}})},
                      {"β = 0.25:", curve_error(ray, "power6-32", {{beta, 0.25f}})}}),
-            falling("and nearer than the lower bound",
+            falling("β = 0.25 is also closer than the lower bound",
                     {{"β = 0:", curve_error(ray, "power6-32", {{beta, 0}})},
                      {"β = 0.25:", curve_error(ray, "power6-32", {{beta, 0.25f}})}})};
 }
@@ -87,12 +87,9 @@ std::vector<ClaimResult> measure_ideal(RenderSource&) {
     const ViewRay two = even_sheets(2), three = even_sheets(3), four = even_sheets(4);
     const auto pair = [](const char* count, const ViewRay& ray, const char* power, const char* trig) {
         return falling(
-            fmt::format("with {} sheets the bias of power moments costs more than that of trigonometric ones",
-                        count),
+            fmt::format("with {} sheets, bias harms power moments more than trigonometric ones", count),
             {{power, curve_error(ray, power, {})}, {trig, curve_error(ray, trig, {})}},
-            power == std::string_view("power4-32")
-                ? "With four moments Table 1 has nearly the same bias for both"
-                : "");
+            power == std::string_view("power4-32") ? "Here Table 1 has nearly the same bias for both" : "");
     };
     return {pair("two", two, "power4-32", "trig2-32"), pair("three", three, "power6-32", "trig3-32"),
             pair("four", four, "power8-32", "trig4-32")};
@@ -109,9 +106,9 @@ std::vector<ClaimResult> measure_wrapping(RenderSource&) {
         return static_cast<double>(most) * (DEPTHS - 1) / 2;
     };
     return {falling("a wider wrapping zone smooths the reconstruction: its steepest slope falls with θ",
-                    {{"θ = .01π:", steepest(0.01f * std::numbers::pi_v<float>)},
-                     {"θ = .1π:", steepest(0.1f * std::numbers::pi_v<float>)},
-                     {"θ = .4π:", steepest(0.4f * std::numbers::pi_v<float>)}})};
+                    {{"θ = 0.01π:", steepest(0.01f * std::numbers::pi_v<float>)},
+                     {"θ = 0.1π:", steepest(0.1f * std::numbers::pi_v<float>)},
+                     {"θ = 0.4π:", steepest(0.4f * std::numbers::pi_v<float>)}})};
 }
 
 std::vector<ClaimResult> measure_ship(RenderSource& setups) {
@@ -130,8 +127,8 @@ std::vector<ClaimResult> measure_ship(RenderSource& setups) {
                 {{"power4-16", power4}, {"power6-32", power6}}),
         falling("three trigonometric moments remove nearly all errors",
                 {{"power6-32", power6}, {"trig3-32", trig3}},
-                fmt::format("In our fog they gain nothing; four have {:.3g}", error("trig4-32"))),
-        falling("multi-layer alpha blending with four layers fails in the fog: moments do better",
+                fmt::format("In our fog they do not help; four have {:.3g}", error("trig4-32"))),
+        falling("multi-layer alpha blending with four layers fails in the fog, and moments do better",
                 {{"mlab, 4 layers", mlab}, {"power6-32", power6}}),
         falling("six layers do better than four", {{"4 layers", mlab}, {"6 layers", mlab6}}),
         falling("adaptive transparency is worse than multi-layer alpha blending",
@@ -141,12 +138,13 @@ std::vector<ClaimResult> measure_ship(RenderSource& setups) {
 std::vector<ClaimResult> measure_teapots(RenderSource& setups) {
     const auto error = [&](const char* technique) { return setups.error({"teapots", technique}); };
     const double wboit = error("wboit"), power4 = error("power4-32"), power6 = error("power6-32");
-    return {falling("weighted blending is worst, four power moments are plausible, six improve on them",
-                    {{"wboit", wboit}, {"power4-32", power4}, {"power6-32", power6}}),
-            falling("multi-layer alpha blending performs well but for a curtain: it beats weighted blending",
-                    {{"wboit", wboit}, {"mlab, 4 layers", error("mlab")}}),
-            falling("adaptive transparency shares its artifacts and has others",
-                    {{"at, 4 nodes", error("at")}, {"mlab, 4 layers", error("mlab")}})};
+    return {
+        falling("weighted blending is worst, four power moments are plausible, six improve on them",
+                {{"wboit", wboit}, {"power4-32", power4}, {"power6-32", power6}}),
+        falling("multi-layer alpha blending performs well except at a curtain: it beats weighted blending",
+                {{"wboit", wboit}, {"mlab, 4 layers", error("mlab")}}),
+        falling("adaptive transparency has the same artifacts and others",
+                {{"at, 4 nodes", error("at")}, {"mlab, 4 layers", error("mlab")}})};
 }
 
 namespace {
@@ -167,13 +165,13 @@ std::vector<ClaimResult> measure_foliage(RenderSource& setups) {
     const RenderSetup without = {"foliage", "power6-32", {{renormalize, 0}}}, with = {"foliage", "power6-32"};
     const double dark = brightness(setups, without), mended = brightness(setups, with);
     return {{"without renormalisation the picture is too dark", dark < 0,
-             fmt::format("mean difference of brightness {:+.4f}", dark)},
+             fmt::format("mean difference in brightness {:+.4f}", dark)},
             {"renormalisation removes that", std::abs(mended) < std::abs(dark),
              fmt::format("{:+.4f} with it", mended)},
-            falling("hashed alpha testing suits this case: its brightness comes nearer the truth",
-                    {{"distance of brightness: power6-32, without renormalisation", std::abs(dark)},
+            falling("hashed alpha testing suits this case: its brightness is closer to the truth",
+                    {{"difference in brightness: power6-32, without renormalisation", std::abs(dark)},
                      {"hashed", std::abs(brightness(setups, {"foliage", "hashed"}))}},
-                    "Its noise in a single frame is another matter")};
+                    "This does not count its noise in a single frame")};
 }
 
 namespace {
@@ -188,26 +186,28 @@ std::vector<ClaimResult> measure_spheres(RenderSource& setups) {
         return setups.error({"spheres", technique, std::move(settings)}, Metric::rmse, around);
     };
     const ParameterSettings two_layers = {{layers, 2}};
-    return {falling("blur at the intersections falls in this order (errors around them)",
-                    {{"power4-16", error("power4-16")},
-                     {"trig3-16", error("trig3-16")},
-                     {"power6-32", error("power6-32")},
-                     {"trig4-32", error("trig4-32")},
-                     {"mlab, 4 layers", error("mlab")}}),
-            {"adaptive transparency with four nodes is perfect", error("at") < PERFECT,
-             fmt::format("{:.3g}, where below {} would be", error("at"), PERFECT),
-             "Ours shows back faces, too: six fragments for four nodes"},
-            {"so is multi-layer alpha blending with two layers", error("mlab", two_layers) < PERFECT,
-             fmt::format("{:.3g}", error("mlab", two_layers)), "For the same reason"}};
+    return {
+        falling("blur at the intersections falls in this order (errors around them)",
+                {{"power4-16", error("power4-16")},
+                 {"trig3-16", error("trig3-16")},
+                 {"power6-32", error("power6-32")},
+                 {"trig4-32", error("trig4-32")},
+                 {"mlab, 4 layers", error("mlab")}}),
+        {"adaptive transparency with four nodes is perfect", error("at") < PERFECT,
+         fmt::format("{:.3g}; perfect would be below {}", error("at"), PERFECT),
+         "Our picture also shows back faces: six fragments for four nodes"},
+        {"multi-layer alpha blending with two layers is perfect, too", error("mlab", two_layers) < PERFECT,
+         fmt::format("{:.3g}", error("mlab", two_layers)), "The reason is the same"}};
 }
 
 std::vector<ClaimResult> measure_eight(RenderSource& setups) {
     std::vector<ClaimResult> results;
     for (const char* scene : {"cloud", "smoke", "teapots"})
-        results.push_back(falling(fmt::format("on `{}` eight power moments come closer than six", scene),
-                                  {{"power6-32", setups.error({scene, "power6-32"})},
-                                   {"power8-32", setups.error({scene, "power8-32"})}}));
-    results.push_back(falling("but they cannot deal with intersections, as trigonometric moments can",
+        results.push_back(
+            falling(fmt::format("on `{}` eight power moments are closer to the truth than six", scene),
+                    {{"power6-32", setups.error({scene, "power6-32"})},
+                     {"power8-32", setups.error({scene, "power8-32"})}}));
+    results.push_back(falling("but they cannot handle intersections, unlike trigonometric moments",
                               {{"spheres: power8-32", setups.error({"spheres", "power8-32"})},
                                {"trig4-32", setups.error({"spheres", "trig4-32"})}}));
     return results;
@@ -218,19 +218,20 @@ std::vector<ClaimResult> measure_variants(RenderSource& setups) {
     return {
         falling("eight power moments improve slightly on six",
                 {{"power6-32", error("power6-32")}, {"power8-32", error("power8-32")}},
-                fmt::format("It is not the bias: with a fiftieth of it (--preset robust) eight have {:.3g}",
-                            setups.error({"ship", "power8-32", {{preset, 1}}}))),
-        falling("and are worse than three trigonometric ones",
+                fmt::format(
+                    "The bias is not the reason: with a fiftieth of it (--preset robust) eight have {:.3g}",
+                    setups.error({"ship", "power8-32", {{preset, 1}}}))),
+        falling("eight power moments are worse than three trigonometric ones",
                 {{"power8-32", error("power8-32")}, {"trig3-32", error("trig3-32")}})};
 }
 
 std::vector<ClaimResult> measure_smoke(RenderSource& setups) {
     const double wboit = setups.error({"smoke", "wboit"}), mt = setups.error({"smoke", "mt"}),
                  two = setups.error({"smoke", "mt", {{beta, 0}, {moment_passes, TWO_PASSES}}});
-    return {
-        falling("Moment Transparency improves on weighted blending", {{"wboit", wboit}, {"mt, β = .25", mt}}),
-        falling("two moment passes improve on one",
-                {{"mt, β = 0", setups.error({"smoke", "mt", {{beta, 0}}})}, {"two passes, β = 0", two}})};
+    return {falling("Moment Transparency improves on weighted blending",
+                    {{"wboit", wboit}, {"mt, β = 0.25", mt}}),
+            falling("two moment passes improve on one",
+                    {{"mt, β = 0", setups.error({"smoke", "mt", {{beta, 0}}})}, {"two passes, β = 0", two}})};
 }
 
 namespace {
@@ -259,15 +260,15 @@ double mean_error(int fragments, const ParameterSettings& settings) {
 std::vector<ClaimResult> measure_samples(RenderSource&) {
     const ParameterSettings plain = {{beta, 0}}, over = {{beta, 0.25f}},
                             two = {{beta, 0}, {moment_passes, TWO_PASSES}};
-    return {falling("Moment Transparency is good for two and three fragments only",
+    return {falling("Moment Transparency is good for only two and three fragments",
                     {{"8 fragments", mean_error(8, plain)},
                      {"3 fragments", mean_error(3, plain)},
                      {"2", mean_error(2, plain)}}),
-            falling("overestimation of 25 % improves on it with more",
-                    {{"8 fragments: β = 0", mean_error(8, plain)}, {"β = .25", mean_error(8, over)}}),
-            falling("two moment passes hide too much with two fragments",
+            falling("with more fragments, an overestimation of 25 % improves the result",
+                    {{"8 fragments: β = 0", mean_error(8, plain)}, {"β = 0.25", mean_error(8, over)}}),
+            falling("with two fragments, two moment passes hide too much",
                     {{"2 fragments: two passes", mean_error(2, two)}, {"one", mean_error(2, plain)}}),
-            falling("and improve on one with more",
+            falling("with more fragments, two moment passes improve on one",
                     {{"8 fragments: one pass", mean_error(8, plain)}, {"two", mean_error(8, two)}})};
 }
 
@@ -275,7 +276,7 @@ std::vector<ClaimResult> measure_low(RenderSource& setups) {
     const double full = setups.error({"smoke", "mt"}),
                  eighth = setups.error({"smoke", "mt", {{resolution, 3}}});
     return {falling("moments at an eighth of the resolution cost quality", {{"1/8", eighth}, {"full", full}}),
-            falling("and still improve on weighted blending",
+            falling("they still improve on weighted blending",
                     {{"wboit", setups.error({"smoke", "wboit"})}, {"1/8", eighth}})};
 }
 

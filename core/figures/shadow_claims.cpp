@@ -74,20 +74,20 @@ std::vector<ClaimResult> measure_cloud_shadows(RenderSource& setups) {
         {"Fourier opacity mapping shows the disk's shadow above the disk", fourier_7.begins < -0.1,
          text_of("7 coefficients:", fourier_7) + ", " + text_of("15:", fourier_15) +
              fmt::format("; truth {:.2f} long", truth.length),
-         "Medians over light rays through the disk, in scene units; the cloud is some three deep"},
-        {"moments show a hard onset there, and none above",
+         "Medians over light rays through the disk, in scene units; the cloud is about three units deep"},
+        {"with moments, the shadow begins hard at the disk, and not above it",
          power_6.begins >= 0 && power_6.length < fourier_7.length,
          "β = 0: " + text_of("six,", power_6) + ", " + text_of("four,", power_4)},
         {"β = 0.5, as in the figure, keeps a reasonably hard onset", heavy_6.length < fourier_7.length,
          text_of("six moments", heavy_6) + ", " + text_of("four", heavy_4),
-         "At β = 0.5 half of what is uncertain counts as in front, so the shadow begins above the disk, too"},
-        {"the scene plays to the advantage of Fourier opacity mapping", of_fourier_15 < of_power_6,
+         "At β = 0.5 half of the uncertain mass counts as in front, so the shadow also begins above the disk"},
+        {"the scene favours Fourier opacity mapping", of_fourier_15 < of_power_6,
          fmt::format(
-             "RMSE against a deep shadow map: Fourier {:.4f} and {:.4f} (7, 15), power moments at β = 0.5 {:.4f} and "
-             "{:.4f} (4, 6)",
+             "RMSE against a deep shadow map: {:.4f} and {:.4f} for Fourier (7, 15), {:.4f} and {:.4f} for power moments "
+             "at β = 0.5 (4, 6)",
              of_fourier_7, of_fourier_15, of_power_4, of_power_6)},
         {"with β = 0 light leaks, most with four moments", lower_4 > lower_6 && lower_6 > of_power_6,
-         fmt::format("at β = 0: {:.4f} with 4, {:.4f} with 6", lower_4, lower_6)}};
+         fmt::format("at β = 0: {:.4f} with 4 moments, {:.4f} with 6", lower_4, lower_6)}};
 }
 
 }  // namespace momentscope

@@ -47,7 +47,7 @@ GlInfo gl_info() {
             break;
         case OrderedAccess::framebuffer_fetch:
             info.missing.push_back({"fragment shader interlock",
-                                    "framebuffer fetch takes its place: 16-bit variants run, at other "
+                                    "framebuffer fetch takes its place: 16-bit variants run, but at other "
                                     "speeds than with rasterizer ordered views"});
             break;
         case OrderedAccess::none:

@@ -123,8 +123,9 @@ void write_image(const Image& image, const std::filesystem::path& path, ToneMap 
 void write_png(const std::vector<unsigned char>& rgba, int width, int height,
                const std::filesystem::path& path) {
     if (path.extension() != ".png")
-        throw Error(fmt::format("'{}' is not a kind of picture that can be written; end it in .png or .exr.",
-                                path.string()));
+        throw Error(fmt::format(
+            "'{}' is not a kind of picture that can be written; give a name that ends in .png or .exr.",
+            path.string()));
     write_pixels(path, width, height, PictureNumbers::bytes, rgba.data());
 }
 

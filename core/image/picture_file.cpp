@@ -46,8 +46,8 @@ void PictureFile::require_size(int most_side, std::size_t most_pixels, std::size
     if (pixels < 1 || std::max(size.width, size.height) > most_side || pixels > most_pixels ||
         size.depth > 1 || size.channels.empty())
         throw Error(fmt::format(
-            "The {} '{}' has {}x{}{} pixels; up to {} to a side and {} million in all are "
-            "read, so make it smaller.",
+            "The {} '{}' has {}x{}{} pixels, but at most {} to a side and {} million in all are "
+            "read; make it smaller.",
             what, path.string(), size.width, size.height,
             size.depth > 1 ? fmt::format("x{}", size.depth) : "", most_side, most_pixels / 1'000'000));
     require_memory(pixels * bytes_per_pixel,
@@ -62,7 +62,7 @@ void PictureFile::read(int first_channel, int channel_count, PictureNumbers numb
         throw Error(fmt::format("The {} '{}' needs more memory than there is; make it smaller.", what,
                                 path.string()));
     }
-    throw Error(fmt::format("The {} '{}' ends before its pixels do ({}); write it again.", what,
+    throw Error(fmt::format("The {} '{}' ends before its last pixel ({}); write it again.", what,
                             path.string(), reason_of(reader->error())));
 }
 

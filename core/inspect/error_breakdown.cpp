@@ -140,10 +140,10 @@ ErrorBreakdown breakdown_of_truth(const ViewRay& ray, const Technique& technique
     const double error = glm::length(glm::dvec3(colors.technique) - glm::dvec3(colors.truth));
     return {.error = error,
             .contributions = {{"surfaces at the same depth", error}},
-            .sentence =
-                fmt::format("Off by {:.3f} in linear colour: of surfaces at the same depth only the first "
-                            "that is drawn survives, so {} of {} is lost.",
-                            error, lost, fragment_count_text(ray.fragments.size()))};
+            .sentence = fmt::format(
+                "Off by {:.3f} in linear colour: of several surfaces at the same depth, only the one "
+                "that is drawn first survives, so {} of {} is lost.",
+                error, lost, fragment_count_text(ray.fragments.size()))};
 }
 
 // What a half float loses of the total, or nothing.
@@ -154,7 +154,7 @@ std::string drift_text(const ViewRay& ray, const Technique& technique, const Par
     const auto stored = static_cast<double>(sum_moments(ray, technique, resolve(values, technique)).b0);
     if (std::abs(stored - total) <= DRIFT * total) return {};
     return fmt::format(
-        " 16 bits hold b₀ = {:.6g} of {:.6g}: every sum is rounded to the 11 "
+        " In 16 bits b₀ = {:.6g} instead of {:.6g}: every sum is rounded to the 11 "
         "bits of a half float; use moments in 32 bits.",
         stored, total);
 }
@@ -163,7 +163,7 @@ std::string sentence_of(const ErrorBreakdown& breakdown) {
     if (breakdown.error < MIN_ERROR_TO_EXPLAIN)
         return fmt::format("Right to {:.4f} in linear colour.", breakdown.error);
     const auto greatest = std::ranges::max_element(breakdown.contributions, {}, &Contribution::share);
-    std::string text = fmt::format("Off by {:.3f} in linear colour, most of all by {}: {:+.3f}",
+    std::string text = fmt::format("Off by {:.3f} in linear colour, mostly because of {}: {:+.3f}",
                                    breakdown.error, greatest->cause, greatest->share);
     for (const Contribution& other : breakdown.contributions)
         if (&other != &*greatest && std::abs(other.share) >= 0.02 * breakdown.error)
@@ -196,12 +196,12 @@ ErrorBreakdown pixel_error_breakdown(const ViewRay& ray, const Technique& techni
     if (ray.fragments.size() > MAX_FRAGMENTS)
         return {.error = 0,
                 .contributions = {},
-                .sentence = fmt::format("More than {} fragments are too many for a verdict.{}", MAX_FRAGMENTS,
-                                        drift_text(ray, technique, values))};
+                .sentence = fmt::format("This ray has more than {} fragments, too many for a verdict.{}",
+                                        MAX_FRAGMENTS, drift_text(ray, technique, values))};
     const PixelColors colors = colors_of(ray, technique, values, behind);
     ErrorBreakdown breakdown;
     if (ray.fragments.empty()) {
-        breakdown.sentence = "Nothing transparent here, nothing wrong.";
+        breakdown.sentence = "Nothing here is transparent, so nothing is wrong.";
         return breakdown;
     }
     const glm::dvec3 truth(colors.truth), shown(colors.technique);

@@ -91,12 +91,13 @@ StepText matrix_text(const Steps& s) {
     const bool chebyshev = s.technique->is_of(BasisFamily::chebyshev);
     const char* name = circle ? "Toeplitz matrix" : chebyshev ? "Gram matrix" : "Hankel matrix";
     const char* entry = circle ? "b_{i−j}" : chebyshev ? "(b_{i+j} + b_{|i−j|}) / 2" : "b_{i+j}";
-    return {fmt::format("3  {}", name),
-            fmt::format(
-                "Entry i, j is {}. With as few surfaces as rows, rounding decides its smallest eigenvalue; "
-                "bias keeps it above zero (Algorithm {}).",
-                entry, circle ? 2 : 1),
-            matrix_numbers("before bias", s.before) + "\n" + matrix_numbers("after bias", s.after)};
+    return {
+        fmt::format("3  {}", name),
+        fmt::format(
+            "Entry i, j is {}. With fewer surfaces than rows, its smallest eigenvalue is zero except for rounding; "
+            "bias keeps it above zero (Algorithm {}).",
+            entry, circle ? 2 : 1),
+        matrix_numbers("before bias", s.before) + "\n" + matrix_numbers("after bias", s.after)};
 }
 
 StepText factor_text(const Steps& s) {
@@ -104,37 +105,37 @@ StepText factor_text(const Steps& s) {
         s.floored_pivots > 0 ? fmt::format("; {} raised to the floor 6e-8", s.floored_pivots) : "";
     return {
         "4  Factor",
-        "Cholesky's elimination leaves the pivots h_k, the norms of the orthogonal polynomials p_k: the smaller "
-        "the last one, the surer the moments know where the surfaces are (docs/equations.md).",
+        "Cholesky's elimination gives the pivots h_k, which are the norms of the orthogonal polynomials p_k. The smaller "
+        "the last pivot is, the better the moments determine where the surfaces are (docs/equations.md).",
         fmt::format("h = {}{}", list("{:.4e}", s.pivots, s.pivots.size()), floors)};
 }
 
 StepText kernel_text(const Steps& s) {
     const bool circle = s.technique->on_circle();
     const std::vector<float> below(s.kernel.begin() + 1, s.kernel.end());
-    return {"5  Kernel polynomial",
-            fmt::format(
-                "K(z_f, z) = Σ p_k(z_f) p_k(z)/h_k, the q of Algorithm {}, in t = {}, which is infinite at "
-                "the query itself.",
-                circle ? 2 : 1, circle ? "cot((φ − φ_f)/2)" : "1/(z − z_f)"),
-            fmt::format("1/w₀ = {:.6g}; coefficients below the leading 1: {}", s.kernel[0],
-                        list("{:.5g}", below, below.size()))};
+    return {
+        "5  Kernel polynomial",
+        fmt::format(
+            "K(z_f, z) = Σ p_k(z_f) p_k(z)/h_k, called q in Algorithm {}, as a polynomial in t = {}, which is "
+            "infinite at the query itself.",
+            circle ? 2 : 1, circle ? "cot((φ − φ_f)/2)" : "1/(z − z_f)"),
+        fmt::format("1/w₀ = {:.6g}; coefficients below the leading 1: {}", s.kernel[0],
+                    list("{:.5g}", below, below.size()))};
 }
 
 StepText roots_text(const Steps& s) {
     const bool circle = s.technique->on_circle();
-    const std::string zone = fmt::format("; beyond φ = 2π − θ = {:.4f} lies the wrapping zone",
+    const std::string zone = fmt::format("; the wrapping zone lies beyond φ = 2π − θ = {:.4f}",
                                          2 * std::numbers::pi - static_cast<double>(s.parameters.theta));
     std::string roots;
     for (const StepNode& node : s.nodes)
         roots += fmt::format("{}t = {:<12.5g} z = {:<10.5g}{}", roots.empty() ? "" : "\n", node.t, node.depth,
                              circle ? fmt::format(" φ = {:.4f}", node.phase) : "");
-    return {
-        "6  Roots",
-        fmt::format("Its roots are the other places where the sparsest distribution with these moments has "
-                    "mass{} (Algorithm {}).",
-                    circle ? zone : "", circle ? 2 : 1),
-        roots};
+    return {"6  Roots",
+            fmt::format("Its roots are the nodes, the places of the other masses of the canonical "
+                        "representation{} (Algorithm {}).",
+                        circle ? zone : "", circle ? 2 : 1),
+            roots};
 }
 
 StepText weights_text(const Steps& s) {
@@ -152,14 +153,15 @@ StepText weights_text(const Steps& s) {
 }
 
 StepText result_text(const Steps& s) {
-    return {"8  Result",
-            fmt::format(
-                "The masses in front, plus the share β = {:.3g} of the mass at the query. w₀ b₀ = {:.5g} is "
-                "the gap between {}.",
-                s.parameters.beta, s.query_weight * s.stored.b0,
-                s.technique->has_bounds() ? "the bounds" : "β = 0 and β = 1"),
-            fmt::format("Σ w v = {:.6f}, + β w₀ = {:.6f}\nA = b₀ × that = {:.9g}\nT = exp(−A) = {:.9g}",
-                        s.in_front, s.fraction, s.absorbance, s.transmittance)};
+    return {
+        "8  Result",
+        fmt::format(
+            "Add the masses in front and the share β = {:.3g} of the mass at the query. w₀ b₀ = {:.5g} is "
+            "the gap between {}.",
+            s.parameters.beta, s.query_weight * s.stored.b0,
+            s.technique->has_bounds() ? "the bounds" : "β = 0 and β = 1"),
+        fmt::format("Σ w v = {:.6f}, + β w₀ = {:.6f}\nA = b₀ × that = {:.9g}\nT = exp(−A) = {:.9g}",
+                    s.in_front, s.fraction, s.absorbance, s.transmittance)};
 }
 
 }  // namespace

@@ -35,11 +35,12 @@ ViewRay random_ten() {
 }
 
 constexpr std::array<RayPreset, 8> PRESETS = {{
-    {"one", "1 surface", "One surface: every moment-based technique knows it exactly, but for bias.",
+    {"one", "1 surface",
+     "One surface: every moment-based technique reconstructs it exactly, except for bias.",
      [] {
          return ray_of({{-0.2f, 0.6f}});
      }},
-    {"two", "2 surfaces", "Two surfaces, as many as four moments can tell apart.",
+    {"two", "2 surfaces", "Two surfaces, as many as four moments determine.",
      [] {
          return ray_of({{-0.4f, 0.5f}, {0.4f, 0.7f}});
      }},
@@ -54,12 +55,12 @@ constexpr std::array<RayPreset, 8> PRESETS = {{
     {"cloud", "cloud and surfaces", "A cloud of thin fragments between three surfaces, as in Figure 2.",
      cloud_and_surfaces},
     {"ties", "ties",
-     "Two pairs of fragments that share their depth: none of a pair lies in front of the other.",
+     "Two pairs of fragments at the same depth: neither fragment of a pair lies in front of the other.",
      [] {
          return ray_of({{-0.3f, 0.4f}, {-0.3f, 0.5f}, {0.4f, 0.3f}, {0.4f, 0.6f}});
      }},
-    {"random", "10 random surfaces", "More surfaces than any variant can tell apart.", random_ten},
-    {"empty", "empty", "No fragment: add some by double-clicking.", [] { return ViewRay(); }},
+    {"random", "10 random surfaces", "More surfaces than any variant determines.", random_ten},
+    {"empty", "empty", "No fragments: double-click to add some.", [] { return ViewRay(); }},
 }};
 
 }  // namespace

@@ -24,10 +24,10 @@ void require_gl_4_5() {
     glGetIntegerv(GL_MAJOR_VERSION, &major);
     glGetIntegerv(GL_MINOR_VERSION, &minor);
     if (major * 10 + minor < 45)
-        throw Error(
-            fmt::format("This GL is version {}.{}; Momentscope needs OpenGL 4.5. Update the driver, or use "
-                        "--headless, which renders in software.",
-                        major, minor));
+        throw Error(fmt::format(
+            "This GL is version {}.{}, but Momentscope needs OpenGL 4.5; update the driver, or use "
+            "--headless, which renders in software.",
+            major, minor));
 }
 
 }  // namespace

@@ -64,8 +64,8 @@ void Renderer::add_shares(std::vector<PixelCapture>& captures, const Transparenc
                                                {footprint.extent().x, 1});
         if (count > list.capacity())
             throw Error(
-                fmt::format("A row of low-resolution moments has {} fragments; at most {} can be "
-                            "captured. Choose a smaller picture.",
+                fmt::format("A row of low-resolution moments has {} fragments, but at most {} can be "
+                            "captured; choose a smaller picture.",
                             count, list.capacity()));
         of_pixel.resize(of_pixel.size() + static_cast<std::size_t>(footprint.extent().x));
         for (const FragmentNode& node : in_submission_order(list.read(count))) {

@@ -48,7 +48,7 @@ void require_drawable(const SceneSize& size) {
     if (size.bytes() > MAX_SCENE_BYTES)
         throw Error(
             fmt::format("The scene needs {:.1f} GiB of graphics memory for {} vertices, {} triangles, {} "
-                        "objects and {} texels, more than the {:.0f} GiB that are used; simplify it.",
+                        "objects and {} texels, more than the limit of {:.0f} GiB; simplify it.",
                         gib(size.bytes()), size.vertices, size.indices / 3, size.objects, size.texels,
                         gib(MAX_SCENE_BYTES)));
     // The GL of a CPU holds it in memory, and beside it lie the order of submission and what is uploaded.

@@ -34,7 +34,7 @@ void ShadowMaps::capture_region(const SceneBuffers& scene, ShadowFilterSamples& 
                                     : std::vector<FragmentNode>();
     if (!nodes)
         throw Error(
-            "Too many fragments light this receiver to be captured; choose a smaller --shadow-radius or a greater "
+            "Too many fragments lie between this receiver and the light; choose a smaller --shadow-radius or a greater "
             "--shadow-size.");
     for (const FragmentNode& node : in_submission_order(std::move(*nodes))) {
         const glm::ivec2 at =

@@ -48,7 +48,7 @@ void require_fitting(const ShadowSettings& settings) {
     const std::size_t bytes = texels * (64 + 32 * static_cast<std::size_t>(caster_layers(settings)));
     if (bytes > MAX_BYTES)
         throw Error(fmt::format(
-            "Shadow maps of {0}x{0} texels take {1} MB, more than the {2} MB that are spent on them; give a smaller "
+            "Shadow maps of {0}x{0} texels take {1} MB, more than the limit of {2} MB; give a smaller "
             "--shadow-size.",
             settings.size, bytes >> 20U, MAX_BYTES >> 20U));
 }

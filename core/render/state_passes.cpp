@@ -90,7 +90,8 @@ void StatePasses::make_samples(int count) {
     GLint most = 0;
     glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
     if (count > most)
-        throw Error(fmt::format("This GL has textures of at most {} layers; choose no more samples.", most));
+        throw Error(
+            fmt::format("This GL has textures of at most {} layers; choose at most as many samples.", most));
     samples_ = make_layered_texture(GL_R32UI, size_, count);
     sample_count_ = count;
 }

@@ -146,12 +146,12 @@ void warn_of_nothing(std::vector<std::string>& warnings, const Mesh& mesh,
     if (area_of(mesh) < MIN_AREA)
         warnings.push_back(mesh_sentence(
             path,
-            "leaves next to nothing to see, since all its triangles are thin or small compared with its extent; "
+            "shows almost nothing, because all its triangles are thin or small compared with its extent; "
             "remove vertices that lie far away and check that it is a surface."));
     else if (is_mostly_a_speck(mesh))
         warnings.push_back(mesh_sentence(
             path,
-            "shows most of its vertices within less than a pixel, since some lie far away; remove those."));
+            "shows most of its vertices within less than a pixel, because some others lie far away; remove those."));
 }
 
 }  // namespace
@@ -193,9 +193,9 @@ void warn_of_rounding(std::vector<std::string>& warnings, const std::filesystem:
         warnings.push_back(mesh_sentence(
             path,
             fmt::format(
-                "has coordinates as large as {:.10g}, where numbers lie {:.2g} apart, in a shape whose half "
-                "diagonal is {:.4g}, so that its shape is rounded; move it to the origin, or scale it up "
-                "when it is tiny, and export it again.",
+                "has coordinates as large as {:.10g}, where numbers lie {:.2g} apart, but a half diagonal of "
+                "only {:.4g}, so its shape is rounded; move it to the origin, or scale it up "
+                "if it is tiny, and export it again.",
                 coordinate, 2.0 * rounding, half_diagonal)));
 }
 
@@ -204,15 +204,16 @@ LoadedMesh centered_mesh(PlacedMesh placed, const std::filesystem::path& path) {
     glm::dvec3 high = -low;
     for (const glm::dvec3& p : placed.positions) {
         if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-            refuse_mesh(path,
-                        "has a vertex at infinity or at no number; repair the mesh and export it again.");
+            refuse_mesh(
+                path,
+                "has a vertex with an infinite or NaN coordinate; repair the mesh and export it again.");
         low = glm::min(low, p);
         high = glm::max(high, p);
     }
     const glm::dvec3 half = 0.5 * high - 0.5 * low;
     const double half_diagonal = std::hypot(half.x, half.y, half.z);
     if (!std::isfinite(half_diagonal))
-        refuse_mesh(path, "is larger than numbers are; scale it down and export it again.");
+        refuse_mesh(path, "is larger than any number can be; scale it down and export it again.");
     if (!(half_diagonal > 0.0)) refuse_mesh(path, "has all its triangles in one point; export it again.");
 
     LoadedMesh loaded{{{}, std::move(placed.normals), std::move(placed.indices)}};

@@ -59,8 +59,8 @@ std::string reason(const Contribution& cause, const Configuration& transparent) 
             "light",
             static_cast<double>(transparent.values.number(ParameterId::beta)), percent);
     if (cause.cause == "filtering")
-        return fmt::format(
-            "filtering mixes absorbances instead of what they let through, {:.0f} % of the light", percent);
+        return fmt::format("filtering averages absorbances instead of transmittances, {:.0f} % of the light",
+                           percent);
     if (cause.cause == "the series")
         return fmt::format("the Fourier series rings and smears: {:.0f} % of the light {}", percent,
                            cause.share < 0 ? "too much" : "too little");
@@ -74,7 +74,7 @@ LightBreakdown light_breakdown(const ShadowFilterSamples& bundle, const Configur
     const float depth = bundle.place.depth;
     LightBreakdown breakdown;
     if (!bundle.place.within) {
-        breakdown.sentence = "The light's map knows nothing of this place: all light reaches it.";
+        breakdown.sentence = "The light's map does not cover this place, so all light reaches it.";
         return breakdown;
     }
     breakdown.true_transmittance = deep_transmittance(bundle, depth);
@@ -87,7 +87,7 @@ LightBreakdown light_breakdown(const ShadowFilterSamples& bundle, const Configur
     const double truth = (1 - breakdown.true_shadowed) * breakdown.true_transmittance;
     const double shown = (1 - breakdown.shadowed) * breakdown.transmittance;
     breakdown.sentence =
-        fmt::format("{:.0f} % of the light should reach it, {:.0f} % does", 100 * truth, 100 * shown);
+        fmt::format("{:.0f} % of the light should reach it, and {:.0f} % does", 100 * truth, 100 * shown);
     const auto by_size = [](const Contribution& a, const Contribution& b) {
         return std::abs(a.share) < std::abs(b.share);
     };
@@ -97,7 +97,7 @@ LightBreakdown light_breakdown(const ShadowFilterSamples& bundle, const Configur
         breakdown.sentence += ".";
     else if (off_opaque > off_transparent)
         breakdown.sentence += fmt::format(
-            ": {} opaque casters, {:.0f} % of the filter region lie in front, the map says {:.0f} %.",
+            ": {} opaque casters, because {:.0f} % of the filter region lies in front and the map says {:.0f} %.",
             breakdown.shadowed < breakdown.true_shadowed ? "light leaks past" : "it is too dark below",
             100 * breakdown.true_shadowed, 100 * breakdown.shadowed);
     else

@@ -34,14 +34,14 @@ void add_counts(std::vector<Condition>& rows) {
                  return random_ray(random, fragments(t));
              })});
     };
-    count("one", "1", "One fragment: the moment matrix is singular but for the bias.",
+    count("one", "1", "One fragment: without bias the moment matrix is singular.",
           [](const Technique&) { return 1; });
-    count("two", "2", "Two fragments: singular for more than four moments.",
+    count("two", "2", "Two fragments: without bias the moment matrix is still singular.",
           [](const Technique&) { return 2; });
     count("nodes", "n",
-          "As many fragments as moments determine: m/2 of power moments, m of trigonometric ones.",
+          "As many fragments as the moments determine: m/2 for power moments, m for trigonometric ones.",
           [](const Technique& t) { return nodes_of(t); });
-    count("nodes+1", "n+1", "One fragment more, which is still exact at the fragments' own depths.",
+    count("nodes+1", "n+1", "One fragment more than that: still exact at the fragments' own depths.",
           [](const Technique& t) { return nodes_of(t) + 1; });
 }
 
@@ -50,7 +50,7 @@ void add_gaps(std::vector<Condition>& rows) {
         const float gap = std::pow(10.0f, -static_cast<float>(exponent));
         rows.push_back({fmt::format("gap-1e-{}", exponent), fmt::format("1e-{}", exponent),
                         "two surfaces apart by",
-                        fmt::format("Two surfaces at a distance of {:g} of the depth range [-1, 1].", gap), 2,
+                        fmt::format("Two surfaces at a distance of {:g} in the depth range [-1, 1].", gap), 2,
                         of_ray([gap](RandomNumbers& random, const Technique&) {
                             const float z = random.uniform(-1, 1 - gap);
                             ViewRay ray;
@@ -62,8 +62,9 @@ void add_gaps(std::vector<Condition>& rows) {
 }
 
 void add_positions(std::vector<Condition>& rows) {
-    rows.push_back({"ties", "ties", "depths", "Six fragments at two or three depths, each shared by several.",
-                    6, of_ray([](RandomNumbers& random, const Technique&) {
+    rows.push_back({"ties", "ties", "depths",
+                    "Six fragments at only two or three depths, so several share a depth.", 6,
+                    of_ray([](RandomNumbers& random, const Technique&) {
                         ViewRay ray = random_ray(random, 6);
                         const int depths = random.whole(2, 3);
                         for (std::size_t i = 0; i < 6; ++i)
@@ -71,7 +72,7 @@ void add_positions(std::vector<Condition>& rows) {
                                 ray.fragments[i % static_cast<std::size_t>(depths)].depth;
                         return ray;
                     })});
-    rows.push_back({"ends", "±1", "depths", "Fragments at both ends of the depth range and one between.", 3,
+    rows.push_back({"ends", "±1", "depths", "One fragment at each end of the depth range and one between.", 3,
                     of_ray([](RandomNumbers& random, const Technique&) {
                         ViewRay ray = random_ray(random, 3);
                         ray.fragments[0].depth = ray.fragments[0].view_depth = -1;
@@ -102,8 +103,9 @@ void add_layers(std::vector<Condition>& rows) {
     for (const int count : {10, 100, 1000})
         rows.push_back(
             {fmt::format("layers-{}", count), fmt::format("{}", count), "in 2 layers",
-             fmt::format("{} thin fragments in two layers of 1 % of the depth range: nearly two surfaces.",
-                         count),
+             fmt::format(
+                 "{} thin fragments in two layers, each as thick as 1 % of the depth range: nearly two surfaces.",
+                 count),
              count, of_ray([count](RandomNumbers& random, const Technique&) {
                  return layered_ray(random, count);
              })});

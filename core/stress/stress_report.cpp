@@ -69,10 +69,10 @@ std::string cell_sentence(const StressCell& cell) {
         return of == 0 ? std::string("0") : rate_text(static_cast<double>(count) / static_cast<double>(of));
     };
     return fmt::format(
-        "{} of {} queries fail ({} no number, {} outside [0, b0], {} off by more than {}). Error of T against the exact "
-        "result: mean {:.1e}, 99 % {:.1e}, worst {:.1e}; against the truth: mean {:.1e}. Floors raised in {} of the rays, "
-        "sums clamped in {} of the queries; order matters in {}, the curve falls in {}, the truth is outside the bounds in "
-        "{}.",
+        "{} of {} queries fail ({} not finite, {} outside [0, b0], {} off by more than {}). Error of T against the exact result: "
+        "mean {:.1e}, 99 % {:.1e}, worst {:.1e}; against the truth: mean {:.1e}. Pivots were raised to the floor in {} of "
+        "the rays, and sums were clamped in {} of the queries. The order matters in {} of the rays, the curve falls in {} "
+        "of the rays, and the truth is outside the bounds in {} of the queries.",
         cell.failures(), cell.queries, cell.not_numbers, cell.outside, cell.inaccurate, FAILED_ERROR,
         cell.mean, cell.percentile_99, cell.worst, cell.mean_from_truth, share(cell.floored, cell.rays),
         share(cell.clamped, cell.queries), share(cell.order_dependent, cell.rays),
@@ -82,8 +82,8 @@ std::string cell_sentence(const StressCell& cell) {
 std::string stress_title(const StressOptions& options) {
     const auto text = [&](ParameterId id) { return parameter_text(parameter(id), options.values[id]); };
     return fmt::format(
-        "Share of queries that fail (no number, outside [0, b₀], or T off by more than {}): solver {}, bias preset "
-        "{}, β = {}, up to {} rays a cell, seed {}",
+        "Share of queries that fail (not finite, outside [0, b₀], or T off by more than {}): solver {}, bias preset "
+        "{}, β = {}, up to {} rays per cell, seed {}",
         FAILED_ERROR, text(ParameterId::solver), text(ParameterId::preset), text(ParameterId::beta),
         options.rays, options.seed);
 }

@@ -150,7 +150,7 @@ RunTable read_run_table(const std::filesystem::path& path) {
          {run_setting::COMMAND, run_setting::SCHEMA, run_setting::ROWS, run_setting::SHARD})
         if (setting(table.settings, name).empty())
             throw Error(fmt::format(
-                "'{}' does not say of which run it is; give a CSV file that chart or stress wrote.",
+                "'{}' does not say to which run it belongs; give a CSV file that chart or stress wrote.",
                 path.string()));
     return table;
 }
@@ -185,9 +185,9 @@ RunTable merge_shards(const std::vector<std::filesystem::path>& paths) {
         auto difference = difference_of(tables[i].settings, first.settings, run_setting::SHARD);
         if (!difference && shard.count != count)
             difference = fmt::format("it is one of {} shards instead of {}", shard.count, count);
-        if (!difference && tables[i].columns != first.columns) difference = "its columns are others";
+        if (!difference && tables[i].columns != first.columns) difference = "its columns differ";
         if (difference)
-            throw Error(fmt::format("'{}' is of another run than '{}': {}; merge the shards of one run.",
+            throw Error(fmt::format("'{}' belongs to another run than '{}': {}; merge the shards of one run.",
                                     paths[i].string(), paths[0].string(), *difference));
         std::size_t& place = place_of[static_cast<std::size_t>(shard.index) - 1];
         if (place != tables.size())

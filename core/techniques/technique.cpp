@@ -104,16 +104,16 @@ std::vector<Technique> make_rows() {
          .name = "sorted fragments",
          .description =
              "The ground truth: every fragment of every pixel is captured, sorted by depth and "
-             "composited front to back. Of fragments at the same depth the one that was submitted last lies on top.",
+             "composited front to back. If fragments have the same depth, the one that was submitted last is in front.",
          .source = "Carpenter 1984; Yang et al. 2010",
          .math = GroundTruth{GroundTruth::Way::sorting}});
     rows.push_back(
         {.id = "peeling",
          .name = "depth peeling",
          .description =
-             "A second ground truth that shares nothing with the first: the depth test peels one layer after "
-             "another, and blending puts them together from front to back. One geometry pass per layer; of "
-             "fragments at the same depth only one survives.",
+             "A second ground truth, independent of the first: the depth test peels off one layer after "
+             "another, and blending composites them from front to back. Each layer takes one geometry pass. If "
+             "fragments have the same depth, only one of them survives.",
          .source = "Everitt 2001",
          .math = GroundTruth{GroundTruth::Way::peeling, 64},  // two depth buffers
          .geometry_passes = 0});

@@ -19,9 +19,9 @@ std::string passes_text(const Technique& technique) {
 std::string techniques_page() {
     std::string text =
         "# Techniques\n\n"
-        "Written by `momentscope list techniques --format markdown`. Memory is in bits per pixel with all parameters at their "
-        "standard, beside the colour buffers that every technique has: what the technique stores, and what it needs with "
-        "the factor that is stored once per pixel (`--factorisation per-fragment` does without).\n\n"
+        "Written by `momentscope list techniques --format markdown`. Memory is in bits per pixel, with all parameters at their "
+        "defaults and without the colour buffers that every technique has. It is what the technique stores, and what it "
+        "needs with the factor that is stored once per pixel (`--factorisation per-fragment` needs none).\n\n"
         "| id | name | stored | with the factor | geometry passes | order of submission |\n|---|---|---|---|---|---|\n";
     const auto out = std::back_inserter(text);
     for (const Technique& technique : techniques())

@@ -1,8 +1,8 @@
-"""What `./test --quick` runs: what failed last time, and of the tests that concern what changed as many as fit into the
-time.
+"""Chooses the tests of `./test --quick`: the tests that failed last time, and as many tests of the changed files as fit into
+the time.
 
-A test concerns a changed file if its source is that file, is compiled with it, or has a word of its name; if its technique's
-kernel is compiled from it; or if it has the label that belongs to the file's folder."""
+A test concerns a changed file if its source is that file, is compiled with it, or shares a word with its name; if the kernel
+of its technique is compiled from it; or if it has the label of the file's folder."""
 
 import re
 import subprocess
@@ -17,7 +17,7 @@ ALL_LABELS = ("unit", "property", "golden", "gui", "bench", "lint")
 LABELS_OF_FOLDERS = (("shaders/shared/", ("property", "golden", "lint")), ("shaders/", ("golden", "lint")),
                      ("core/render/", ("golden",)), ("core/gl/", ("golden",)), ("core/", ("unit",)), ("ui/", ("gui",)),
                      ("app/", ("unit", "gui")), ("docs/", ("unit", "gui")), ("scripts/", ("lint",)), ("tests/", ("lint",)))
-# Words of file names that say nothing of what a file is about.
+# Words in file names that do not tell what a file is about.
 COMMON_WORDS = frozenset("test cpp explorer panel core ui app moments".split())
 
 
@@ -29,7 +29,7 @@ def git_files(project: Path, *options: str) -> list[str]:
 
 
 def changed_files(project: Path, since: float) -> list[str]:
-    """Files of the project that were written, renamed or deleted since then, without those that git ignores."""
+    """Files of the project that were written, renamed or deleted since then, except files that git ignores."""
     changed = git_files(project, "--deleted")
     for path in git_files(project, "--cached", "--others", "--exclude-standard"):
         file = project / path
@@ -39,7 +39,7 @@ def changed_files(project: Path, since: float) -> list[str]:
 
 
 def read_dependencies(build: Path, project: Path) -> dict[str, set[str]]:
-    """The objects that were compiled from each file of the project, as ninja recorded them."""
+    """The object files that were compiled from each file of the project, according to ninja's records."""
     users: dict[str, set[str]] = {}
     log = subprocess.run(["ninja", "-C", str(build), "-t", "deps"], capture_output=True, text=True).stdout
     of = ""
@@ -63,13 +63,13 @@ def share_a_word(a: str, b: str) -> bool:
 
 @dataclass(frozen=True)
 class Change:
-    """One changed file, and what was compiled from it or from the header beside it."""
+    """One changed file, and the object files that were compiled from it or from the header beside it."""
     path: str
     objects: frozenset[str]
 
     @property
     def labels(self) -> tuple[str, ...]:
-        """Of the tests that see such a change, whatever they include."""
+        """The labels of the tests that depend on such a change, whatever they include."""
         if self.path.endswith(".md") and "/" not in self.path:
             return ("unit",)
         return next((labels for folder, labels in LABELS_OF_FOLDERS if self.path.startswith(folder)), ALL_LABELS)
@@ -80,7 +80,7 @@ class Change:
 
     @property
     def kernels(self) -> frozenset[str]:
-        """Techniques whose kernels were compiled from it, as tests name them: power4_32."""
+        """Techniques whose kernels were compiled from it, with names as in tests: power4_32."""
         return frozenset(Path(name).name.removesuffix(".cpp.o") for name in self.objects if "/kernels/" in name)
 
 
@@ -92,14 +92,14 @@ def changes_of(paths: list[str], users: dict[str, set[str]]) -> list[Change]:
 
 
 def programs_to_build(changes: list[Change], programs: list[Program]) -> list[Program]:
-    """Programs in which a test may concern the changes."""
+    """Programs with tests that may concern the changes."""
     labels = {label for change in changes for label in change.labels}
     compiled = {name.split("/")[2].removesuffix(".dir") for change in changes for name in change.test_objects}
     return [program for program in programs if program.label in labels or program.name in compiled]
 
 
 class Relevance:
-    """How much tests concern the changes."""
+    """Scores how much tests concern the changes."""
 
     def __init__(self, changes: list[Change], users: dict[str, set[str]], project: Path):
         self.changes = changes
@@ -122,14 +122,14 @@ class Relevance:
         score += 8 if share_a_word(source, change.path) else 0
         score += 2 if any(f"{parameter}_".startswith(f"{kernel}_") for kernel in change.kernels) else 0
         if self.users.get(source, set()) & change.test_objects:
-            score += 1 + 4 / len(change.test_objects)  # less where every test includes it
+            score += 1 + 4 / len(change.test_objects)  # a file that every test includes scores less
         return score
 
 
 def choose(suites: list[Suite], relevance: Relevance, failed: set[str], seconds: dict[str, float], wall: float,
            jobs: int) -> tuple[list[Suite], int]:
-    """The most relevant tests that `jobs` workers run in `wall` seconds, and how many were left out. Of a parametrised
-    test comes one technique, then the next, so that many kinds of tests are among them."""
+    """The most relevant tests that `jobs` workers can run in `wall` seconds, and how many tests were left out. Parametrised
+    tests take turns, one technique at a time, so that many kinds of tests are included."""
     rank: Counter[str] = Counter()
     candidates = []
     for suite in suites:

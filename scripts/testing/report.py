@@ -1,4 +1,4 @@
-"""What a run of tests says: a line for each suite, faults at once, and the total with the slowest tests."""
+"""The report of a test run: a line for each suite, failures at once, and the total with the slowest tests."""
 
 import shlex
 import threading
@@ -16,7 +16,7 @@ class Result:
 
 
 class Report:
-    """Collects results of all workers."""
+    """Collects the results of all workers."""
 
     def __init__(self, suites: list[Suite], verbose: bool):
         self.left = {id(suite): len(suite.tests) for suite in suites}
@@ -41,7 +41,7 @@ class Report:
                 self.print_suite(suite)
 
     def add_end_of_process(self, program: Program, outcome: Outcome) -> None:
-        """What went wrong when a test program ended, such as a leak."""
+        """Reports a failure at the end of a test program, such as a leak."""
         with self.lock:
             self.results.append(Result(Suite(program, program.name), f"the end of {program.name}", outcome))
             print(f"\n--- {program.name} {outcome.status} after its last test ---\n{outcome.output.strip()}\n", flush=True)
@@ -59,7 +59,7 @@ class Report:
         return [result.name for result in self.results if result.outcome.is_fault]
 
     def print_end(self, seconds: float, built: float, has_deadline: bool = False) -> bool:
-        """The slowest tests, the faults again, the times, and the counts as the last line; True if all is well."""
+        """Prints the slowest tests, the failures again, the times, and the counts as the last line. True if all tests passed."""
         faults = [result for result in self.results if result.outcome.is_fault]
         skipped = [result for result in self.results if result.outcome.status == "skipped"]
         print("\nThe ten slowest tests:")
@@ -86,7 +86,7 @@ def how_to_repeat(program: Program, test: str) -> str:
 
 
 def reason_of(output: str) -> str:
-    """The sentence that GTEST_SKIP was given."""
+    """The message that was passed to GTEST_SKIP."""
     lines = output.splitlines()
     for line, following in zip(lines, lines[1:]):
         if line.endswith(": Skipped"):

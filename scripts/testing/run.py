@@ -12,7 +12,7 @@ from testing.suites import Suite
 
 
 class Worker(threading.Thread):
-    """Runs tests until the schedule has no more, in one process as long as they are of one program."""
+    """Runs tests until the schedule is empty. Consecutive tests of the same program share a process."""
 
     def __init__(self, project: Path, schedule: Schedule, report: Report, stop: threading.Event, seconds: float):
         super().__init__(daemon=True)
@@ -20,7 +20,7 @@ class Worker(threading.Thread):
         self.schedule = schedule
         self.report = report
         self.stop = stop
-        self.seconds = seconds  # that a test may take
+        self.seconds = seconds  # limit for one test
         self.session: Session | None = None
 
     def run(self) -> None:
@@ -45,7 +45,7 @@ class Worker(threading.Thread):
         return outcome, self.note_on_failure(suite, test)
 
     def note_on_failure(self, suite: Suite, test: str) -> str:
-        """Tells a test that fails from one that its neighbours make fail."""
+        """Runs the test alone, to see whether only the tests before it make it fail."""
         self.close()
         self.session = Session(suite.program, self.project)
         passes = self.session.run(test, self.seconds).status == "passed"
@@ -60,15 +60,15 @@ class Worker(threading.Thread):
             self.session = None
 
     def kill(self) -> None:
-        """At once, from another thread."""
+        """Ends the worker at once. Called from another thread."""
         if (session := self.session) is not None:
             session.kill()
 
 
 def run_suites(suites: list[Suite], project: Path, times: dict[str, float], report: Report, jobs: int,
                seconds: float, deadline: float = math.inf) -> None:
-    """Returns when all tests are done, or those that began before the deadline. Ctrl+C ends those that run and leaves out
-    the rest."""
+    """Runs all tests, or those that begin before the deadline, and returns when they have ended. Ctrl+C ends the running
+    tests and leaves out the rest."""
     schedule = Schedule(suites, times, deadline)
     stop = threading.Event()
     workers = [Worker(project, schedule, report, stop, seconds) for _ in range(max(jobs, 1))]

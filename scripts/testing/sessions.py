@@ -1,4 +1,4 @@
-"""Runs single tests: in a process that serves one after another (tests/serve_main.cpp), or as a command."""
+"""Runs single tests: in a process that runs one test after another (tests/serve_main.cpp), or as a command."""
 
 import contextlib
 import os
@@ -31,7 +31,7 @@ def how_it_ended(code: int) -> str:
 
 
 class Session:
-    """A process of a program, or of a command. It has a group of its own, so that it ends with all that it started."""
+    """The process of a program or a command. It has a process group of its own, so everything that it started ends with it."""
 
     def __init__(self, program: Program, project: Path):
         self.program = program
@@ -43,7 +43,7 @@ class Session:
                                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True)
 
     def run(self, test: str, seconds: float) -> Outcome:
-        """Runs one test; after a test that ended the process, in a new one."""
+        """Runs one test, in a new process if the last test ended the process."""
         started = time.monotonic()
         if self.process is None:
             self.process = self.start() if self.program.is_command else self.start("--serve")
@@ -59,7 +59,7 @@ class Session:
             self.process.stdin.write(test.encode() + b"\n")
             self.process.stdin.flush()
         except BrokenPipeError:
-            pass  # it has ended, which reading tells
+            pass  # the process has ended; reading will show that
 
     def read_answer(self, deadline: float) -> tuple[str, bytes]:
         output = b""
@@ -83,17 +83,18 @@ class Session:
         return "passed" if code == 0 else f"failed (exit code {code})", output
 
     def read_chunk(self, deadline: float) -> bytes | None:
-        """What the process prints next: nothing when it has ended, None when time is over."""
+        """The next output of the process: empty if the process has ended, None if the time is over."""
         process = self.process
         while time.monotonic() < deadline:
             if select.select([process.stdout], [], [], 0.5)[0]:
                 return os.read(process.stdout.fileno(), 1 << 16)
             if process.poll() is not None:
-                return b""  # something that it started still holds its output
+                return b""  # a process that it started still holds the output open
         return None
 
     def end(self) -> int:
-        """Ends the process and whatever it started; its exit code. A process that has closed its output gets a moment."""
+        """Ends the process and everything that it started, and returns its exit code. A process that has closed its output gets
+        a moment to end by itself."""
         process, self.process = self.process, None
         if process is None:
             return 0
@@ -108,12 +109,12 @@ class Session:
         return process.wait()
 
     def kill(self) -> None:
-        """At once, from another thread."""
+        """Ends the process at once. Called from another thread."""
         if (process := self.process) is not None:
             kill_group(process)
 
     def close(self) -> Outcome:
-        """Lets the process end by itself, which is when sanitizers report leaks."""
+        """Lets the process end by itself, because sanitizers report leaks at that time."""
         if self.process is None:
             return Outcome("passed", "", 0)
         started = time.monotonic()
@@ -127,7 +128,7 @@ class Session:
 
 
 def has_ended_output(process: subprocess.Popen) -> bool:
-    """Is reading at the end, rather than waiting for more?"""
+    """True if reading has reached the end, instead of waiting for more."""
     return bool(select.select([process.stdout], [], [], 0)[0])
 
 

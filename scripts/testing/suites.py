@@ -1,4 +1,4 @@
-"""The tests that a build has: programs of GoogleTest, whose tests it lists, and commands."""
+"""The tests of a build: GoogleTest programs, which can list their tests, and commands."""
 
 import json
 import re
@@ -10,7 +10,7 @@ from pathlib import Path
 
 @dataclass(frozen=True)
 class Program:
-    """A test program, or a command that is one test."""
+    """A test program, or a command that counts as one test."""
     name: str
     label: str
     command: tuple[str, ...]
@@ -26,19 +26,19 @@ class Suite:
     tests: list[str] = field(default_factory=list)
 
     def full_name(self, test: str) -> str:
-        """Two programs may have tests of the same name."""
+        """Includes the program, because two programs may have tests with the same name."""
         return test if self.program.is_command else f"{self.program.name}.{test}"
 
 
 def read_programs(build: Path) -> list[Program]:
-    """The list that CMake writes (tests/CMakeLists.txt)."""
+    """Reads the list that CMake writes (tests/CMakeLists.txt)."""
     return [Program(row["name"], row["label"], tuple(row["command"]), tuple(row["targets"]), row["is_command"])
             for row in json.loads((build / "tests.json").read_text())]
 
 
 def parse_list(text: str) -> dict[str, list[str]]:
-    """The tests of each suite, from what --gtest_list_tests prints. Other lines, such as warnings of a library, are left
-    out."""
+    """The tests of each suite, from the output of --gtest_list_tests. Other lines, such as warnings of a library, are
+    skipped."""
     suites: dict[str, list[str]] = {}
     suite = ""
     for line in text.splitlines():
@@ -51,7 +51,7 @@ def parse_list(text: str) -> dict[str, list[str]]:
 
 
 def suites_of(program: Program, project: Path) -> list[Suite]:
-    """A program that cannot list its tests is one test, which fails when it is run."""
+    """A program that cannot list its tests counts as one test, which fails when it is run."""
     if program.is_command:
         return [Suite(program, program.name, [program.name])]
     listing = subprocess.run([*program.command, "--gtest_list_tests"], cwd=project, capture_output=True, text=True)
@@ -60,7 +60,7 @@ def suites_of(program: Program, project: Path) -> list[Suite]:
 
 
 def list_suites(programs: list[Program], project: Path, name: re.Pattern | None) -> list[Suite]:
-    """All suites, with the tests whose full name matches (None: all); suites without any are left out."""
+    """All suites with the tests whose full names match (None: all tests). Suites without such tests are left out."""
     with ThreadPoolExecutor() as pool:
         suites = [suite for part in pool.map(lambda program: suites_of(program, project), programs) for suite in part]
     for suite in suites:

@@ -1,4 +1,4 @@
-// bench.hpp -- what the benchmarks share.
+// bench.hpp -- code that the benchmarks share.
 #pragma once
 #include <fmt/format.h>
 
@@ -15,15 +15,15 @@
 namespace momentscope {
 
 constexpr glm::ivec2 BENCH_SIZE(1280, 720);
-constexpr float BENCH_OPACITY = 0.4f;  // of mesh files; built-in scenes do not ask
+constexpr float BENCH_OPACITY = 0.4f;  // only for mesh files
 
 inline double median(std::vector<double> values) {
     std::ranges::sort(values);
     return values[values.size() / 2];
 }
 
-/// main of a benchmark: the first argument is a number of repetitions [standard], the second lists
-/// techniques, if not all. Prints the sentence of an Error and returns 1.
+/// The main function of a benchmark. The first argument is the number of repetitions [standard]; the second
+/// one lists techniques, otherwise all are measured. Prints the sentence of an Error and returns 1.
 inline int bench_main(int argc, char** argv, const char* name, int standard,
                       void (*run)(int repetitions, std::string_view only)) {
     int repetitions = standard;
@@ -37,7 +37,7 @@ inline int bench_main(int argc, char** argv, const char* name, int standard,
     }
 }
 
-/// Is a technique among those that the second argument lists?
+/// Does the second argument list the technique?
 inline bool is_wanted(std::string_view only, std::string_view technique) {
     return only.empty() || only.find(technique) != only.npos;
 }

@@ -1,6 +1,6 @@
-// curve_bench.cpp -- what the plot costs: curves of 512 depths with both bounds, from moments to absorbance,
-// as wide as the CPU allows; and the same depths one after the other by either solver, as published code is
-// called. One core.
+// curve_bench.cpp -- measures the cost of the plot on one core: curves of 512 depths with both bounds, from
+// moments to absorbance, as wide as the CPU allows. For comparison, it evaluates the same depths one by one
+// with either solver, like published code.
 #include <benchmark/benchmark.h>
 
 #include <fmt/format.h>
@@ -25,7 +25,8 @@ ViewRay five_fragments() {
     return ray;
 }
 
-// What the window computes when a ray changes: the functions of every technique that has one, from fragments.
+// The work of the window when a ray changes: the functions of every technique that has one, from the
+// fragments.
 void run_everything(benchmark::State& state) {
     const ViewRay ray = five_fragments();
     const std::vector<float> depths = even_depths(SAMPLES);
@@ -67,7 +68,7 @@ void run(benchmark::State& state, const std::vector<Work>& all) {
     state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * SAMPLES * all.size()));
 }
 
-// As many pixels, each at one depth, with everything that a fragment's second pass does.
+// The same number of pixels, each at one depth, with all work of a fragment's second pass.
 void run_pixels(benchmark::State& state, const Work& work) {
     const ReconstructionSettings settings = settings_of(work.parameters);
     const std::vector<float> depths = even_depths(SAMPLES);
@@ -81,7 +82,7 @@ void run_pixels(benchmark::State& state, const Work& work) {
     state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * SAMPLES));
 }
 
-// One call per depth, with everything that a fragment's second pass does.
+// One call per depth, with all work of a fragment's second pass.
 void run_scalar(benchmark::State& state, Work work, bool textbook) {
     work.parameters.textbook = textbook;
     const ReconstructionSettings settings = settings_of(work.parameters);
@@ -92,7 +93,8 @@ void run_scalar(benchmark::State& state, Work work, bool textbook) {
     state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * SAMPLES));
 }
 
-// Nanoseconds per reconstruction, and how many times slower the textbook is than what is vectorised.
+// Prints nanoseconds per reconstruction, and how many times slower the textbook solver is than the vectorised
+// one.
 class Table : public benchmark::ConsoleReporter {
 public:
     void ReportRuns(const std::vector<Run>& runs) override {

@@ -1,5 +1,5 @@
-// drag_bench.cpp -- updates a second while a slider or the camera is dragged over teapots in a window of
-// 1280x720, with the full picture for every one and with drafts.
+// drag_bench.cpp -- measures updates per second while a slider or the camera is dragged over teapots in a
+// window of 1280x720, with full pictures and with drafts.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -26,7 +26,8 @@ struct Drag {
     int button;
 };
 
-/// Mean updates a second of `moves` moves, after some that compile shaders and choose the draft's resolution.
+/// Mean updates per second over `moves` moves, after some moves that compile shaders and choose the draft's
+/// resolution.
 double updates_per_second(HeadlessWindow& window, const Drag& drag, int moves) {
     constexpr int WARM_UP = 6;
     const ui::Rect rect = window.explorer().widget_rects().at(drag.anchor);

@@ -1,5 +1,5 @@
-// first_pass_bench.cpp -- milliseconds of the first pass beside plain additive blending of the same bytes, in
-// interleaved rounds of one run, on teapots and ship.
+// first_pass_bench.cpp -- compares the milliseconds of the first pass with plain additive blending of the
+// same bytes, in interleaved rounds of one run, on teapots and ship.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 namespace momentscope {
 namespace {
 
-/// The pass without its mathematics. The Frame block is what the renderer bound last.
+/// The pass without its mathematics. The Frame block is the one that the renderer bound last.
 class BlendOnly {
 public:
     BlendOnly(const Scene& scene, int floats) : scene_(scene), count_(floats > 4 ? 3 : 2) {
@@ -80,7 +80,7 @@ Times median_times(const Scene& scene, const Technique& technique, int rounds) {
     for (int round = 0; round <= rounds; ++round) {
         renderer.redraw();
         const double blended = plain.milliseconds();
-        if (round == 0) continue;  // links programs
+        if (round == 0) continue;  // this round links programs
         moments.push_back(renderer.pass_times().moments);
         blending.push_back(blended);
     }
@@ -94,7 +94,7 @@ void run(int rounds, std::string_view only) {
                "technique", "blending", "first pass", "ratio");
     for (const char* id : {"teapots", "ship"}) {
         const Scene scene = load_scene(id, BENCH_OPACITY);
-        median_times(scene, require_technique("cheb4-32"), 1);  // what is measured first takes twice as long
+        median_times(scene, require_technique("cheb4-32"), 1);  // the first measurement takes twice as long
         for (const Technique* technique : moment_based_techniques()) {
             if (technique->moment_kernel().bits != 32) continue;
             if (!is_wanted(only, technique->id)) continue;

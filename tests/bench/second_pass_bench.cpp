@@ -1,6 +1,6 @@
-// second_pass_bench.cpp -- milliseconds of the second pass in interleaved rounds of one run, on teapots and
-// ship: by the textbook solver, and by the robust one that factors for each fragment or once per pixel, with
-// the pass between included.
+// second_pass_bench.cpp -- measures the milliseconds of the second pass in interleaved rounds of one run, on
+// teapots and ship: with the textbook solver, and with the robust solver, which factors for each fragment or
+// once per pixel. The time includes the pass that factors between the first and the second pass.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,8 +29,8 @@ bool can(const Row& row, Way way) {
     return way != Way::textbook || row.technique->moment_kernel().has_textbook;
 }
 
-/// One round of all. Bias differs from round to round by a ten-thousandth, so that nothing that the last one
-/// made can be kept.
+/// One round of all ways. The bias changes by a ten-thousandth in every round, so that no result of the last
+/// round can be reused.
 void run_round(Renderer& renderer, const Scene& scene, std::vector<Row>& rows, int round) {
     for (Row& row : rows)
         for (const Way way : WAYS) {
@@ -40,7 +40,7 @@ void run_round(Renderer& renderer, const Scene& scene, std::vector<Row>& rows, i
                        automatic_bias(values, *row.technique) * (1.0f + 1.0e-4f * static_cast<float>(round)));
             values.set(way == Way::textbook ? Solver::textbook : Solver::robust);
             values.set(way == Way::per_fragment ? Factorisation::per_fragment : Factorisation::per_pixel);
-            // Twice, because a way that is new makes its textures and programs first.
+            // Draw twice, because a new way creates its textures and programs first.
             renderer.render({scene.camera, BENCH_SIZE, row.technique, values});
             values.set(ParameterId::alpha, *values[ParameterId::alpha] * 1.00005f);
             renderer.render({scene.camera, BENCH_SIZE, row.technique, values});

@@ -1,4 +1,4 @@
-"""What the scripts of this folder share: the program as a server, and what a whole file is."""
+"""Code that the scripts of this folder share: the program as a server, and checks whether a file is complete."""
 
 import os
 import pathlib
@@ -9,7 +9,7 @@ RAY = '{"fragments": [{"depth": -0.2, "opacity": 0.5}, {"depth": 0.4, "opacity":
 
 
 class Server:
-    """Runs command lines in a folder (tests/fuzz/command_line_server.cpp). `output` is a file, a device, or "": closed."""
+    """Runs command lines in a folder (tests/fuzz/command_line_server.cpp). `output` is a file or a device; "" closes it."""
 
     def __init__(self, server, folder, output="/dev/null", name="server"):
         self.errors = pathlib.Path(folder) / f".stderr-{name}"
@@ -18,7 +18,7 @@ class Server:
                                         env={**os.environ, "DISPLAY": "", "WAYLAND_DISPLAY": ""})
 
     def run(self, words):
-        """The exit code, or minus the signal that ended it, and what was said on standard error."""
+        """Returns the exit code, or minus the signal that ended the program, and the text on standard error."""
         text = b"%d\n" % len(words) + b"".join(os.fsencode(word) + b"\0" for word in words)
         self.process.stdin.write(text)
         self.process.stdin.flush()
@@ -31,7 +31,7 @@ class Server:
 
 
 def unfinished(folder):
-    """What write_file had begun, and a kill left behind."""
+    """Files that write_file began and a kill left behind."""
     return sorted(pathlib.Path(folder).glob(".momentscope-*.partial"))
 
 

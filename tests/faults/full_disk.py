@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Every kind of output on a disk that is full: exit code 1, a sentence, and the old file whole.
+"""Writes every kind of output to a full disk. Each time there must be exit code 1, a sentence, and the complete old file.
 
-As root the disk is a tmpfs of 64 KiB, filled so that half of the output fits at most; otherwise, or with --limit, no file
-may grow beyond half of the output (RLIMIT_FSIZE). What is printed goes to /dev/full and to a closed standard output.
+As root, the disk is a tmpfs of 64 KiB, which is filled so that at most half of the output fits. Otherwise, or with --limit,
+no file may grow beyond half of the output (RLIMIT_FSIZE). Printed text goes to /dev/full and to a closed standard output.
 
 usage: full_disk.py COMMAND_LINE_SERVER [--short] [--limit]
 """
@@ -39,7 +39,7 @@ EVENTS = {
     **{f"panel.{kind}": CHARTED.format(f"chart_{kind}") for kind in ["csv", "html", "svg", "md"]},
 }
 
-# A file that is written, and the command that writes it; OUT is its path, DISK its folder.
+# Each output file and the command that writes it. OUT is the path of the file, DISK its folder.
 FILES = {
     "render.png": ["render", *SMALL, "-o", "OUT"],
     "render.exr": ["render", *SMALL, "-o", "OUT"],
@@ -94,7 +94,7 @@ def words_of(name, path):
 
 
 class Disk:
-    """A folder that holds an old file and no more than so many bytes beside it."""
+    """A folder with an old file and space for a limited number of further bytes."""
 
     def __init__(self, server, limit):
         self.server, self.limit = server, limit
@@ -107,7 +107,7 @@ class Disk:
             file.unlink()
         path.write_bytes(OLD)
         if self.limit:
-            self.set_limit(max(room, 400))  # the sentence goes into a file, too
+            self.set_limit(max(room, 400))  # the error sentence is also written to a file
         else:
             pages = min(room // PAGE, DISK // PAGE // 2)
             (self.folder / "filler").write_bytes(b"x" * (DISK - PAGE * (1 + pages)))
@@ -123,7 +123,7 @@ class Disk:
 
 
 def fault_of_file(name, server, disk):
-    """What is wrong with how the program takes a full disk, or None; and the size of the whole file."""
+    """What is wrong with the program's reaction to a full disk, or None; and the size of the complete file."""
     whole = pathlib.Path("whole") / name
     whole.write_bytes(OLD)
     code, said = server.run(words_of(name, whole.resolve()))
@@ -141,7 +141,7 @@ def fault_of_file(name, server, disk):
         return f"says '{said}'", size
     if path.read_bytes() != OLD:
         return f"{path.stat().st_size} bytes instead of the old file", size
-    kept = f"{name}.partial"  # the rows of a chart, whose picture or page had no room
+    kept = f"{name}.partial"  # the rows of a chart, if its picture or page did not fit
     if left := [file.name for file in disk.folder.iterdir() if file.name not in (name, "filler", kept)]:
         return f"leaves {left}", size
     return None, size
@@ -185,7 +185,7 @@ def main():
             server = Server(program, folder, output)
             for name in printed:
                 code, said = server.run(PRINTED[name])
-                if code != 1 or "Standard output cannot be written" not in said:
+                if code != 1 or "Standard output could not be written" not in said:
                     failed += 1
                     print(f"{name} on {place}: exit code {code}, '{said[:200]}'", flush=True)
             server.close()

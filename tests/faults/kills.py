@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Kills render, chart, figure and the saving of a session by SIGKILL, SIGTERM and SIGINT.
 
-Half of the kills come at a random time, half as soon as a file is being written; those that come too late do not count.
-Afterwards there is the old file or the new one, whole; and no unfinished file, unless by SIGKILL, which nobody can answer.
-At last `figure all` is ended by SIGINT and tells how many pictures it has written.
+Half of the kills come at a random time, the others as soon as a file is being written. Kills that come too late do not count.
+Afterwards the old or the new file must be complete. No unfinished file may be left, except by SIGKILL, which a program cannot
+handle. Finally, SIGINT ends `figure all`, which must say how many pictures it has written.
 
 usage: kills.py MOMENTSCOPE [--kills N] [--seed N] [--short]
 """
@@ -41,7 +41,7 @@ def is_whole_session(data):
         return False
 
 
-# What is run, the files that it writes, and what makes one whole.
+# The commands to run, the files that each one writes, and the check that a file is complete.
 COMMANDS = {
     "render": (["render", *SMALL, "-o", "picture.png"], ["picture.png"], is_whole_png),
     "chart": (["chart", *SMALL, "--repeat", "1", "--technique", "unsorted,wboit,hashed,power4-32,power6-32,trig2-32,at:nodes=8,"
@@ -54,7 +54,7 @@ COMMANDS = {
 class Killer:
     def __init__(self, program, seed):
         self.program, self.rng = program, random.Random(seed)
-        self.seconds = {}  # of an undisturbed run
+        self.seconds = {}  # time of an undisturbed run
         self.left = self.inside = self.finished = 0
 
     def start(self, words):
@@ -63,9 +63,9 @@ class Killer:
                                 preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
 
     def make(self, name):
-        """The old file, and how long that takes."""
+        """Makes the old file and measures the time."""
         if name == "session":
-            pathlib.Path("session.json").write_text("old")  # so that each saving asks whether to replace it
+            pathlib.Path("session.json").write_text("old")  # so that every save asks whether to replace it
         begun = time.monotonic()
         process = self.start(COMMANDS[name][0])
         _, said = process.communicate()
@@ -74,7 +74,7 @@ class Killer:
         self.seconds[name] = time.monotonic() - begun
 
     def wait(self, process, seconds, aimed):
-        """For so long, or until a file is being written."""
+        """Waits this long, or until a file is being written."""
         end = time.monotonic() + seconds
         while time.monotonic() < end and process.poll() is None:
             if not aimed:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Eight processes write one file again and again while it is read: it is always one of the eight, whole.
+"""Eight processes write one file repeatedly while it is read. The file must always be a complete version of one of the eight.
 
 usage: writers.py COMMAND_LINE_SERVER [--seconds S]
 """

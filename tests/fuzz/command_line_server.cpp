@@ -1,9 +1,9 @@
-// command_line_server.cpp -- runs command lines one after another, each in a forked process, which spares
-// them the dynamic loader's half a second. For tests/fuzz/command_lines.py and tests/faults.
+// command_line_server.cpp -- runs command lines one after another, each in a forked process. A fork saves the
+// half second that the dynamic loader takes. For tests/fuzz/command_lines.py and tests/faults.
 //
-// usage: command_line_server OUTPUT ERRORS, files or devices; an empty name closes the stream. Each request
-// on stdin is the number of words, a line break, and the words, each with a NUL behind it; the answer is a
-// line: the exit code, or minus the signal that ended the process.
+// usage: command_line_server OUTPUT ERRORS. Both are files or devices; an empty name closes the stream. Each
+// request on stdin is the number of words, a line break, and the words, each followed by a NUL. The answer is
+// a line with the exit code, or minus the signal that ended the process.
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -34,7 +34,7 @@ void redirect(const char* path, int to) {
     const int nothing = ::open("/dev/null", O_RDONLY);
     ::dup2(nothing, STDIN_FILENO);
     redirect(files[2], STDERR_FILENO);
-    redirect(files[1], STDOUT_FILENO);  // last: a closed one stays closed
+    redirect(files[1], STDOUT_FILENO);  // last, so that a closed stream stays closed
     std::vector<const char*> arguments = {"momentscope"};
     for (const std::string& word : words) arguments.push_back(word.c_str());
     const int code = momentscope::run_command_line(static_cast<int>(arguments.size()), arguments.data());

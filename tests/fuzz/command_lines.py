@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Thousands of wrong command lines, made from `list parameters`, `list techniques` and --help.
+"""Tries thousands of wrong command lines, which are made from `list parameters`, `list techniques` and --help.
 
-Each is refused: exit code 1, one sentence on stderr, nothing on stdout, no file written, in time. The same command
-without the fault is accepted first, so that the fault is what is refused.
+Each one must be refused in time, with exit code 1, one sentence on stderr, nothing on stdout and no file written. The same
+command without the fault is accepted first, so the fault must be the reason for the refusal.
 
 usage: command_lines.py COMMAND_LINE_SERVER [--count N] [--seconds S] [--seed N] [--jobs N]
 """
@@ -23,7 +23,7 @@ import time
 
 RAY = '{"fragments": [{"depth": -0.2, "opacity": 0.5}, {"depth": 0.4, "opacity": 0.7}]}'
 
-# A cheap command line of each command that is accepted; OUT is where it writes.
+# A cheap valid command line for each command. OUT is the file that it writes.
 BASES = {
     "explore": ["--headless", "--screenshot", "OUT.png", "--scene", "planes", "--size", "640x400"],
     "render": ["--scene", "planes", "--size", "8x8", "-o", "OUT.png"],
@@ -38,14 +38,14 @@ BASES = {
     "merge": ["one.csv", "-o", "OUT.csv"],
     "list": ["scenes"],
 }
-NOT_RUN = {"explore", "figure", "advise", "merge"}  # slow, or without the files: only their faults are tried
+NOT_RUN = {"explore", "figure", "advise", "merge"}  # slow, or lacking input files, so only their faults are tried
 
 NO_NUMBERS = ["nan", "inf", "-inf", "x", "1e999", "-1e999", "0x10", "1,5", " 1", "1 ", "1..2", "--", "٣", "1e", "+-1", "",
               "9" * 400, "1;2", "\t1", "1\n", "%d", "$(1)", "None", "1f", "\u202e1", "\x1b[31m1", b"\xff\xfe"]
 NO_WORDS = ["", " ", "nosuch", "POWER4-32", "0.5.1", "../x", "x" * 300, "a,b,,c", ":", "=", "x\ny", "\x1b[2J", b"\xff"]
 NO_FILES = ["", "missing/file", "x" * 300, "x" * 5000, ".", "/", "\x1b[2J", b"\xff.json", "ray.json/x"]
 
-# What is wrong for an option that is no parameter. Options that take any text are not here.
+# Wrong values for options that are not parameters. Options that accept any text are not listed.
 WRONG = {
     "--scene": ["", "nosuch", "missing/file.obj", "x" * 300, "ray.json", ".", "one.csv"],
     "--size": NO_NUMBERS + ["8", "8x", "x8", "0x0", "8x8x8", "-1x5", "1e1x8", "99999x8", "8X8", "8 x 8", "8*8"],
@@ -93,7 +93,7 @@ class Result:
 
 
 class Program:
-    """Runs command lines in a folder, some at a time, each by a server (command_line_server.cpp) that forks."""
+    """Runs several command lines at a time in a folder, each with a server (command_line_server.cpp) that forks."""
 
     def __init__(self, server, folder, jobs):
         self.folder, self.idle = folder, queue.SimpleQueue()
@@ -117,14 +117,14 @@ class Program:
         return json.loads(self.run([*arguments, "--format", "json"]).stdout)
 
     def options(self, command):
-        """{option: takes a value} of a command, from its help."""
+        """The options of a command from its help: {option: whether it takes a value}."""
         text = self.run([command, "--help"]).stdout.decode()
         found = re.findall(r"^  (?:-\w,)?(--[a-z-]+)( TEXT| \[)?", text, re.MULTILINE)
         return {name: bool(value) for name, value in found if name != "--help"}
 
 
 def wrong_values(row):
-    """Of a parameter."""
+    """Wrong values of a parameter."""
     values = list(NO_NUMBERS)
     if row["choices"]:
         return [*NO_WORDS, *(f"{choice}x" for choice in row["choices"]), *(choice.upper() + "!" for choice in row["choices"])]
@@ -138,7 +138,7 @@ def wrong_values(row):
 
 
 def replaced(base, option, value):
-    """The base with that option at that value, instead of the one that it has."""
+    """The base command with this value of the option, instead of its own value."""
     short = {"--output": "-o"}
     line, skip = [], False
     for word in base:
@@ -153,7 +153,7 @@ def replaced(base, option, value):
 
 
 def wrong_lines(program, rng):
-    """Endlessly: a wrong command line and what is wrong with it."""
+    """Yields wrong command lines without an end, each with what is wrong with it."""
     parameters = {"--" + row["key"]: row for row in program.json("list", "parameters")}
     techniques = program.json("list", "techniques")
     condition = program.json("list", "conditions")[0]["id"]
@@ -255,7 +255,7 @@ def as_bytes(word):
 
 
 def fault_of(program, line):
-    """What is wrong with how the program refuses a line, or None."""
+    """What is wrong with the way in which the program refuses a line, or None."""
     result = program.run(line)
     said = result.stderr
     if result.returncode == -signal.SIGALRM:

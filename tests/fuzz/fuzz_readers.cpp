@@ -1,5 +1,5 @@
-// fuzz_readers.cpp -- reads files that are nearly right, thousands a minute, and tells which of them a reader
-// falls over. scripts/fuzz builds it with sanitizers and runs it.
+// fuzz_readers.cpp -- reads files that are nearly right, thousands per minute, and reports the files that
+// make a reader fail. scripts/fuzz builds it with sanitizers and runs it.
 #include <unistd.h>
 
 #include <fmt/format.h>
@@ -15,8 +15,9 @@
 #include "tests/fuzz/runner.hpp"
 
 #ifdef MOMENTSCOPE_SANITIZE
-// A small quarantine, since memory is bounded; leaks are not looked for, because processes end in the middle.
-extern "C" const char* __asan_default_options() {  // NOLINT(bugprone-reserved-identifier): its name
+// A small quarantine, because memory is limited. Leaks are not checked, because processes are ended in the
+// middle of their work.
+extern "C" const char* __asan_default_options() {  // AddressSanitizer's name
     return "detect_leaks=0:quarantine_size_mb=16:malloc_context_size=8";
 }
 #endif
@@ -35,7 +36,7 @@ struct Options {
     std::uint64_t count = std::numeric_limits<std::uint64_t>::max(), random_seed = 1;
 };
 
-/// A folder that goes with the program.
+/// A folder that is removed when the program ends.
 struct ScratchFolder {
     fs::path path = fs::temp_directory_path() / fmt::format("momentscope_fuzz_{}", ::getpid());
     ScratchFolder() { fs::create_directories(path); }
@@ -47,7 +48,7 @@ struct ScratchFolder {
     ScratchFolder& operator=(const ScratchFolder&) = delete;
 };
 
-/// Where the input of a fault is kept, in a folder that is called like its reader.
+/// The file that keeps the input of a fault, in a folder with the name of its reader.
 fs::path kept(const Input& input, const Options& options, std::uint64_t number) {
     fs::create_directories(options.failures / input.reader);
     const fs::path file = options.failures / input.reader /
@@ -67,7 +68,7 @@ int run(const Options& options) {
     std::vector<Input> seeds;
     for (const fs::path& file : files) seeds.push_back(read_input(file));
     const Source source = [&](std::uint64_t number) -> std::optional<Input> {
-        if (number < seeds.size()) return seeds[number];  // first of all as they are
+        if (number < seeds.size()) return seeds[number];  // the unchanged seeds come first
         const std::uint64_t mutation = number - seeds.size();
         if (replays || mutation >= options.count || seconds() >= options.seconds) return std::nullopt;
         return mutated_input(seeds, options.random_seed, mutation);

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Files as large as readers allow, and larger: each is read or refused within 10 seconds and 1 GiB.
+"""Reads files of the greatest size that readers allow, and larger ones. Each is read or refused within 10 seconds and 1 GiB.
 
 usage: large_files.py FUZZ_READERS"""
 
@@ -49,7 +49,7 @@ def files():
 def main():
     faults, count = 0, 0
     with tempfile.TemporaryDirectory() as folder:
-        for name, text in files():   # one at a time, since the driver holds all that it is given
+        for name, text in files():   # one at a time, because the driver keeps all its files in memory
             path = pathlib.Path(folder) / name
             path.parent.mkdir(exist_ok=True)
             path.write_text(text)

@@ -1,4 +1,5 @@
-// library.cpp -- the linker sends calls of these functions of Assimp through here (--wrap in CMakeLists.txt).
+// library.cpp -- wraps functions of Assimp. The linker redirects their calls to this file (--wrap in
+// CMakeLists.txt).
 #include "tests/fuzz/library.hpp"
 
 #include <assimp/scene.h>
@@ -14,7 +15,7 @@ namespace {
 Library own;
 Library* noted = &own;
 
-/// As long as it lives, the library runs.
+/// The library runs during the lifetime of this object.
 struct InLibrary {
     InLibrary() {
         noted->runs = true;
@@ -50,7 +51,7 @@ long most_memory() {
 
 using momentscope::fuzz::InLibrary;
 
-// NOLINTBEGIN(bugprone-reserved-identifier): the linker's names
+// names that the linker requires
 extern "C" {
 const aiScene* __real__ZN6Assimp8Importer8ReadFileEPKcj(Assimp::Importer*, const char*, unsigned);
 const aiScene* __wrap__ZN6Assimp8Importer8ReadFileEPKcj(Assimp::Importer* self, const char* file,

@@ -20,7 +20,7 @@ public:
         z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
         return z ^ (z >> 31);
     }
-    /// In [0, count); 0 for none.
+    /// In [0, count); 0 if count is 0.
     std::size_t below(std::size_t count) { return count == 0 ? 0 : next() % count; }
     template <typename Rows>
     const auto& one_of(const Rows& rows) {
@@ -145,7 +145,7 @@ private:
         text_ += donor_.substr(random_.below(donor_.size() + 1));
     }
 
-    /// The next run, from some place on, of letters that are among these, or are not.
+    /// The next run of letters that are in this set, or of letters that are not, from a random place on.
     Part token(std::string_view letters, bool among) { return token_in(text_, place(), letters, among); }
     static Part token_in(std::string_view text, std::size_t from, std::string_view letters, bool among) {
         const std::size_t begin = std::min(
@@ -159,7 +159,7 @@ private:
         return donor_.substr(part.begin, part.length);
     }
 
-    /// What follows a colon, comma or bracket, up to the next one, or to the bracket that closes it.
+    /// The text after a colon, comma or bracket, up to the next one or up to the bracket that closes it.
     Part json_value() {
         const std::size_t before = std::min(text_.find_first_of(":,[{", place()), text_.size());
         const std::size_t begin = std::min(text_.find_first_not_of(" \n", before + 1), text_.size());

@@ -1,4 +1,4 @@
-// mutate.hpp -- inputs that are nearly right: a seed with a few changes.
+// mutate.hpp -- makes inputs that are nearly right: a seed with a few changes.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace momentscope::fuzz {
 
-/// The input of that number: all numbers of a run differ, and the same one is the same input in every run
-/// with the same seeds and random seed. Each reader gets as many as any other.
+/// The input with this number. All inputs of a run differ. The same number gives the same input in every run
+/// with the same seeds and the same random seed. All readers get the same number of inputs.
 Input mutated_input(const std::vector<Input>& seeds, std::uint64_t random_seed, std::uint64_t number);
 
 }  // namespace momentscope::fuzz

@@ -61,7 +61,7 @@ void read_chart(const RunTable& table, const std::string& name) {
     chart_to_html(chart, Metric::delta_e);
 }
 
-/// Several tables may be in a file, with a line of equals signs between them: the shards of a run.
+/// A file may contain several tables, separated by a line of equals signs: the shards of a run.
 void read_tables(const fs::path& file) {
     constexpr std::string_view BETWEEN = "=====\n";
     std::string text = read_input_file(file, MAX_INPUT_BYTES, "input");

@@ -28,14 +28,14 @@ namespace momentscope::fuzz {
 
 namespace {
 
-constexpr int SAID = 3;  // exit code of a process that said what is wrong
+constexpr int SAID = 3;  // exit code of a process that has reported a fault
 
-/// What the processes tell each other.
+/// The data that the processes share.
 struct Shared {
     std::atomic<std::uint64_t> number, inputs, stopped_in_library;
     std::atomic<long> most_memory;
-    std::atomic<bool> reads;    // is there an input that is being read?
-    std::atomic<pid_t> reader;  // the process that reads it
+    std::atomic<bool> reads;    // whether an input is being read
+    std::atomic<pid_t> reader;  // the process that reads the input
     Library library;
     bool tells_refusals;
     char said[1000];
@@ -53,14 +53,14 @@ std::string name_of(const std::exception& exception) {
     return status == 0 ? name.get() : typeid(exception).name();
 }
 
-/// Returns unless there is a fault that one survives.
+/// Returns if there is no fault that the process survives.
 void read_here(Shared& shared, const Input& input, const std::filesystem::path& file) {
     shared.reader = ::getpid();
     shared.library.runs = false;
     shared.library.memory = 0;
     try {
         read_with(input.reader, file);
-    } catch (const Error& refusal) {  // as it should be
+    } catch (const Error& refusal) {  // this is correct behaviour
         if (shared.tells_refusals) {
             std::printf("%s\n", refusal.what());
             std::fflush(stdout);
@@ -71,7 +71,7 @@ void read_here(Shared& shared, const Input& input, const std::filesystem::path& 
         end_saying(shared, "something was thrown that is no exception");
     }
     const long memory = most_memory();
-    if (memory <= shared.library.memory) return;  // it was not we who took the most
+    if (memory <= shared.library.memory) return;  // the library took the memory, not our code
     shared.most_memory = std::max(memory, shared.most_memory.load());
     if (memory > MAX_MEMORY) end_saying(shared, fmt::format("took {} MiB of memory", memory >> 10));
 }
@@ -101,7 +101,7 @@ void read_isolated(Shared& shared, const Input& input, const std::filesystem::pa
     if (::ftruncate(STDERR_FILENO, 0) != 0) end_saying(shared, "the report cannot be emptied");
 }
 
-/// Reads inputs from a number on to the end.
+/// Reads all inputs from a number on.
 [[noreturn]] void work(Shared& shared, const Source& source, std::uint64_t number,
                        const std::filesystem::path& scratch, int report) {
     ::dup2(report, STDERR_FILENO);
@@ -131,11 +131,11 @@ long resident_memory(pid_t process) {
     return resident * (::sysconf(_SC_PAGESIZE) >> 10);
 }
 
-/// Waits until the process ends, and ends it when it takes too much or waits for ever. Says why, or how it
-/// ended.
+/// Waits until the process ends. Kills it if it takes too much or hangs. Returns the reason, or how the
+/// process ended.
 std::string watched(pid_t worker, Shared& shared) {
     constexpr auto PAUSE = std::chrono::milliseconds(10);
-    constexpr int MAX_PAUSES = 12'000;  // two minutes, counted so that a machine that sleeps is no fault
+    constexpr int MAX_PAUSES = 12'000;  // two minutes, but not if the machine sleeps
     std::string why;
     std::uint64_t number = shared.number;
     int pauses = 0, status = 0;

@@ -1,5 +1,5 @@
-// without_kernels.cpp -- what the readers are linked with in the place of the mathematics, the built-in
-// scenes and the shadows, which no file reaches and which take minutes to build with sanitizers.
+// without_kernels.cpp -- replaces the mathematics, the built-in scenes and the shadows when only the readers
+// are linked. No file reaches these parts, and building them with sanitizers takes minutes.
 #include "core/scene/builtin_scenes.hpp"
 #include "core/shadow/shadow_settings.hpp"
 #include "core/techniques/moment_kernel.hpp"

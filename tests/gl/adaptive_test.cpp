@@ -1,5 +1,5 @@
-// adaptive_test.cpp -- fragments that choose their own number of moments: between what the fixed numbers
-// draw, close to the greater one, and steady while the camera moves.
+// adaptive_test.cpp -- fragments that choose their own number of moments: their result lies between those of
+// the fixed numbers, close to the greater number, and is steady while the camera moves.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -24,7 +24,7 @@ protected:
     Image picture(const Camera& camera, const char* technique, std::optional<float> tolerance = {}) {
         ParameterValues values;
         if (tolerance) values.set(ParameterId::tolerance, tolerance);
-        // Whose moments are its own, with its bias.
+        // The technique with the same moments gets the same bias.
         if (std::string_view(technique).starts_with("cheb"))
             values.set(ParameterId::alpha, require_technique("adaptive").moments().recommended_bias);
         renderer_->render({camera, SIZE, &require_technique(technique), values});
@@ -37,7 +37,8 @@ protected:
         return pictures;
     }
 
-    /// The largest change of a pixel's error from one frame to the next, as a root mean square over pixels.
+    /// The largest change of a pixel's error between successive frames, as a root mean square over all
+    /// pixels.
     static double largest_jump(const std::vector<Image>& truths, const std::vector<Image>& pictures) {
         std::vector<float> before;
         double most = 0;
@@ -53,7 +54,7 @@ protected:
         return most;
     }
 
-    std::optional<Renderer> renderer_;  // after the context that it needs
+    std::optional<Renderer> renderer_;  // declared after the context that it needs
 };
 
 TEST_F(AdaptiveTest, IsFourMomentsAtOneEndAndEightAtTheOther) {
@@ -62,7 +63,7 @@ TEST_F(AdaptiveTest, IsFourMomentsAtOneEndAndEightAtTheOther) {
         renderer_->set_scene(scene);
         const Image of_4 = picture(scene.camera, "cheb4-32"), of_8 = picture(scene.camera, "cheb8-32");
         const double apart = mean_difference(of_4, of_8, Metric::rmse);
-        // Half floats of the weighted colours.
+        // Weighted colours are rounded to half floats.
         EXPECT_LE(mean_difference(of_4, picture(scene.camera, "adaptive", 1.0f), Metric::rmse), 0.02 * apart)
             << id;
         EXPECT_LE(mean_difference(of_8, picture(scene.camera, "adaptive", 1e-4f), Metric::rmse), 0.02 * apart)
@@ -81,8 +82,8 @@ TEST_F(AdaptiveTest, DrawsNearlyWhatEightMomentsDo) {
     }
 }
 
-// Nothing pops: the choice adds at most a quarter to how much the error of eight moments with the same bias
-// changes from frame to frame, and half to that of power moments with theirs.
+// Nothing pops. Compared with eight moments with the same bias, the choice increases the change of the error
+// between frames by at most a quarter; compared with power moments with their bias, by at most half.
 TEST_F(AdaptiveTest, IsAsSteadyAsAFixedNumberOfMoments) {
     for (const char* id : {"teapots", "spheres", "ship"}) {
         const Scene scene = load_scene(id, 0.4f);

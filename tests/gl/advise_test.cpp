@@ -1,4 +1,5 @@
-// advise_test.cpp -- advice for a real scene: what is advised holds at views that nobody measured.
+// advise_test.cpp -- advice for a real scene: the advised technique keeps its bound at views that were never
+// measured.
 #include <gtest/gtest.h>
 
 #include "core/chart/advice.hpp"
@@ -60,7 +61,7 @@ TEST_F(AdviseTest, ATightBoundHoldsAtAViewOfItsOwn) {
     const Configuration& winner = configurations_[*advice.winner];
     EXPECT_FALSE(winner.technique->is_truth());
     EXPECT_GT(rows_[1].numbers->rmse, BOUND) << "the bound is tight";
-    Camera camera = scene_.camera;  // neither the scene's view nor one of those that were held out
+    Camera camera = scene_.camera;  // neither the scene's view nor a held-out one
     camera.azimuth += 0.2f;
     camera.elevation += 0.08f;
     const Image reference = drawn(camera, {&require_technique("sorted"), {}});
@@ -71,7 +72,7 @@ TEST_F(AdviseTest, ATightBoundHoldsAtAViewOfItsOwn) {
 
 TEST_F(AdviseTest, WhatFailsAtHeldOutViewsIsNotAdvised) {
     measure({"power4-32", "power6-32", "power8-32", "trig2-32"});
-    // So that the fastest configurations meet the bound at their own view, and nowhere else.
+    // With this bound, the fastest configurations meet it at their own view, but nowhere else.
     for (std::size_t i = 0; i < 2; ++i) rows_[i].numbers->rmse = 0;
     for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i].numbers->total = {static_cast<double>(i + 1), 0};
     rows_[2].numbers->rmse = 0;

@@ -1,5 +1,5 @@
-// alpha_map_test.cpp -- opacity textures: what passes sample, against bilinear interpolation in C++, and
-// fragments of opacity 0.
+// alpha_map_test.cpp -- opacity textures: compares the samples of the passes with bilinear interpolation in
+// C++, and tests fragments of opacity 0.
 #include <algorithm>
 
 #include "core/scene/shapes.hpp"
@@ -18,7 +18,7 @@ AlphaMap small_map() {
     return {4, 4, {0, 0, 255, 128, 0, 0, 192, 255, 0, 64, 192, 255, 90, 160, 255, 30}};
 }
 
-/// A wall, a sheet without a map, and before it one with: 3 x 2 units in the middle of the picture.
+/// A wall, a sheet without a map, and in front a sheet with a map: 3 x 2 units in the middle of the picture.
 Scene mapped_sheet() {
     Scene scene;
     scene.camera = {glm::vec3(0), 4.0f, 0.0f, 0.0f, 0.8f};
@@ -36,7 +36,7 @@ Scene mapped_sheet() {
     return scene;
 }
 
-/// Linear filter, repeated; place in [0, 1].
+/// Linear filter with repetition; `place` is in [0, 1].
 float sampled(const AlphaMap& map, glm::vec2 place) {
     const glm::vec2 at = place * glm::vec2(map.width, map.height) - 0.5f;
     const glm::ivec2 cell(glm::floor(at));
@@ -49,7 +49,7 @@ float sampled(const AlphaMap& map, glm::vec2 place) {
                     glm::mix(texel(0, 1), texel(1, 1), within.x), within.y);
 }
 
-/// Where the sheet is seen through the middle of a pixel, as a texture coordinate.
+/// The texture coordinate at which the ray through the middle of a pixel hits the sheet.
 glm::vec2 place_of(const Camera& camera, glm::ivec2 pixel) {
     const glm::vec2 ndc = (glm::vec2(pixel) + 0.5f) / glm::vec2(ALPHA_MAP_SIZE) * 2.0f - 1.0f;
     const float half_height = camera.distance * std::tan(0.5f * camera.field_of_view);
@@ -72,7 +72,7 @@ TEST_F(AlphaMapTest, FragmentsHaveTheOpacityOfTheirPlaceOnTheMap) {
             if (fragments.size() != 2) continue;
             ++on_sheet;
             const float expected = OPACITY * sampled(small_map(), place_of(scene.camera, {x, y}));
-            // Texture units interpolate with 8 bits or so.
+            // Texture units interpolate with about 8 bits.
             EXPECT_NEAR(fragments[0].opacity, expected, 0.012f) << x << "," << y;
             EXPECT_EQ(fragments[1].opacity, 0.5f) << "an object without a map";
         }
@@ -80,8 +80,8 @@ TEST_F(AlphaMapTest, FragmentsHaveTheOpacityOfTheirPlaceOnTheMap) {
     EXPECT_GT(on_sheet, 1500);
 }
 
-// The pixels where the map is 0 over all of its footprint look as if the sheet was not there, in every
-// technique.
+// If the map is 0 over the whole footprint of a pixel, the pixel looks as if the sheet was not there, with
+// every technique.
 TEST_F(AlphaMapTest, OpacityZeroChangesNoTechnique) {
     const Scene scene = mapped_sheet();
     Scene without = scene;
@@ -105,7 +105,7 @@ TEST_F(AlphaMapTest, OpacityZeroChangesNoTechnique) {
         const Image a = with_sheet.read_picture(), b = bare.read_picture();
         for (int c = 0; c < 3; ++c)
             EXPECT_NEAR(a.at(inside.x, inside.y)[c], b.at(inside.x, inside.y)[c], 2e-3f);
-        // The comparison can fail: the sheet is there beside it.
+        // Check that the comparison can fail: the next place shows the sheet.
         EXPECT_GT(glm::distance(a.at(solid.x, solid.y), b.at(solid.x, solid.y)), 0.1f);
     }
 }

@@ -1,5 +1,5 @@
-// bit_equality_test.cpp -- the shared source gives the same bits in C++ and on this GL, in compute and
-// fragment shaders.
+// bit_equality_test.cpp -- the shared source gives the same bits in C++ and on this GL, in compute shaders
+// and fragment shaders.
 #include <fmt/format.h>
 
 #include <bit>
@@ -66,7 +66,7 @@ Result evaluate(const Technique& technique, const ResolvedParameters& p, const I
 
 class BitEquality : public GlTest<testing::TestWithParam<const Technique*>> {
 protected:
-    // Runs `draw` with the items bound and returns what it wrote.
+    // Runs `draw` with the items bound and returns its output.
     template <typename Draw>
     std::vector<Result> run(const std::vector<Item>& items, const ResolvedParameters& p, Draw draw) {
         const Header header = {p.beta, basis_parameter(p, *GetParam()), p.alpha, 0, Z_MIN, Z_MAX, {}};
@@ -98,8 +98,8 @@ protected:
         long flushed = 0;
         for (std::size_t i = 0; i < COUNT; ++i) {
             const Result cpp = evaluate(*GetParam(), p, items_[i]);
-            // Fragment shaders may flush numbers below the normal floats to 0 and C++ keeps them: counted
-            // apart.
+            // Fragment shaders may flush denormal floats to 0, but C++ keeps them. Count these cases
+            // separately.
             const auto differs = [&](float a, float b) {
                 if (std::bit_cast<int>(a) == std::bit_cast<int>(b)) return 0;
                 const bool tiny = std::abs(a) < std::numeric_limits<float>::min() && b == 0;

@@ -1,4 +1,5 @@
-// chart_test.cpp -- charts of real pictures: what must repeat does, what was ended goes on, times are taken.
+// chart_test.cpp -- charts of real pictures: repeatable numbers repeat, a stopped chart continues, and times
+// are measured.
 #include <limits>
 #include <numbers>
 
@@ -38,7 +39,7 @@ RunTable run(const ChartPlan& plan) {
     return run_chart(plan, nothing_of(plan), {}, quiet_hooks());
 }
 
-/// The rows without their times.
+/// The rows without times.
 std::vector<ChartRow> errors_of(const RunTable& table) {
     std::vector<ChartRow> rows = chart_of(table, "the test").rows;
     for (ChartRow& row : rows)
@@ -120,7 +121,7 @@ TEST_F(ChartTest, StoppedBeforeItBeganIsEmpty) {
     EXPECT_TRUE(run_chart(plan, nothing_of(plan), stop.get_token(), quiet_hooks()).rows.empty());
 }
 
-/// Transparent surfaces of that colour.
+/// A scene with transparent surfaces of this colour.
 ChartHooks bright_hooks(float brightness) {
     ChartHooks hooks = quiet_hooks();
     hooks.load = [brightness](const std::string& id) {

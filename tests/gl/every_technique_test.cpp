@@ -1,5 +1,5 @@
-// every_technique_test.cpp -- every technique draws every scene, and with every value of its parameters,
-// without an error of GL and without a number that is none.
+// every_technique_test.cpp -- every technique draws every scene, with every value of its parameters, without
+// a GL error and without infinite or NaN pixels.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -12,7 +12,7 @@
 namespace momentscope::test {
 namespace {
 
-// What cannot be drawn or is no number does not wait for a large picture.
+// Such failures do not need a large picture.
 const glm::ivec2 PICTURE_SIZE = effort(1, 4) * glm::ivec2(160, 90);
 
 std::vector<const Technique*> all_techniques() {
@@ -21,7 +21,7 @@ std::vector<const Technique*> all_techniques() {
     return rows;
 }
 
-// Every choice; of ranges the ends and two between.
+// Every choice of a parameter; for a range, the ends and two values between.
 std::vector<ParameterValues> few_choices_of(const Technique& technique) {
     std::vector<ParameterValues> all;
     for (const ParameterId id : technique.parameters) {
@@ -43,7 +43,7 @@ std::vector<ParameterValues> few_choices_of(const Technique& technique) {
 class EveryTechniqueTest : public GlTest<::testing::TestWithParam<const Technique*>> {
 protected:
     static void expect_picture(Renderer& renderer, const View& view, const std::string& scene) {
-        renderer.render(view);  // throws where GL fails
+        renderer.render(view);  // throws if GL fails
         const Image picture = renderer.read_picture();
         long bad = 0;
         float least = 1e9f, most = 0;
@@ -70,7 +70,8 @@ TEST_P(EveryTechniqueTest, DrawsEveryScene) {
         const Scene scene = load_scene(entry.id, 0.4f);
         renderer.set_scene(scene);
         expect_picture(renderer, view_of(scene, technique.id, PICTURE_SIZE), entry.id);
-        // Choices in turns over the scenes; states_test.cpp draws each on every scene, in small.
+        // The scenes take turns with the choices; states_test.cpp draws each choice on every scene at a small
+        // size.
         for (const std::size_t end = choices.size() * (i + 1) / scenes; next < end; ++next) {
             View view = view_of(scene, technique.id, PICTURE_SIZE);
             view.parameters = choices[next];
@@ -78,7 +79,7 @@ TEST_P(EveryTechniqueTest, DrawsEveryScene) {
         }
     }
     const std::vector<std::string> notes = shared_programs()->take_notes();
-    EXPECT_TRUE(notes.empty()) << notes.front();  // no shader keeps its loops
+    EXPECT_TRUE(notes.empty()) << notes.front();  // all loops of shaders are written out
 }
 
 INSTANTIATE_TEST_SUITE_P(Techniques, EveryTechniqueTest, ::testing::ValuesIn(all_techniques()),

@@ -1,6 +1,6 @@
-// factorisation_test.cpp -- factoring once per pixel gives every fragment what it would have computed itself,
-// and follows whatever changes moments or bias. And the map of needed moments, on the scene whose answer is
-// known.
+// factorisation_test.cpp -- with one factor per pixel, every fragment gets the result that it would compute
+// itself, and the factor follows every change of moments or bias. Also tests the map of needed moments on a
+// scene with a known answer.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ TEST_P(FactorisationTest, OncePerPixelGivesTheSameTransmittance) {
         const Scene scene = load_scene(id, 0.4f);
         Renderer renderer(shared_programs());
         renderer.set_scene(scene);
-        // Bias, then the camera change, so that stored factors are stale twice.
+        // Change the bias, then the camera, so that the stored factors are stale twice.
         for (const auto& [alpha_scale, turn] :
              {std::pair(1.0f, 0.0f), std::pair(3.0f, 0.0f), std::pair(3.0f, 0.2f)}) {
             Camera camera = scene.camera;

@@ -1,5 +1,5 @@
-// failures_test.cpp -- which fragments of the scenes fail, as stress counts it: with the bias preset robust
-// next to none, and many pixels by the textbook's solver without bias.
+// failures_test.cpp -- counts fragments of the scenes that fail, in the same way as stress: almost none with
+// the bias preset robust, and many pixels with the textbook solver without bias.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -47,7 +47,7 @@ TEST_P(Failures, AreNextToNoneOnTheScenesWithTheRobustBias) {
                 const Real t = capture.transmittance[i];
                 const ExactFraction fraction = (*exact)(static_cast<Real>(capture.ray.fragments[i].depth));
                 const Real expected = std::exp(-b0 * (fraction.in_front + beta * fraction.query_weight));
-                outside += t >= 0 && t <= 1 ? 0 : 1;  // false for NaN
+                outside += t >= 0 && t <= 1 ? 0 : 1;  // the condition is false for NaN
                 off += std::abs(t - expected) > FAILED_ERROR ? 1 : 0;
                 ++fragments;
             }
@@ -57,12 +57,13 @@ TEST_P(Failures, AreNextToNoneOnTheScenesWithTheRobustBias) {
                off);
     EXPECT_GT(fragments, 20'000);
     EXPECT_EQ(outside, 0);
-    // The preset was chosen so that one random query in a thousand is off; eight power moments reach 1.4
-    // here.
+    // The preset was chosen so that one random query in a thousand fails; eight power moments reach 1.4 in a
+    // thousand here.
     EXPECT_LE(off, fragments / 500);
 }
 
-// With a textbook solver, and in floats: rounding to 16 bits alone keeps matrices from being singular.
+// With the textbook solver and floats, because rounding to 16 bits already keeps matrices from being
+// singular.
 class TextbookFailures : public Failures {};
 
 TEST_P(TextbookFailures, WithoutBiasAreSeen) {

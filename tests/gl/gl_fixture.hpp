@@ -15,9 +15,10 @@ inline GlContext& shared_context() {
     return *context;
 }
 
-/// The programs of all renderers of the context: linking them takes longer than the pictures of most tests.
+/// The programs of all renderers in this context. Linking them takes longer than drawing the pictures of most
+/// tests.
 inline const std::shared_ptr<ProgramCache>& shared_programs() {
-    shared_context();  // outlives them
+    shared_context();  // must outlive the programs
     static const auto programs = std::make_shared<ProgramCache>();
     return programs;
 }

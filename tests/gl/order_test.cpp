@@ -1,4 +1,4 @@
-// order_test.cpp -- the order of submission changes the pictures of techniques that say so, and of no others.
+// order_test.cpp -- the order of submission changes the pictures of exactly those techniques that declare it.
 #include <algorithm>
 
 #include "tests/gl/gl_fixture.hpp"
@@ -25,7 +25,7 @@ TEST_P(OrderTest, MattersWhereItIsSaid) {
     View view = view_of(scene, technique.id, {96, 54});
     renderer.render(view);
     const Image submitted = renderer.read_picture();
-    for (const float order : {1.0f, 2.0f}) {  // backwards, shuffled
+    for (const float order : {1.0f, 2.0f}) {  // reversed, shuffled
         view.parameters.set(ParameterId::order, order);
         renderer.render(view);
         const Image other = renderer.read_picture();
@@ -33,7 +33,8 @@ TEST_P(OrderTest, MattersWhereItIsSaid) {
         for (std::size_t i = 0; i < other.pixels.size(); ++i)
             for (int c = 0; c < 3; ++c)
                 most = std::max(most, std::abs(other.pixels[i][c] - submitted.pixels[i][c]));
-        // Half floats of colour round in another order; 16-bit moments round after every fragment, too.
+        // Half floats of colours are rounded in another order; 16-bit moments are also rounded after every
+        // fragment.
         if (!technique.order_dependent)
             EXPECT_LT(most, 8e-3f);
         else if (!technique.has_moments())

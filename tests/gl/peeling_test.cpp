@@ -1,4 +1,4 @@
-// peeling_test.cpp -- two ground truths that share nothing but the scene, compared; and the map of failures.
+// peeling_test.cpp -- compares two ground truths that share nothing but the scene; and the map of failures.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace {
 
 class PeelingTest : public GlTest<> {};
 
-/// Rendered by one technique, as 8-bit sRGB.
+/// Renders with one technique, as 8-bit sRGB.
 Image picture(const Scene& scene, const char* technique, glm::ivec2 size) {
     Renderer renderer(shared_programs());
     renderer.set_scene(scene);
@@ -18,7 +18,7 @@ Image picture(const Scene& scene, const char* technique, glm::ivec2 size) {
     return renderer.read_picture();
 }
 
-/// The pixels whose sRGB channels differ by more than 1/255.
+/// The pixels with sRGB channels that differ by more than 1/255.
 std::vector<glm::ivec2> differing_pixels(const Image& a, const Image& b) {
     std::vector<glm::ivec2> pixels;
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
@@ -30,12 +30,12 @@ std::vector<glm::ivec2> differing_pixels(const Image& a, const Image& b) {
     return pixels;
 }
 
-/// Their share.
+/// The share of these pixels.
 double differing(const Image& a, const Image& b) {
     return static_cast<double>(differing_pixels(a, b).size()) / static_cast<double>(a.pixels.size());
 }
 
-/// Do two fragments lie so close that the depth buffer cannot tell them apart, and peeling loses one?
+/// Are two fragments so close that the depth buffer cannot distinguish them, so that peeling loses one?
 bool has_tie(const PixelCapture& capture) {
     std::vector<float> depths;
     for (const Fragment& fragment : capture.ray.fragments) depths.push_back(fragment.view_depth);
@@ -58,7 +58,7 @@ TEST_F(PeelingTest, AgreesWithSortedOnEveryScene) {
     }
 }
 
-// Leaves cross each other, and grass does: there, depths tie along lines.
+// Leaves and blades of grass cross each other, so depths tie along lines.
 TEST_F(PeelingTest, AgreesWithSortedWhereNoDepthsTie) {
     for (const char* id : {"foliage", "ship", "smoke"}) {
         const Scene scene = load_scene(id, 0.4f);
@@ -75,7 +75,7 @@ TEST_F(PeelingTest, AgreesWithSortedWhereNoDepthsTie) {
     }
 }
 
-// The comparison can fail: one sheet fewer is seen.
+// Check that the comparison can fail: with one sheet fewer, pictures differ.
 TEST_F(PeelingTest, TheComparisonSeesAMissingSheet) {
     Scene scene = load_scene("planes", 0.4f);
     const Image whole = picture(scene, "sorted", {240, 135});
@@ -122,8 +122,8 @@ TEST_F(PeelingTest, ARegionIsCutOutOfThePicture) {
     EXPECT_GT(renderer.pass_times().color, 0) << "the GL measures its passes";
 }
 
-// Equation 2 by hand, from the fragments and T that the second pass gave them: sums in half floats, so 3
-// digits.
+// Equation 2 computed by hand, from the fragments and the T of the second pass. Sums are in half floats, so 3
+// digits agree.
 TEST_F(PeelingTest, MomentsCompositeByHand) {
     const Scene scene = load_scene("planes", 0.4f);
     for (const float renormalize : {0.0f, 1.0f}) {

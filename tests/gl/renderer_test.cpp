@@ -1,4 +1,4 @@
-// renderer_test.cpp -- invalidation, capture and agreement of GL and C++ on real pixels.
+// renderer_test.cpp -- invalidation, capture, and agreement of GL and C++ on real pixels.
 #include <fmt/format.h>
 
 #include <bit>
@@ -57,7 +57,7 @@ TEST_F(RendererTest, AChangeRunsNoMoreStagesThanItNeeds) {
     EXPECT_EQ(redraw(), (Counts{0, 0, 0, 0})) << "power moments have no wrapping zone";
 }
 
-// The picture after incremental changes must be the picture drawn afresh.
+// A picture after incremental changes must equal a picture that is drawn from scratch.
 TEST_F(RendererTest, ChangesLeaveNoTrace) {
     const Scene scene = load_scene("planes", 0.4f);
     View view = view_of(scene, "trig2-32", {64, 48});
@@ -78,7 +78,7 @@ TEST_F(RendererTest, ChangesLeaveNoTrace) {
     EXPECT_EQ(changed.read_picture().pixels, fresh.read_picture().pixels);
 }
 
-// What the first passes of Moment Transparency store may depend on parameters of the second.
+// The first passes of Moment Transparency may store values that depend on parameters of the second pass.
 TEST_F(RendererTest, ChangesOfWhatIsReadEarlyLeaveNoTrace) {
     const Scene scene = load_scene("spheres", 0.4f);
     for (const auto& [early, value] :
@@ -99,7 +99,7 @@ TEST_F(RendererTest, ChangesOfWhatIsReadEarlyLeaveNoTrace) {
     }
 }
 
-// Sheets with known opacities in front of a wall: compositing by hand is the reference.
+// Sheets with known opacities in front of a wall; the reference is composited by hand.
 TEST_F(RendererTest, SortedCompositesByHand) {
     const Scene scene = load_scene("planes", 0.4f);
     const glm::ivec2 size(160, 90);
@@ -132,8 +132,8 @@ TEST_F(RendererTest, SortedCompositesByHand) {
 
 class SecondPass : public GlTest<testing::TestWithParam<std::tuple<const Technique*, const char*>>> {};
 
-// T of every fragment of a picked pixel as the GL's second pass computes it, against C++ from the captured
-// fragments.
+// Compares T of every fragment of a picked pixel: the value of the second pass on the GL, and the value that
+// C++ computes from the captured fragments.
 TEST_P(SecondPass, ComputesTheBitsOfCpp) {
     const auto [technique, scene_id] = GetParam();
     const Scene scene = load_scene(scene_id, 0.4f);
@@ -171,7 +171,7 @@ INSTANTIATE_TEST_SUITE_P(Techniques, SecondPass,
                              return test_name(*std::get<0>(row.param)) + "_" + std::get<1>(row.param);
                          });
 
-// The paper's order of quality on its own kind of scene.
+// The paper's order of quality, on a scene like the paper's.
 TEST_F(RendererTest, MoreMomentsAreCloserToTheTruth) {
     const Scene scene = load_scene("teapots", 0.4f);
     const glm::ivec2 size(480, 270);
@@ -193,7 +193,7 @@ TEST_F(RendererTest, MoreMomentsAreCloserToTheTruth) {
     EXPECT_LT(trig4, trig3);
 }
 
-// The tone map is between the picture and the screen: no pass runs, and the picture stays linear.
+// The tone map comes after the picture, so no pass runs again and the picture stays linear.
 TEST_F(RendererTest, TheToneMapChangesWhatIsShownAlone) {
     const Scene scene = load_scene("planes", 0.4f);
     const auto shown = [](const Renderer& renderer) {
@@ -237,7 +237,7 @@ TEST_F(RendererTest, RefusesSizesThatCannotBeDrawn) {
     EXPECT_EQ(renderer.read_picture().pixels.size(), 1u);
 }
 
-/// What an Error says that `run` must throw.
+/// The message of the Error that `run` must throw.
 std::string refusal(const std::function<void()>& run) {
     try {
         run();
@@ -258,7 +258,7 @@ TEST_F(RendererTest, RefusesScenesThatAreTooLargeBeforeTheyTakeMemory) {
     const Scene planes = load_scene("planes", 0.4f);
     EXPECT_EQ(size_of(planes).vertices, 8u);
     EXPECT_EQ(size_of(planes).bytes(), 8u * 32 + 12 * 4 + 5 * 256);
-    // 20 million triangles, the most that are read from a file, without a vertex in common.
+    // 20 million triangles, the maximum for a file, without shared vertices.
     EXPECT_NO_THROW(require_drawable({60'000'000, 60'000'000, 2, 0, 60'000'000}));
     const std::string bytes = refusal([] {
         require_drawable({200'000'000, 300'000'000, 1, 0, 300'000'000});
@@ -266,11 +266,11 @@ TEST_F(RendererTest, RefusesScenesThatAreTooLargeBeforeTheyTakeMemory) {
     EXPECT_EQ(
         bytes,
         "The scene needs 7.1 GiB of graphics memory for 200000000 vertices, 100000000 triangles, 1 objects and 0 "
-        "texels, more than the 4 GiB that are used; simplify it.");
+        "texels, more than the limit of 4 GiB; simplify it.");
     const std::string count = refusal([] { require_drawable({3, 2'147'483'649, 1, 0, 2'147'483'649}); });
     EXPECT_NE(count.find("715827883 triangles, more than the 715827882"), std::string::npos) << count;
 
-    // Through the renderer, which is asked before anything is read: the last scene stays.
+    // The renderer checks the size before anything is read, so the last scene stays.
     Renderer renderer(shared_programs());
     renderer.set_scene(planes);
     renderer.render(view_of(planes, "sorted", {32, 18}));
@@ -299,7 +299,7 @@ TEST_F(RendererTest, RefusesRowsThatSortedCannotHold) {
         }),
         "One row of the picture has 2621440 transparent fragments (125 MB), more than the 2500000 (120 MB) that "
         "sorted can hold; use a smaller --size.");
-    renderer.render(view_of(scene, "sorted", {64, 1}));  // fewer fit
+    renderer.render(view_of(scene, "sorted", {64, 1}));  // fewer fragments fit
 }
 
 }  // namespace

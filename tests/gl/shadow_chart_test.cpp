@@ -1,4 +1,4 @@
-// shadow_chart_test.cpp -- chart --shadows: its rows, and what it says of them.
+// shadow_chart_test.cpp -- chart --shadows: its rows and its text.
 #include "core/chart/shadow_chart.hpp"
 
 #include <algorithm>

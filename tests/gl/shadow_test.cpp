@@ -1,5 +1,5 @@
-// shadow_test.cpp -- the light that the GL lets reach a receiver is what C++ computes of what lights it, and
-// what deep shadow maps and rays say of the truth.
+// shadow_test.cpp -- the light that reaches a receiver on the GL equals the value that C++ computes from the
+// captured light ray; deep shadow maps and cast rays are compared as the truth.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -44,7 +44,7 @@ protected:
         renderer_->render({scene_.camera, SHADOW_SIZE, &require_technique(technique), values});
     }
 
-    /// Random receivers of the picture that is shown, opaque and transparent.
+    /// Random receivers in the current picture, opaque and transparent.
     std::vector<LightView> receivers(std::size_t count) {
         RandomNumbers random(3);
         std::vector<LightView> views;
@@ -62,13 +62,13 @@ protected:
     }
 
     Scene scene_;
-    std::optional<Renderer> renderer_;  // after the context that it needs
+    std::optional<Renderer> renderer_;  // declared after the context that it needs
 };
 
-// Their place is found again from the pixel and the view depth, which rounding moves by 1e-6 of the distance,
-// so that interpolated moments differ in their last digits. Table 1's bias keeps what reconstruction makes of
-// that below 1e-2, and nearly always below 1e-3; eight moments with the bias of Chebyshev ones magnify it
-// twice as much.
+// The place of a receiver is computed again from the pixel and the view depth. Rounding moves it by 1e-6 of
+// the distance, so interpolated moments differ in their last digits. With the bias of Table 1, this changes
+// the result of a reconstruction by less than 1e-2, and nearly always by less than 1e-3. Eight moments with
+// the bias of Chebyshev moments magnify it twice as much.
 TEST_F(ShadowTest, GlIsWhatCppComputesOfTheBundle) {
     for (const char* scene : {"cloud", "ship", "teapots"}) {
         const auto compare = [&](const char* id, std::size_t count) {
@@ -99,8 +99,8 @@ TEST_F(ShadowTest, GlIsWhatCppComputesOfTheBundle) {
     }
 }
 
-// The map's filtered numbers are the weighted sum of the fragments that were captured: the mixed ray has the
-// map's moments.
+// The filtered numbers of the map are the weighted sum of the captured fragments: the mixed ray has the
+// moments of the map.
 TEST_F(ShadowTest, TheMixedRayHasTheMomentsOfTheMap) {
     show("cloud", shadows_with());
     int compared = 0;
@@ -134,8 +134,8 @@ TEST_F(ShadowTest, EveryOpaqueMapIsWhatCppComputes) {
     }
 }
 
-// Of receivers in shadow. With a filter of no radius a deep shadow map is off from rays only where a texel's
-// middle sees something else than the receiver.
+// For receivers in shadow. With a filter radius of 0, a deep shadow map differs from cast rays only if the
+// middle of a texel sees something other than the receiver does.
 TEST_F(ShadowTest, DeepMapsAgreeWithRays) {
     constexpr std::size_t RECEIVERS = 100;
     for (const char* id : {"cloud", "ship", "teapots"}) {
@@ -156,7 +156,7 @@ TEST_F(ShadowTest, DeepMapsAgreeWithRays) {
                                               frame.position, LIGHT_SLACK);
             const double truth = cast.shadowed ? 0 : cast.transmittance;
             const auto shown = static_cast<double>((1 - surface->shadowed) * surface->transmittance);
-            if (std::min(truth, shown) > 0.95) continue;  // lit: says little
+            if (std::min(truth, shown) > 0.95) continue;  // a lit receiver says little
             off.push_back(std::abs(truth - shown));
         }
         ASSERT_EQ(off.size(), RECEIVERS) << id;
@@ -168,8 +168,8 @@ TEST_F(ShadowTest, DeepMapsAgreeWithRays) {
     }
 }
 
-// With beta = 0 light leaks, with the paper's 0.5 six moments are about as close to the truth as Fourier
-// opacity mapping in the scene that suits the latter best (Section 7.2).
+// With beta = 0 light leaks. With the paper's 0.5, six moments are about as close to the truth as Fourier
+// opacity mapping, in the scene that suits the latter best (Section 7.2).
 TEST_F(ShadowTest, PicturesAreCloseToThatOfADeepMap) {
     const auto picture = [&](const char* id, float beta) {
         show("cloud",
@@ -190,7 +190,7 @@ TEST_F(ShadowTest, PicturesAreCloseToThatOfADeepMap) {
     EXPECT_GT(moments, 1e-4) << "else something is compared with itself";
 }
 
-// Two ground truths that shade in different passes; fragments of the scene never tie.
+// Two ground truths that shade in different passes. The fragments of this scene never tie.
 TEST_F(ShadowTest, PeelingShadesAsSortedDoes) {
     const auto picture = [&](const char* technique) {
         show("spheres", shadows_with(), technique);
@@ -201,7 +201,8 @@ TEST_F(ShadowTest, PeelingShadesAsSortedDoes) {
     EXPECT_LT(mean_difference(sorted, picture("mlab"), Metric::rmse), 1e-3) << "four layers in half floats";
 }
 
-// Every pass that shades knows the light: half of them would otherwise be lit from beside the camera.
+// Every pass that shades must use the light; otherwise half of the surfaces would be lit from beside the
+// camera.
 TEST_F(ShadowTest, EveryTechniqueReceivesThem) {
     show("spheres", shadows_with(), "sorted");
     const Image truth = renderer_->read_picture();
@@ -217,7 +218,7 @@ TEST_F(ShadowTest, EveryTechniqueReceivesThem) {
     }
 }
 
-// Only what a change needs: runs of the maps' four stages, and of the picture's.
+// A change runs only the stages that it needs, of the maps' four stages and of the picture's.
 TEST_F(ShadowTest, ChangesRedrawWhatTheyMust) {
     const auto after = [&](ParameterId id, std::optional<float> value) {
         ParameterValues values = shadows_with();

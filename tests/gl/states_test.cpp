@@ -1,4 +1,5 @@
-// states_test.cpp -- pictures of all techniques against the same pixels composed in C++ from their fragments.
+// states_test.cpp -- compares pictures of all techniques with the same pixels, composited in C++ from their
+// fragments.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,8 +23,8 @@ std::vector<const Technique*> pixel_state_techniques() {
     return rows;
 }
 
-// All at their standard, every other value of one parameter at a time (of many, each the double of the one
-// before), and what Moment Transparency makes of several.
+// All parameters at their defaults; one parameter at each of its values (at powers of two in long ranges);
+// some combinations for Moment Transparency; other orders of submission.
 std::vector<ParameterValues> choices_of(const Technique& technique) {
     std::vector<ParameterValues> all = {{}};
     for (const ParameterId id : technique.parameters) {
@@ -59,7 +60,7 @@ struct Covered {
     const PixelCapture& capture;
 };
 
-// About PIXELS of those with a transparent fragment, evenly over the picture.
+// About PIXELS pixels with a transparent fragment, evenly distributed over the picture.
 std::vector<Covered> some_covered(const Image& picture, const std::vector<PixelCapture>& captures) {
     std::vector<Covered> covered;
     for (std::size_t i = 0; i < captures.size(); ++i)
@@ -79,7 +80,8 @@ float distance_between(const glm::vec3& a, const glm::vec3& b) {
 
 class StatesTest : public GlTest<::testing::TestWithParam<const Technique*>> {};
 
-// Eight bits: a product that rounds the other way is 1/255, and is merged into what follows.
+// In eight bits, a product that is rounded the other way is off by 1/255 and is merged into the following
+// ones.
 float tolerance_of(const ResolvedParameters& parameters) {
     const auto* layers = std::get_if<LayeredSettings>(&parameters.pixel_state);
     return layers != nullptr && layers->bits == LayerBits::bits_8 ? 8e-3f : 2e-4f;
@@ -102,12 +104,12 @@ void expect_composed(const Technique& technique, const ParameterValues& values,
     EXPECT_LE(worst, tolerance) << technique.id << " on " << scene;
 }
 
-// Where fragments tie, where surfaces intersect, and where there are many fragments.
+// Scenes with ties, with intersections and with many fragments.
 bool has_every_choice(std::string_view scene) {
     return scene == "ties" || scene == "spheres" || scene == "smoke";
 }
 
-// With every choice of parameters on some scenes, as they are at first on the others.
+// With all choices of parameters on some scenes, and with the defaults on the others.
 TEST_P(StatesTest, EveryPixelIsWhatCppComposes) {
     const Technique& technique = *GetParam();
     for (const SceneEntry& entry : scene_entries()) {
@@ -128,7 +130,7 @@ TEST_P(StatesTest, EveryPixelIsWhatCppComposes) {
     }
 }
 
-// What lies behind, as captured, is what a picture without anything transparent shows.
+// The captured background equals the picture without transparent surfaces.
 TEST(CapturesTest, KnowWhatLiesBehind) {
     shared_context();
     for (const SceneEntry& entry : scene_entries()) {
@@ -153,10 +155,10 @@ std::vector<const Technique*> other_techniques() {
 
 class WithMomentsTest : public GlTest<::testing::TestWithParam<const Technique*>> {};
 
-// Thirty fragments, each of which rounds a sum of at most 1 to half a unit of 11 bits.
+// Thirty fragments; each rounds a sum of at most 1 to half a unit of 11 bits.
 constexpr float HALVES = 7e-3f;
 
-// The GL sums weighted colours in half floats, as the paper's evaluation does, and C++ in floats.
+// The GL sums weighted colours in half floats, as in the paper's evaluation, and C++ in floats.
 TEST_P(WithMomentsTest, EveryPixelIsWhatCppComposes) {
     const Technique& technique = *GetParam();
     for (const SceneEntry& entry : scene_entries()) {

@@ -1,5 +1,5 @@
-// storage_test.cpp -- what the first pass stores in textures is what C++ sums up, and what is said where a GL
-// cannot.
+// storage_test.cpp -- the textures of the first pass hold the sums that C++ computes, and a GL without the
+// necessary features is refused with a sentence.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 class Storage : public GlTest<testing::TestWithParam<const Technique*>> {
 protected:
-    // How many of the stored numbers differ from those of C++, over every pixel of the teapots.
+    // The number of stored numbers that differ from those of C++, over every pixel of the teapots.
     void compare(const ParameterValues& values) {
         const Technique& technique = *GetParam();
         const Scene scene = load_scene("teapots", 0.4f);
@@ -36,7 +36,7 @@ protected:
                  ++k) {
                 float gl = capture.stored->b[k];
                 float own = cpp.b[k];
-                // A texture unit may be off by an ulp in code / 65535, and the shaders round that away.
+                // A texture unit may be off by an ulp in code / 65535; the shaders round this away.
                 if (technique.moment_kernel().bits == 16)
                     gl = std::round(gl * 65535.0f), own = std::round(own * 65535.0f);
                 different += gl == own ? 0 : 1;
@@ -54,7 +54,7 @@ TEST_P(Storage, HoldsTheBitsOfCpp) {
     compare({});
 }
 
-// Sums that can be made by blending or in order: those of floats.
+// Techniques that can sum by blending or in order: those with floats.
 class OrderedStorage : public Storage {};
 
 TEST_P(OrderedStorage, HoldsTheBitsOfCpp) {

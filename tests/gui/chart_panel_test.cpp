@@ -1,4 +1,4 @@
-// chart_panel_test.cpp -- the tab that measures techniques between frames, and what its rows are good for.
+// chart_panel_test.cpp -- the tab that measures techniques between frames, and the use of its rows.
 #include "core/chart/chart.hpp"
 #include "core/chart/grid.hpp"
 #include "tests/gui/folder_fixture.hpp"
@@ -8,7 +8,7 @@ namespace {
 
 class ChartPanelTest : public FolderTest {
 protected:
-    /// With so much room for the tab that nothing needs to be scrolled to.
+    /// Gives the tab so much space that nothing needs scrolling.
     void open_planes() {
         ui::ExplorerState state;
         state.scene = "planes";
@@ -19,7 +19,7 @@ protected:
     const std::vector<ChartRow>& rows() { return panel().measurement().rows(); }
     bool shows(const std::string& anchor) { return explorer().widget_rects().contains(anchor); }
 
-    /// Every technique once, small.
+    /// Measures every technique once, at a small size.
     void measure() {
         play(
             "key Ctrl+8\nclick @chart.size\nclick @chart.size.160\nclick @chart.standards_only\nclick @chart.measure");
@@ -63,11 +63,11 @@ TEST_F(ChartPanelTest, AdviceFollowsTheBoundsAndIsChecked) {
     EXPECT_LE(rows()[winner].numbers->rmse, 0.01);
     play("click @chart.use.cheapest");
     EXPECT_EQ(rows()[winner].configuration, state().technique->id);
-    play("drag @chart.max_error to -2000 400");  // to its least: nothing but the truth is as good
+    play("drag @chart.max_error to -2000 400");  // to its minimum: only the truth meets it
     ASSERT_TRUE(panel().advice());
     for (const auto& row : {panel().advice()->winner, panel().advice()->nearest})
         EXPECT_TRUE(!row || panel().measurement().held_out(Metric::rmse)[*row]) << "checked";
-    play("click @chart.bounds_bits\ndrag @chart.max_bits to -2000 400");  // one bit is too few for any
+    play("click @chart.bounds_bits\ndrag @chart.max_bits to -2000 400");  // one bit is too few
     EXPECT_FALSE(panel().advice()->winner);
     ASSERT_TRUE(panel().advice()->nearest);
     EXPECT_TRUE(shows("chart.nothing"));
@@ -116,13 +116,13 @@ TEST_F(ChartPanelTest, MeasuresBetweenFramesAndCanBeEnded) {
     const std::size_t kept = rows().size();
     EXPECT_GT(kept, 0U);
     settle();
-    EXPECT_EQ(rows().size(), kept) << "rows that are done stay";
+    EXPECT_EQ(rows().size(), kept) << "finished rows stay";
     explorer().measure_chart();
     draw();
     explorer().state().scene = "spheres";
     settle();
     EXPECT_FALSE(panel().measuring()) << "another scene ends it";
-    EXPECT_NE(explorer().message().find("chart was ended"), std::string::npos) << explorer().message();
+    EXPECT_NE(explorer().message().find("chart was stopped"), std::string::npos) << explorer().message();
 }
 
 TEST_F(ChartPanelTest, FilesAreThoseOfTheCommandLine) {

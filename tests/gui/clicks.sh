@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Every click counts in the real window: xdotool clicks on lists, buttons and cards, every second time 80 ms after moving there and
-# else after 20 to 98 ms, so that clicks meet every part of a frame. Each has to be answered in time without a further movement;
-# while a picture is drawn, which the window says, no time counts. Then nothing may be drawn while nothing happens, and a killed
-# display must leave a sentence and the session.
-# What happened is read from the log of frames; where the controls are, a headless window of the same size tells.
-# Usage: clicks.sh MOMENTSCOPE [CLICKS [MILLISECONDS]], by default 100 clicks within 200 ms each. On a busy machine more time
-# is fair: a click that is lost is never answered.
+# Checks that every click counts in the real window. xdotool clicks on lists, buttons and cards, every second time 80 ms after
+# the mouse moved there and otherwise after 20 to 98 ms, so that clicks come in every part of a frame. The window must answer
+# each click in time, without a further movement. While it draws a picture and says so, time does not count. Afterwards nothing
+# may be drawn while nothing happens, and when the display is killed, a sentence and the session must be left.
+# The log of frames tells what happened. A headless window of the same size tells where the controls are.
+# Usage: clicks.sh MOMENTSCOPE [CLICKS [MILLISECONDS]], by default 100 clicks within 200 ms each. On a busy machine allow more
+# time: a lost click is never answered at all.
 set -euo pipefail
 momentscope=$(realpath "$1")
 clicks=${2:-100}
@@ -26,14 +26,15 @@ fail() {
     exit 1
 }
 
-# A control, and what the log says once its click was answered; @again clicks where the last one did. A round ends as it began.
+# Each control, and the log entry that answers its click; @again clicks at the same place once more. A round ends in the state
+# in which it began.
 steps=("@parameter.solver:a popup opened" "@again:a popup closed" "@tab.3:changed /panel" "@scene.lens:changed /lens"
     "@scene.views:a popup opened" "@again:a popup closed" "@scene.lens:changed /lens" "@tab.1:changed /panel"
     "@controls.scene:a popup opened" "@again:a popup closed" "@card.beta:changed .*/card" "@card.answer:changed /answer"
     "@card.answer:changed /answer" "@card.close:changed /card" "@scene.wipe:changed /compare" "@scene.wipe:changed /compare"
     "@menu.view:a popup opened" "@again:a popup closed")
 
-# A card leaves other settings behind, so the second round stands for all that follow.
+# A card leaves other settings behind, so the second round represents all following ones.
 rounds=$((clicks > ${#steps[@]} ? 2 : 1))
 for ((round = 0; round < rounds; ++round)); do
     for step in "${steps[@]}"; do
@@ -54,7 +55,7 @@ done
 mkfifo display
 Xvfb -displayfd 3 -screen 0 1280x800x24 3>display 2>/dev/null &
 server=$!
-disown "$server"   # its end is no news
+disown "$server"   # so that the shell does not report its end
 read -r number <display
 export DISPLAY=:$number
 export XDG_STATE_HOME=$folder/state
@@ -62,7 +63,7 @@ export XDG_STATE_HOME=$folder/state
 "$momentscope" "${settings[@]}" --log log 2>errors &
 window=$!
 
-now() { echo "${EPOCHREALTIME/[.,]/}"; }   # microseconds
+now() { echo "${EPOCHREALTIME/[.,]/}"; }   # in microseconds
 lines() { wc -l <log; }
 settle() {
     local before=-1
@@ -80,9 +81,9 @@ for _ in $(seq 300); do
 done
 settle
 
-# Is there an answer like $2 in the log after line $1?
+# Does the log contain an answer like $2 after line $1?
 answers() { tail -n +$(($1 + 1)) log | grep -q "$2"; }
-# A picture that takes long is announced, and its frame stands in the log when it is done.
+# A long picture is announced, and its frame appears in the log when it is finished.
 draws() { [ "$(tail -n 1 log)" = "drawing…" ]; }
 
 answered=0

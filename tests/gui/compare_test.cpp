@@ -1,4 +1,4 @@
-// compare_test.cpp -- picture and reference in the window: what a user does, and what must follow.
+// compare_test.cpp -- picture and reference in the window: actions of a user, and the expected results.
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -15,11 +15,11 @@ namespace {
 using ui::CompareMode;
 using Screen = std::vector<unsigned char>;
 
-constexpr int BELOW_LABELS = 100;  // pixels from the upper edge of the picture
+constexpr int BELOW_LABELS = 100;  // pixels from the top of the picture
 
 class CompareTest : public GuiTest {
 protected:
-    /// The picture of the window's view by another technique, drawn by itself.
+    /// The picture of the window's view with another technique, drawn separately.
     Image drawn_by(const char* technique) {
         const Scene scene = load_scene(state().scene, 1);
         Renderer renderer;
@@ -32,7 +32,7 @@ protected:
         return difference_map(drawn_by(reference), window_->renderer().read_picture(), metric);
     }
 
-    /// How many pixels of the picture differ within these fractions of its width, below the labels.
+    /// The number of pixels that differ between these fractions of the picture's width, below the labels.
     long differing(const Screen& a, const Screen& b, float from, float to) {
         const ui::Rect rect = explorer().widget_rects().at("scene");
         const float width = rect.high.x - rect.low.x;
@@ -52,7 +52,7 @@ protected:
         return color(screen, static_cast<int>(rect.low.x) + pixel.x, static_cast<int>(rect.low.y) + pixel.y);
     }
 
-    /// A region at the row of labels, and whether it differs.
+    /// A region in the row of labels, and whether it differs.
     bool labels_differ(const Screen& a, const Screen& b, float from, float to) {
         const ui::Rect rect = explorer().widget_rects().at("scene");
         const float width = rect.high.x - rect.low.x;
@@ -70,7 +70,7 @@ protected:
     }
 };
 
-/// The first pixel of the greatest value, of those that are `distance` away from all others.
+/// The first pixel with the greatest value among those that are at least `distance` away from all others.
 glm::ivec2 worst_of(const std::vector<float>& map, int width, const std::vector<glm::ivec2>& others = {}) {
     glm::ivec2 worst(-1);
     float most = -1;
@@ -254,11 +254,11 @@ TEST_F(CompareTest, TheNextWorstPixelIsTrulyTheWorst) {
         EXPECT_FALSE(measurement().capture.ray.fragments.empty()) << "the plot shows its ray";
         seen.push_back(measurement().pixel);
     }
-    play("key 2");  // another picture: from the start
+    play("key 2");  // another picture: the sequence starts again
     const std::vector<float> other = map_of("sorted", Metric::rmse);
     play("key J");
     EXPECT_EQ(measurement().pixel, worst_of(other, width));
-    // Of another metric, by the button.
+    // With another metric, by the button.
     play("key Ctrl+7\nclick @comparison.metric.flip\nclick @comparison.next_worst");
     EXPECT_EQ(measurement().pixel, worst_of(map_of("sorted", Metric::flip), width));
     // Within a region.
@@ -267,8 +267,8 @@ TEST_F(CompareTest, TheNextWorstPixelIsTrulyTheWorst) {
     EXPECT_TRUE(region.contains(measurement().pixel));
 }
 
-// A user goes to the worst pixel and reads why it is wrong; turning the wrong bias down takes the blame from
-// it.
+// A user goes to the worst pixel and reads why it is wrong. Turning down the harmful bias takes the blame
+// away from it.
 TEST_F(CompareTest, TheVerdictOnTheWorstPixelNamesItsCause) {
     ui::ExplorerState state_at_first;
     state_at_first.scene = "planes";
@@ -280,7 +280,8 @@ TEST_F(CompareTest, TheVerdictOnTheWorstPixelNamesItsCause) {
     ASSERT_GT(explorer().widget_rects().count("fragments.verdict"), 0U) << "is shown";
     const ErrorBreakdown biased = measurement().breakdown;
     EXPECT_GT(biased.error, 0.005);
-    EXPECT_NE(biased.sentence.find("most of all by the moment bias"), std::string::npos) << biased.sentence;
+    EXPECT_NE(biased.sentence.find("mostly because of the moment bias"), std::string::npos)
+        << biased.sentence;
     play("click @tab.1\nclick @parameter.alpha.auto\nclick @tab.2");
     EXPECT_LT(measurement().breakdown.error, 0.5 * biased.error) << measurement().breakdown.sentence;
 }
@@ -311,7 +312,7 @@ TEST_F(CompareTest, MetricsAreComputedBesideTheWindow) {
     const long before = log_.frames();
     play("wait 60");
     EXPECT_EQ(log_.frames(), before) << "then it is idle";
-    // Nobody looks any more: what is not done is given up.
+    // Nobody looks at the comparison any more, so unfinished work is given up.
     play("key 1");
     explorer().state().panel = ui::Panel::controls;
     settle();
@@ -347,8 +348,8 @@ TEST_F(CompareTest, TheLensZoomsUntilAllDigitsAreThere) {
     EXPECT_EQ(state().lens_zoom, ui::LensZoom::far) << "and from the start again";
     play("key Shift+L\nkey Shift+L\nmove -10 -10");
     EXPECT_EQ(screen(), values);
-    // What the lens magnifies is what is seen there: at its smallest zoom the colour of the picked pixel's
-    // cell.
+    // The lens magnifies the visible pixels: at its smallest zoom, the middle cell has the colour of the
+    // picked pixel.
     play("key Shift+L\nkey Shift+L\nkey J\nkey Escape\nkey M\nmove -10 -10");
     ASSERT_EQ(state().lens_zoom, ui::LensZoom::far);
     const Screen lens_of_difference = screen();

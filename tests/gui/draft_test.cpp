@@ -1,5 +1,5 @@
-// draft_test.cpp -- while the mouse drags, the picture is drawn at a reduced resolution; at rest it is what
-// it always was.
+// draft_test.cpp -- while the mouse drags, the picture is drawn at a reduced resolution; at rest it is the
+// full picture again.
 #include "core/scene/camera.hpp"
 #include "tests/gui/gui_fixture.hpp"
 
@@ -20,7 +20,7 @@ protected:
         return {rect.low.x + x * (rect.high.x - rect.low.x), rect.low.y + y * (rect.high.y - rect.low.y)};
     }
 
-    /// Drags in steps, with the button still down at the end. Returns how many frames were drafts.
+    /// Drags in steps and keeps the button down at the end. Returns the number of frames with drafts.
     int drag(ImVec2 from, ImVec2 to, int button) {
         point(from, button, false);
         draw();
@@ -43,7 +43,7 @@ TEST_F(DraftTest, OfASliderBecomesTheFullPictureAtRest) {
     const std::vector<unsigned char> before = screen();
     EXPECT_GE(drag(on("parameter.beta", 0.3f, 0.5f), on("parameter.beta", 0.9f, 0.5f), 0), 5);
     EXPECT_TRUE(explorer().shows_draft());
-    draw();  // controls are drawn after the picture, and move the next one
+    draw();  // controls are drawn after the picture and affect the next one
     EXPECT_TRUE(explorer().shows_draft());
     EXPECT_FLOAT_EQ(measurement().curve.parameters.beta, *state().parameters[ParameterId::beta])
         << "the plot is of now";

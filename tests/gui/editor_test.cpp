@@ -1,4 +1,4 @@
-// editor_test.cpp -- the ray editor, the steps, and stress and tune beside the window.
+// editor_test.cpp -- the ray editor, the steps, and stress and tune in the background.
 #include <cmath>
 #include <cstdlib>
 
@@ -30,11 +30,11 @@ TEST_F(EditorTest, DraggingAFragmentAcrossAnotherChangesCurveTableAndColourAndIs
     const auto first_in_front = measurement().history.front().fragment;
     const glm::vec3 color = colors().technique;
     const auto screen_before = screen();
-    // Fragment 1 at z = -.4 goes behind fragment 2 at .4.
+    // Fragment 1 at z = -0.4 moves behind fragment 2 at 0.4.
     play("drag @editor.fragment.1 to @editor.area 0.9 0.3");
     EXPECT_NEAR(fragments()[0].depth, 0.8f, 0.02f);
     EXPECT_NEAR(fragments()[0].opacity, 0.7f, 0.02f);
-    EXPECT_EQ(fragments()[0].view_depth, fragments()[0].depth) << "no warp";
+    EXPECT_EQ(fragments()[0].view_depth, fragments()[0].depth) << "no depth warp";
     EXPECT_NE(measurement().curve.reconstructed, curve);
     EXPECT_NE(measurement().history.front().fragment, first_in_front) << "the table's order follows";
     EXPECT_GT(glm::length(colors().technique - color), 0.05f) << "the pixel has another colour";
@@ -75,7 +75,7 @@ TEST_F(EditorTest, DetachesThePickedPixelAndGoesBack) {
     play("click @editor.leave");
     EXPECT_FALSE(state().ray);
     EXPECT_EQ(measurement().capture.ray, picked);
-    // The first drag takes the ray off the scene, too.
+    // The first drag also detaches the ray from the scene.
     play("drag @editor.fragment.1 to @editor.area 0.5 0.5");
     ASSERT_TRUE(state().ray);
     EXPECT_EQ(state().ray->fragments.size(), picked.fragments.size());

@@ -1,4 +1,4 @@
-// Escape closes what was opened last, and only that.
+// escape_test.cpp -- Escape closes only what was opened last.
 #include "tests/gui/folder_fixture.hpp"
 
 namespace momentscope::test {
@@ -41,7 +41,7 @@ TEST_F(EscapeTest, AListThatIsClosedStaysUsable) {
     EXPECT_EQ(state().technique->id, std::string("trig3-32"));
 }
 
-// What was refused must not stand before what is typed next.
+// Refused text must not remain in front of the next typed text.
 TEST_F(EscapeTest, GoToStartsAfreshAfterARefusal) {
     open();
     play("key Ctrl+G\ntype 99999, 3\nkey Enter\nexpect-message is not a pixel of the picture");

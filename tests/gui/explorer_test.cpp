@@ -1,4 +1,4 @@
-// explorer_test.cpp -- what a user does in the window, and what must follow.
+// explorer_test.cpp -- actions of a user in the window, and the expected results.
 #include <cmath>
 
 #include <nlohmann/json.hpp>
@@ -32,16 +32,16 @@ TEST_P(ParameterTest, EveryOneMovesItsControlAndChangesWhatIsShown) {
                              row.choices[1]));
         else if (row.scale == Scale::toggle)
             play(fmt::format("click @parameter.{}\nmove 5 790", row.key));
-        else  // to the least for whole numbers, whose differences are greatest there
+        else  // to the minimum for whole numbers, where differences are greatest
             play(fmt::format("drag @parameter.{0} 0.3 0.5 to @parameter.{0} {1} 0.5\nmove 5 790", row.key,
                              row.scale == Scale::whole ? 0.02 : 1));
         const auto after = screen();
         EXPECT_NE(state().parameters[id], ParameterValues()[id]);
         EXPECT_TRUE(explorer().message().empty()) << explorer().message();
         EXPECT_GT(changed(fmt::format("parameter.{}", row.key), before, after), 0);
-        // These change what is computed and leave what is seen: less bias than can be seen on such a scene,
-        // and three ways to the same bits. RobustBias, Textbook, FactorisationTest and Storage tell them
-        // apart.
+        // These change the computation but not the visible picture: less bias than is visible in such a
+        // scene, and three ways to the same bits. RobustBias, Textbook, FactorisationTest and Storage
+        // distinguish them.
         const bool seen = id != ParameterId::preset && id != ParameterId::solver &&
                           id != ParameterId::factorisation && id != ParameterId::accumulation;
         EXPECT_EQ(changed("scene", before, after) > 50, seen);
@@ -96,7 +96,7 @@ TEST_F(ExplorerTest, OrbitPanAndZoomMoveTheCamera) {
     EXPECT_EQ(explorer().camera(), own);
 }
 
-// Panning keeps what is under the mouse there, at the target's distance.
+// Panning keeps the point under the mouse there, at the distance of the target.
 TEST_F(ExplorerTest, PanningFollowsTheMouse) {
     open();
     const auto on_screen = [&](const glm::vec3& point) {
@@ -172,13 +172,13 @@ TEST_F(ExplorerTest, AnEmptyPixelSaysSo) {
     play("click " + on_scene({2, 2}));
     EXPECT_TRUE(explorer().widget_rects().contains("plot.empty") &&
                 explorer().widget_rects().contains("fragments.empty"));
-    EXPECT_NE(ui::empty_ray_text(measurement()).find("Click one in the scene"), std::string::npos)
+    EXPECT_NE(ui::empty_ray_text(measurement()).find("Click on one in the scene"), std::string::npos)
         << "what to do";
     EXPECT_TRUE(measurement().capture.ray.fragments.empty());
     EXPECT_EQ(measurement().curve.total_absorbance, 0);
 }
 
-// Some techniques of every family; EveryTechniqueTest draws them all.
+// Some techniques of every family; EveryTechniqueTest draws all of them.
 TEST_F(ExplorerTest, TechniquesAndScenesCanBeChosen) {
     open();
     for (std::size_t i = 0; i < techniques().size(); i += static_cast<std::size_t>(effort(4, 1))) {
@@ -222,7 +222,7 @@ TEST_F(ExplorerTest, TheReferenceIsShownWhileHeld) {
     EXPECT_TRUE(explorer().shows_reference());
     play("release left");
     EXPECT_FALSE(explorer().shows_reference());
-    // It is what the technique sorted draws.
+    // The picture equals that of the technique sorted.
     open("spheres", "sorted");
     const ui::Rect rect = explorer().widget_rects().at("scene");
     const auto sorted = screen();
@@ -244,7 +244,7 @@ TEST_F(ExplorerTest, TheLensShowsThePickedPixelsValue) {
     play("click @scene.lens\nmove 5 790");
     EXPECT_TRUE(state().lens);
     EXPECT_GT(changed("scene", before, screen()), 5000);
-    play("click " + on_scene({0, 0}));  // cut at the picture's corner
+    play("click " + on_scene({0, 0}));  // the lens is cut off at the picture's corner
     EXPECT_TRUE(explorer().message().empty());
 }
 
@@ -289,7 +289,7 @@ TEST_F(ExplorerTest, ARowAndAStepMarkTheSameFragment) {
     EXPECT_EQ(measurement().canonical.query, depth) << "the query depth goes there";
     play("click @fragment.3");
     EXPECT_FALSE(state().marked);
-    // In the plot: click on the step of the second fragment.
+    // In the plot, click on the step of the second fragment.
     const float second = measurement().capture.ray.fragments[measurement().history[1].fragment].depth;
     play(fmt::format("click @plot {} 0.5", 0.5f * (second + 1)));
     ASSERT_TRUE(state().marked);

@@ -1,4 +1,4 @@
-// files_test.cpp -- what the window opens, saves and exports.
+// files_test.cpp -- files that the window opens, saves and exports.
 #include <sys/resource.h>
 
 #include <csignal>
@@ -24,7 +24,7 @@ TEST_F(FilesTest, SavingAsksBeforeItReplaces) {
     EXPECT_NE(read("momentscope.json"), "precious");
 }
 
-// No file may become longer, as on a disk that is full. The window stays open and says it.
+// No file may grow, like on a full disk. The window stays open and shows a message.
 TEST_F(FilesTest, AFullDiskKeepsTheOldSessionAndExports) {
     open("planes", "power4-32");
     write("momentscope.json", "precious");
@@ -97,7 +97,7 @@ TEST_F(FilesTest, ARayOfManyFragmentsIsDrawnWhole) {
     open();
     play("key Ctrl+J\nclick @file.entry.many.json\nclick @file.accept\nmove -10 -10");
     ASSERT_TRUE(state().ray) << explorer().message();
-    // Right of the middle the truth's ramp is above half its height: its light colour must be found there.
+    // Right of the middle, the truth is above half of its height, so its light colour must be found there.
     const ui::Rect plot = explorer().widget_rects().at("plot");
     const auto pixels = screen();
     const int x = static_cast<int>(plot.low.x + 0.75f * (plot.high.x - plot.low.x));
@@ -108,7 +108,7 @@ TEST_F(FilesTest, ARayOfManyFragmentsIsDrawnWhole) {
 }
 
 TEST_F(FilesTest, AHugeMeshCanBeCancelled) {
-    // 400,000 triangles as text: long enough to read that the first frames find it loading.
+    // 400,000 triangles as text take long enough that the first frames are still loading.
     std::string mesh;
     for (int i = 0; i < 200'000; ++i) mesh += fmt::format("v {} {} {}\n", i % 997, i % 991, i % 983);
     for (int i = 1; i < 199'998; ++i)
@@ -137,7 +137,7 @@ TEST_F(FilesTest, AMeshThatLeavesNothingToSeeSaysSo) {
     ui::choose_scene(explorer().state(), (folder_ / "line.obj").string());
     settle();
     EXPECT_NE(state().scene, "planes");
-    EXPECT_NE(explorer().message().find("next to nothing to see"), std::string::npos) << explorer().message();
+    EXPECT_NE(explorer().message().find("shows almost nothing"), std::string::npos) << explorer().message();
 }
 
 TEST_F(FilesTest, WhileAMeshIsReadNothingElseChanges) {

@@ -1,4 +1,5 @@
-// folder_fixture.hpp -- the window in a folder of its own, where its dialogs begin and its files go.
+// folder_fixture.hpp -- opens the window in a temporary folder, where its dialogs start and its files are
+// written.
 #pragma once
 #include <unistd.h>
 
@@ -17,7 +18,7 @@ protected:
         folder_ = fs::temp_directory_path() / fmt::format("momentscope-session-{}", ::getpid());
         fs::create_directories(folder_);
         before_ = fs::current_path();
-        fs::current_path(folder_);  // where dialogs begin
+        fs::current_path(folder_);  // dialogs start here
     }
     ~FolderTest() override {
         fs::current_path(before_);

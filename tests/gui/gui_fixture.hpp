@@ -1,4 +1,4 @@
-// gui_fixture.hpp -- the real window's content, headless: tests play events, and look at state and pixels.
+// gui_fixture.hpp -- the content of the real window, headless. Tests play events and check state and pixels.
 #pragma once
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,8 @@
 
 namespace momentscope::test {
 
-/// The GL of all windows of the process: making it and linking its programs takes longer than most tests.
+/// The GL context of all windows of the process. Creating it and linking its programs takes longer than most
+/// tests.
 struct SharedGl {
     static constexpr glm::ivec2 SIZE{1280, 800};
     std::shared_ptr<GlContext> context = make_gl_context("osmesa", SIZE);
@@ -35,7 +36,7 @@ protected:
         return open(state);
     }
     ui::Explorer& open(const ui::ExplorerState& state) {
-        window_.reset();  // its ImGui context goes before the next one comes
+        window_.reset();  // its ImGui context must end before the next one is created
         window_ = std::make_unique<HeadlessWindow>(shared_gl().context, shared_gl().programs, size_, state,
                                                    ui::ExplorerOptions{1, false, most_milliseconds_}, log_);
         window_->settle();
@@ -60,7 +61,7 @@ protected:
                            rect.low.y + static_cast<float>(pixel.y) + 0.5f);
     }
 
-    /// How many pixels of a control's rectangle differ between two screens.
+    /// The number of pixels in a control's rectangle that differ between two screens.
     long changed(const std::string& anchor, const std::vector<unsigned char>& before,
                  const std::vector<unsigned char>& after) {
         const ui::Rect rect = explorer().widget_rects().at(anchor);
@@ -76,7 +77,7 @@ protected:
     }
 
     double most_milliseconds_ =
-        std::numeric_limits<double>::infinity();  // of a picture while the mouse drags
+        std::numeric_limits<double>::infinity();  // limit for a picture while the mouse drags
     glm::ivec2 size_;
     FrameLog log_{""};
     std::unique_ptr<HeadlessWindow> window_;

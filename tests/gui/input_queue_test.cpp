@@ -1,4 +1,5 @@
-// What mouse and keyboard do within one frame reaches ImGui in frames that can tell it apart.
+// input_queue_test.cpp -- mouse and keyboard events within one frame reach ImGui in several frames that it
+// can distinguish.
 #include "app/input_queue.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +11,7 @@ namespace {
 
 using Queue = InputQueue;
 
-// What ImGui sees in each frame until nothing waits.
+// What ImGui sees in each frame until no event waits.
 std::vector<ImGuiIO> frames_of(const std::vector<Queue::Event>& events) {
     Queue queue;
     for (const Queue::Event& event : events) queue.push(event);
@@ -58,9 +59,9 @@ TEST(InputQueueTest, NotchesOfTheWheelAddUpWhereTheyWereTurned) {
     EXPECT_EQ(frames[1].MouseWheel, -1);
 }
 
-// Ctrl+G and then 7, typed while a picture was drawn.
+// Ctrl+G and then 7, both typed while a picture was drawn.
 TEST(InputQueueTest, AKeyHasTheModifiersThatWereDownWithIt) {
-    constexpr int CTRL = 341;  // GLFW's
+    constexpr int CTRL = 341;  // GLFW's number
     const auto frames = frames_of({Queue::Key{CTRL, true}, Queue::Key{'G', true}, Queue::Key{'G', false},
                                    Queue::Key{CTRL, false}, Queue::Key{'7', true}, Queue::Character{'7'},
                                    Queue::Key{'7', false}});

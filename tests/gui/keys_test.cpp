@@ -1,4 +1,4 @@
-// keys_test.cpp -- every key of the key list does what the list says: one test per key.
+// keys_test.cpp -- every key of the key list does what the list says, with one test per key.
 #include <fstream>
 #include <map>
 #include <set>
@@ -18,7 +18,7 @@ struct Pressed {
 };
 using Check = std::function<void(const Pressed&)>;
 
-/// What must be different afterwards, by command.
+/// What must have changed afterwards, by command.
 const std::map<std::string, Check>& checks() {
     const auto moved = [](glm::ivec2 by) {
         return [by](const Pressed& p) { EXPECT_EQ(p.now.measurement().pixel, p.pixel_before + by); };
@@ -163,7 +163,7 @@ std::vector<KeyCase> key_cases() {
 
 class KeyTest : public GuiTest, public testing::WithParamInterface<KeyCase> {
 protected:
-    /// A state in which every key has something to do.
+    /// A state in which every key has an effect.
     void open_with_something_of_everything() {
         ui::ExplorerState first;
         first.scene = "planes";
@@ -233,7 +233,7 @@ TEST(Commands, HaveUniqueIdsAndKeys) {
     }
 }
 
-// docs/guide lists the keys for those who read; this is the row that it must have.
+// docs/guide lists the keys; this is the row that it must contain.
 TEST(Commands, StandInTheGuideWithTheirKeys) {
     std::ifstream file("docs/guide/README.md");
     const std::string guide((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());

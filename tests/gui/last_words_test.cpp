@@ -1,4 +1,4 @@
-// What the user had is saved when the display goes away, where programs keep such things.
+// last_words_test.cpp -- when the display goes away, the session is saved in the usual folder for such files.
 #include "app/last_words.hpp"
 
 #include <cstdlib>
@@ -9,7 +9,7 @@
 namespace momentscope::test {
 namespace {
 
-// Sets a variable of the environment, or with nullptr removes it, while it lives.
+// Sets an environment variable during its lifetime; nullptr removes the variable.
 class Variable {
 public:
     Variable(const char* name, const char* value) : name_(name) {

@@ -1,4 +1,4 @@
-// light_test.cpp -- the plot seen from the light.
+// light_test.cpp -- the plot of the light's ray.
 #include "tests/gui/gui_fixture.hpp"
 
 namespace momentscope::test {

@@ -1,4 +1,4 @@
-// plot_test.cpp -- the plot under the mouse, and what it says.
+// plot_test.cpp -- mouse actions in the plot, and the plot's notes.
 #include "tests/gui/gui_fixture.hpp"
 #include "ui/parameter_controls.hpp"
 #include "ui/plot_panel.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 class PlotTest : public GuiTest {
 protected:
-    /// The axes as they are drawn now.
+    /// The axes as currently drawn.
     ui::PlotAxes axes() {
         ui::PlotAxes a =
             ui::make_axes(measurement().capture.ray, measurement().curve, state().plot, {}, false);
@@ -30,8 +30,7 @@ TEST_F(PlotTest, TheWheelZoomsAtTheMouse) {
     EXPECT_LT(state().plot.depth->high - state().plot.depth->low, 1.5f);
     EXPECT_NEAR(axes().depth_at(mouse.x), depth, 1e-4f) << "what is under the mouse stays there";
     EXPECT_NEAR(axes().value_at(mouse.y), value, 1e-3f);
-    play("wheel -100\nwheel 100\nwheel 100\nwheel 100\nwheel 100");  // neither overflows nor divides by
-                                                                     // nothing
+    play("wheel -100\nwheel 100\nwheel 100\nwheel 100\nwheel 100");  // no overflow and no division by zero
     EXPECT_GT(axes().depth.high, axes().depth.low);
     play("doubleclick @plot 0.5 0.5");
     EXPECT_FALSE(state().plot.depth || state().plot.value);
@@ -112,8 +111,8 @@ TEST_F(PlotTest, ARayWithoutWarpHasNoViewDepth) {
     EXPECT_EQ(state().plot.axis, ui::DepthAxis::warped) << "disabled";
 }
 
-// The truth leaves what bounds the *biased* moments, and the note says why; for trigonometric moments it says
-// that these are not bounds at all.
+// The truth leaves the bounds of the *biased* moments, and the note says why. For trigonometric moments the
+// note says that these are not bounds at all.
 TEST_F(PlotTest, TheNoteTellsWhyTheTruthLeavesTheBand) {
     ui::ExplorerState biased;
     biased.ray = ViewRay{.fragments = {{-0.9f, -0.9f, 0.3f}, {-0.85f, -0.85f, 0.3f}, {-0.8f, -0.8f, 0.3f}},
@@ -122,7 +121,7 @@ TEST_F(PlotTest, TheNoteTellsWhyTheTruthLeavesTheBand) {
     biased.parameters.set(ParameterId::alpha, 0.1f);
     open(biased);
     ASSERT_FALSE(measurement().exit.where.empty());
-    EXPECT_NE(ui::band_note(measurement()).find("bias moved them"), std::string::npos);
+    EXPECT_NE(ui::band_note(measurement()).find("for the biased moments"), std::string::npos);
     play("key 4");
     ASSERT_FALSE(measurement().exit.where.empty()) << "two trigonometric moments promise nothing";
     EXPECT_NE(ui::band_note(measurement()).find("no bounds"), std::string::npos);
@@ -132,15 +131,15 @@ TEST_F(PlotTest, TheNoteTellsWhyTheTruthLeavesTheBand) {
     EXPECT_STREQ(ui::series_name(bounds, require_technique("trig2-32")), "β = 0, β = 1 (no bounds)");
 }
 
-// What belongs to the query depth alone leaves the curves as they are, and what is only drawn computes
-// nothing.
+// A change of the query depth keeps the curves, and a change that only affects drawing computes nothing.
 TEST_F(PlotTest, AChangeRecomputesNoMoreThanItNeeds) {
     open("teapots", "power8-32");
     const auto computed = [&](const std::string& event) {
         const auto memory = measurement().curve.depth.data();
         const std::vector<float> values = measurement().curve.reconstructed;
         play(event);
-        // A curve that is computed again has new memory, unless it is that of the one before the last.
+        // A curve that is computed again has new memory, unless it gets the memory of the curve before the
+        // last one.
         return measurement().curve.depth.data() != memory || measurement().curve.reconstructed != values;
     };
     EXPECT_FALSE(computed("drag @plot 0.2 0.2 to @plot 0.8 0.2")) << "the query depth";
@@ -163,7 +162,7 @@ TEST_F(PlotTest, TheGhostIsComputedOnlyWhileItIsShown) {
 TEST_F(PlotTest, SharpBoundsAreComputedBesideTheWindowAndHoldTheTruth) {
     open("planes", "trig2-32");
     EXPECT_TRUE(measurement().sharp.depth.empty());
-    play("key S");  // events wait until what they started has ended
+    play("key S");  // the next event waits until background work has ended
     const SharpBounds first = measurement().sharp;
     ASSERT_FALSE(first.depth.empty());
     const std::vector<double> truth = true_absorbance(measurement().capture.ray, first.depth);

@@ -1,4 +1,4 @@
-// session_test.cpp -- sessions lose nothing, and broken ones are explained.
+// session_test.cpp -- sessions lose nothing, and broken sessions are explained.
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -12,7 +12,8 @@ namespace {
 
 class SessionTest : public FolderTest {};
 
-/// Changes as much as events can; what every picture waits for, such as shadows and a reference, comes last.
+/// Changes as much as events can. Changes that make every picture slow, such as shadows and a reference, come
+/// last.
 constexpr const char* EVENTFUL = R"(drag @split.scene to 600 400
 click @controls.technique
 click @controls.technique.trig3-32
@@ -139,7 +140,8 @@ TEST_F(SessionTest, MissingKeysAreStandardAndUnknownOnesAreNamed) {
     EXPECT_THROW(ui::read_session_file("/nowhere/x.json"), Error);
 }
 
-// Beside the mesh by the mesh's own name, elsewhere by a path from the root; both lead to the mesh.
+// A session beside the mesh stores the mesh's file name; elsewhere it stores an absolute path. Both find the
+// mesh.
 TEST_F(SessionTest, AMeshIsNamedSoThatTheSessionOpensFromEveryFolder) {
     fs::create_directories(folder_ / "meshes");
     std::ofstream(folder_ / "meshes" / "m.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";

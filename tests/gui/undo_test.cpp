@@ -1,4 +1,4 @@
-// undo_test.cpp -- every change can be taken back, and what failed is no change.
+// undo_test.cpp -- every change can be undone, and a failed change is none.
 #include <random>
 
 #include "tests/effort.hpp"
@@ -14,14 +14,14 @@ protected:
     std::string share() { return fmt::format("{:.2f}", 0.05 + 0.9 * static_cast<double>(below(100)) / 100); }
     std::string anywhere() { return fmt::format("{} {}", below(1280), below(800)); }
 
-    /// On some control that is there now.
+    /// An action on a random control of the current window.
     std::string on_a_control() {
         const auto& widget_rects = explorer().widget_rects();
         auto anchor = widget_rects.begin();
         std::advance(anchor, static_cast<long>(below(widget_rects.size())));
         return fmt::format("@{} {} {}", anchor->first, share(), share());
     }
-    /// Of some command, but not undo itself; "" for one without a key.
+    /// The key of a random command except undo; "" if the command has no key.
     std::string key_event() {
         const auto all = ui::commands();
         const auto& keys = all[below(all.size())].keys;
@@ -64,7 +64,7 @@ TEST_F(UndoTest, AFailedLoadIsNoStep) {
     EXPECT_TRUE(state().lens);
 }
 
-// A mesh that vanished: undo cannot show its state, and must not trap the user there.
+// A mesh file has vanished: undo cannot show its state, and must not trap the user there.
 TEST_F(UndoTest, ToAVanishedMeshStaysUsable) {
     write("triangle.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     open();
@@ -90,7 +90,7 @@ TEST_F(UndoTest, TakesBackOneStepEvenWhileAFieldIsOpen) {
     EXPECT_TRUE(state().lens) << "Ctrl+Z belongs to the text that is typed";
 }
 
-// Undo brings the first state back whatever was done, and nothing that is done crashes.
+// Undo brings back the first state after any sequence of actions, and no action crashes.
 TEST_F(UndoTest, AfterRandomEventsRestoresTheFirstState) {
     const int sequences = effort(2, 10);
     for (int sequence = 0; sequence < sequences; ++sequence) {

@@ -1,4 +1,4 @@
-// The window says that it draws before it does, where that takes long.
+// waiting_test.cpp -- the window announces a long picture before it draws it.
 #include "tests/gui/gui_fixture.hpp"
 #include "ui/picture_times.hpp"
 
@@ -25,7 +25,7 @@ class WaitingTest : public GuiTest {
 protected:
     WaitingTest() : GuiTest({640, 400}) {}
 
-    // How much of the window its word covers, from the left.
+    // How much of the window the notice covers, from the left.
     float covered() {
         ImDrawList list(ImGui::GetDrawListSharedData());
         list._ResetForNewFrame();
@@ -37,7 +37,7 @@ protected:
         return (right.pos.x - left.pos.x) / ImGui::GetIO().DisplaySize.x;
     }
 
-    // Counts, and looks at what was drawn at that moment.
+    // Counts the calls, and looks at the notice at that moment.
     int announced = 0;
     float last_covered = 0;
     double most_silent_ = 100;

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The real window on a virtual display, with xdotool: pick, drag, type, save, reopen; and no frames while nothing happens.
-# What happened is read from the log of frames and from the session that the window saves.
+# Tests the real window on a virtual display with xdotool: pick, drag, type, save, reopen; and no frames while nothing happens.
+# The log of frames and the session that the window saves tell what happened.
 # Usage: window_smoke.sh MOMENTSCOPE
 set -euo pipefail
 momentscope=$(realpath "$1")
@@ -10,7 +10,7 @@ cleanup() {
     rm -r "$folder"
 }
 trap cleanup EXIT
-cd "$folder"   # where the window's file dialog begins
+cd "$folder"   # the window's file dialog starts here
 mkfifo display
 Xvfb -displayfd 3 -screen 0 1280x800x24 3>display 2>/dev/null &
 server=$!
@@ -38,7 +38,7 @@ open_window() {
     done
     fail "The window drew no picture within a minute."
 }
-# Until no frame was drawn for half a second.
+# Waits until no frame was drawn for half a second.
 settle() {
     local before=-1
     for _ in $(seq 120); do
@@ -48,7 +48,7 @@ settle() {
     done
     fail "The window never came to rest."
 }
-# What the frames since line $1 computed.
+# Prints what the frames since line $1 computed.
 since() { tail -n +"$(($1 + 1))" log; }
 
 open_window --scene planes --technique trig2-32
@@ -91,11 +91,11 @@ open_window --session momentscope.json
 xdotool mousemove 640 795
 settle
 import -window root second.png
-# The status line at the bottom holds milliseconds, which differ.
+# Leave out the status line at the bottom, because its milliseconds differ.
 differing=$(compare -metric AE -extract 1280x770+0+0 first.png second.png null: 2>&1 || true)
 [ "$differing" = 0 ] || fail "The reopened session differs in $differing pixels."
 
-# A window that is resized and closed in the middle of a drag.
+# Resize and close a window in the middle of a drag.
 xdotool mousemove 300 500 mousedown 3 sleep 0.1 mousemove 350 520
 xdotool search --name Momentscope windowsize 700 420
 sleep 0.5

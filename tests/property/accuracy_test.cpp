@@ -1,5 +1,5 @@
-// accuracy_test.cpp -- errors of T at the fragments' own depths, against exact arithmetic, by quantiles: an
-// odd ray in a million is off whatever one does, because moments in floats do not determine it
+// accuracy_test.cpp -- errors of T at the fragments' own depths against exact arithmetic, by quantiles. One
+// odd ray in a million is always inaccurate, because moments in floats do not determine it
 // (docs/tolerances.md).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -20,8 +20,8 @@ namespace momentscope::test {
 namespace {
 
 struct Sample {
-    float error;        // of T
-    std::uint32_t ray;  // seed of its ray
+    float error;        // error of T
+    std::uint32_t ray;  // seed of the ray
 };
 
 struct Errors {
@@ -44,11 +44,11 @@ Real transmittance(const ExactFraction& exact, Real b0, float beta) {
     return std::exp(-b0 * (exact.in_front + static_cast<Real>(beta) * exact.query_weight));
 }
 
-constexpr std::array BETAS = {0.0f, 0.25f};  // the lower bound, and the paper's choice
+constexpr std::array BETAS = {0.0f, 0.25f};  // the lower bound and the paper's choice
 
 struct Measurement {
     std::array<Errors, BETAS.size()> by_beta;
-    long without_exact_result = 0;  // the stored moments' matrix is not positive definite
+    long without_exact_result = 0;  // the matrix of the stored moments is not positive definite
     long floored_pivots = 0;
     long rays = 0;
 };
@@ -121,18 +121,20 @@ double mean(const auto& samples, auto value) {
     return sum / static_cast<double>(samples.size());
 }
 
-/// What errors of T may reach.
+/// Limits for errors of T.
 struct Tolerance {
     double mean, percentile_99, percentile_9999, mean_from_float_moments;
 };
 constexpr Tolerance AT_TABLE_1 = {8e-6, 1e-4, 5e-2, 2e-6};
 
-/// Half of a 16-bit number's last digit is 7.6e-6 instead of 6e-8; about half as much again as was measured.
+/// Half of the last digit of a 16-bit number is 7.6e-6 instead of 6e-8. The limits are about 1.5 times the
+/// measured values.
 constexpr Tolerance OF_16_BITS = {2.3e-4, 3e-3, 1e-1, 2e-6};
 
-/// At the technique's own bias. The less bias, the more the rounding of the moments shows: for six and eight
-/// Chebyshev moments, which have a tenth and a hundredth of Table 1's, about half as much again as was
-/// measured over 10^5 rays. That their arithmetic is no worse is tested at Table 1's bias.
+/// At the technique's own bias. With less bias, the rounding of the moments shows more: six and eight
+/// Chebyshev moments have a tenth and a hundredth of the bias of Table 1, and their limits are about 1.5
+/// times the values measured over 10^5 rays. Another test shows at Table 1's bias that their arithmetic is no
+/// worse.
 Tolerance tolerance_of(const Technique& technique) {
     const std::string_view id = technique.id;
     if (technique.moment_kernel().bits == 16) return OF_16_BITS;
@@ -141,8 +143,8 @@ Tolerance tolerance_of(const Technique& technique) {
     return AT_TABLE_1;
 }
 
-/// Where surfaces all but tie, rounding of the moments decides: a hundred times as much as elsewhere. About
-/// half as much again as was measured of the technique that fares worst, over 10,000 rays.
+/// If surfaces nearly tie, the rounding of the moments decides, so errors are a hundred times as large. The
+/// limits are about 1.5 times the values measured for the worst technique over 10,000 rays.
 Tolerance tolerance_on_clusters(const Technique& technique) {
     if (technique.moment_kernel().bits == 16) return {7e-3, 0.11, 0.95, 1.2e-4};
     return {2e-3, 5e-2, 0.22, 2e-5};
@@ -187,7 +189,7 @@ TEST_P(Accuracy, AtOwnDepthsOfClusteredRays) {
         check(*GetParam(), BETAS[k], clustered_ray, tolerance_on_clusters(*GetParam()), measured.by_beta[k]);
 }
 
-// With the bias that power moments of the same count have, Chebyshev moments must be as accurate as these.
+// With the bias of as many power moments, Chebyshev moments must be as accurate as those.
 class ChebyshevAccuracy : public Accuracy {};
 
 TEST_P(ChebyshevAccuracy, IsThatOfPowerMomentsAtTable1sBias) {
@@ -203,7 +205,7 @@ TEST_P(ChebyshevAccuracy, IsThatOfPowerMomentsAtTable1sBias) {
 INSTANTIATE_TEST_SUITE_P(Techniques, ChebyshevAccuracy,
                          testing::ValuesIn(moment_techniques_where([](const Technique& row) {
                              return row.is_of(BasisFamily::chebyshev) &&
-                                    !row.uses(ParameterId::tolerance);  // fixed counts
+                                    !row.uses(ParameterId::tolerance);  // only fixed counts
                          })),
                          [](const auto& row) { return test_name(*row.param); });
 INSTANTIATE_TEST_SUITE_P(Techniques, Accuracy, testing::ValuesIn(moment_based_techniques()),

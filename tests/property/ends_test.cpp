@@ -15,7 +15,7 @@
 namespace momentscope::test {
 namespace {
 
-// resolve() makes a zone of 0 the least that tells depths -1 and 1 apart.
+// resolve() raises a zone of 0 to the smallest one that distinguishes the depths -1 and 1.
 constexpr float THETAS[] = {0.0f, 0.1f, std::numbers::pi_v<float> / 10, 1.0f};
 
 enum class Also { nothing, other_end, anywhere };  // besides a surface at an end or within 1e-6 of one
@@ -35,7 +35,8 @@ protected:
         return ray;
     }
 
-    /// How many queries fail as stress counts it, at own depths, at the ends and at random depths.
+    /// The number of queries that fail by the criteria of stress, at own depths, at the ends and at random
+    /// depths.
     long failures(const ViewRay& ray, const ParameterValues& values) {
         const Technique& technique = *GetParam();
         const ResolvedParameters parameters = resolve(values, technique);
@@ -55,7 +56,7 @@ protected:
         return failed;
     }
 
-    /// Failures of all rays of a kind, the same ones for every solver.
+    /// The failures of all rays of a kind. Every solver gets the same rays.
     long count(float theta, Also also, bool textbook, int rays) {
         ParameterValues values;
         values.set(ParameterId::theta, theta);
@@ -81,9 +82,9 @@ TEST_P(EndsOfTheDepthRange, HoldNoSurprise) {
         if (!GetParam()->uses(ParameterId::theta) && theta != THETAS[0]) break;
         for (const Also also : {Also::nothing, Also::other_end, Also::anywhere}) {
             const long failed = count(theta, also, false, rays);
-            // Two surfaces with only a narrow zone between them are told apart by the last digits: .4 % of
-            // these rays. In 16 bits both solvers have the same rounded moments, and an error of .02 is a
-            // matter of luck.
+            // If only a narrow zone separates two surfaces, the last digits distinguish them: 0.4 % of these
+            // rays. In 16 bits both solvers have the same rounded moments, and an error of 0.02 is a matter
+            // of luck.
             const long allowed =
                 floats ? (also == Also::nothing ? 0 : (theta == 0 ? rays / 100 : 1 + rays / 500))
                        : count(theta, also, true, rays) + 1 + rays / 20'000;
@@ -92,8 +93,9 @@ TEST_P(EndsOfTheDepthRange, HoldNoSurprise) {
     }
 }
 
-// Moments of one surface are powers of a point on the unit circle. Rounding alone takes them off it by half
-// an ulp (3e-8) for each of two coordinates; without normalisation errors of one power pass on to the next.
+// The moments of one surface are powers of a point on the unit circle. Rounding alone moves them off the
+// circle by half an ulp (3e-8) in each of two coordinates. Without normalisation, the error of one power is
+// passed on to the next.
 TEST(Trigonometric, MomentsOfOneSurfaceLieOnTheCircle) {
     const Technique& technique = require_technique("trig4-32");
     std::mt19937 random(5);

@@ -1,5 +1,5 @@
-// error_breakdown_test.cpp -- shares of a breakdown sum to the error, and on rays with one known fault it is
-// the one that is named.
+// error_breakdown_test.cpp -- the shares of a breakdown sum to the error, and on rays with one known fault,
+// this fault is named.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ TEST(ErrorBreakdownTest, SharesSumToTheError) {
             double sum = 0;
             for (const Contribution& one : breakdown.contributions) sum += one.share;
             EXPECT_NEAR(sum, breakdown.error,
-                        2e-5);  // the last colour of the chain is computed apart from the shown one
+                        2e-5);  // the last colour of the chain and the shown colour are computed separately
             blamed += breakdown.contributions.back().cause == "renormalisation" ? 1 : 0;
             EXPECT_FALSE(breakdown.sentence.empty());
         }
@@ -70,7 +70,7 @@ TEST(ErrorBreakdownTest, NamesTheFault) {
     EXPECT_EQ(of(mixed, "mt", values_with({{resolution, 1}})), "the low resolution of the moments");
 }
 
-// Two coincident panes of one ray: no technique with moments knows which lies in front.
+// Two panes at the same depth: no technique with moments knows which one is in front.
 TEST(ErrorBreakdownTest, TiesAreBlamedOnTies) {
     ViewRay ray = sheets({0.2f, 0.2f});
     ray.fragments[0].color = {1, 0, 0};
@@ -85,8 +85,8 @@ TEST(ErrorBreakdownTest, TiesAreBlamedOnTies) {
               "the moment count (4 Chebyshev moments for 5 fragments)");
 }
 
-// A surface at an end of the depth range is known exactly, and a fragment behind it is not blamed on
-// rounding.
+// A surface at an end of the depth range is exact, and a fragment behind it does not count as a rounding
+// error.
 TEST(ErrorBreakdownTest, AnEdgeIsNoFault) {
     const ViewRay ray = sheets({-1.0f, 0.3f});
     for (const char* technique : {"trig2-32", "trig3-32", "trig4-32"})
@@ -97,7 +97,7 @@ TEST(ErrorBreakdownTest, AnEdgeIsNoFault) {
             << technique;
 }
 
-// What is lost is missing from the picture, the curve, the history and in the words.
+// A lost fragment is missing from the picture, the curve and the history, and the sentence says so.
 TEST(ErrorBreakdownTest, PeelingLosesTies) {
     ViewRay ray = sheets({0.2f, 0.2f, -0.4f});
     ray.fragments[1].color = {0, 0, 1};
@@ -117,7 +117,7 @@ TEST(ErrorBreakdownTest, PeelingLosesTies) {
     EXPECT_NE(breakdown.sentence.find("1 of 3 fragments is lost"), std::string::npos) << breakdown.sentence;
 }
 
-// Far away the depth buffer has one number for two view depths.
+// Far away, the depth buffer has the same number for two view depths.
 TEST(ErrorBreakdownTest, PeelingComparesWindowDepths) {
     ViewRay ray;
     ray.warp = {DepthWarp::Kind::logarithmic, 1, 1000};
@@ -133,7 +133,7 @@ TEST(ErrorBreakdownTest, PeelingComparesWindowDepths) {
     EXPECT_EQ(drawn_fragments(ray, peeling).fragments.size(), 2u);
 }
 
-// Half floats from 2048 on are 2 apart, so that nothing is left of 0.7 that is added.
+// Half floats above 2048 are 2 apart, so adding 0.7 has no effect.
 TEST(ErrorBreakdownTest, SaysWhatSixteenBitsLose) {
     ViewRay ray;
     for (int i = 0; i < 50; ++i) ray.fragments.push_back(plain_fragment(0.1f, 0.99995f, 0));
@@ -151,7 +151,7 @@ TEST(ErrorBreakdownTest, SaysWhenThereIsNothingToSay) {
         return pixel_error_breakdown(ray, require_technique(technique), {}, BEHIND).sentence;
     };
     EXPECT_NE(sentence(sheets({0.1f}), "wboit").find("Right to"), std::string::npos);
-    EXPECT_NE(sentence({}, "wboit").find("Nothing transparent"), std::string::npos);
+    EXPECT_NE(sentence({}, "wboit").find("Nothing here is transparent"), std::string::npos);
     EXPECT_NE(sentence(sheets({0.1f}), "sorted").find("is the truth"), std::string::npos);
     ViewRay many;
     for (int i = 0; i < 1001; ++i) many.fragments.push_back(plain_fragment(0, 0.01f, 0));

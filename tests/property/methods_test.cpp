@@ -1,5 +1,5 @@
-// methods_test.cpp -- techniques without moments against their definitions, written down a second time in
-// double precision.
+// methods_test.cpp -- compares techniques without moments with their definitions, which are written a second
+// time in double precision.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -44,7 +44,7 @@ TEST(Fourier, IsTheTruncatedSeriesOfTheFragments) {
             pixel_state_transmittance(ray, technique, technique.pixel_states().settings(values), depths);
         for (std::size_t d = 0; d < depths.size(); ++d) {
             const double exact = fourier_absorbance(ray, many ? 7 : 3, lanczos, unit_depth(depths[d]));
-            // A of up to 36 in floats; T cannot be off by more than its relative error.
+            // A is up to 36 in floats. The error of T is at most the relative error of A.
             EXPECT_NEAR(static_cast<double>(t[d]), std::exp(-std::max(exact, 0.0)), 2e-5);
             if (d > 0) ringing += t[d] > t[d - 1] * 1.0001f ? 1 : 0;
         }
@@ -54,7 +54,7 @@ TEST(Fourier, IsTheTruncatedSeriesOfTheFragments) {
     EXPECT_GT(ringing, RAYS) << "transmittance that rises again is the price of the series";
 }
 
-// Mean of the step function A over [low, high) of scaled depth.
+// The mean of the step function A over [low, high) of scaled depth.
 double mean_absorbance(const ViewRay& ray, double low, double high) {
     double sum = 0;
     for (const Fragment& fragment : ray.fragments) {
@@ -88,7 +88,7 @@ struct Node {
     double depth, t;
 };
 
-// The published algorithm on vectors.
+// The published algorithm, with vectors.
 std::vector<Node> adaptive_nodes(const ViewRay& ray, std::size_t most) {
     std::vector<Node> nodes;
     for (const Fragment& fragment : ray.fragments) {
@@ -129,7 +129,7 @@ TEST(Adaptive, IsThePublishedAlgorithmAndNeverAboveTheTruth) {
             double t_expected = 1;
             for (const Node& node : expected)
                 if (node.depth < unit_depth(depths[d])) t_expected = node.t;
-            // Areas that are equal in floats, as of products of T below 1e-7, may choose another node.
+            // Areas that are equal in floats, such as products of T below 1e-7, may lead to another node.
             other_nodes += std::abs(static_cast<double>(t[d]) - t_expected) > 1e-5 ? 1 : 0;
             ++queries;
             EXPECT_LE(static_cast<double>(t[d]), std::exp(-truth[d]) + 1e-6);
@@ -182,14 +182,14 @@ TEST(Layered, IsThePublishedAlgorithmAndExactWithEnoughLayers) {
         if (ray.fragments.size() <= static_cast<std::size_t>(count)) {
             expect_near(with_bits(2), true_color(ray), 1e-6);
         }
-        // Half a unit of 11 bits, or of 1/255, for each of up to 15 fragments that are merged.
+        // Half a unit of 11 bits, or of 1/255, for each of up to 15 merged fragments.
         expect_near(with_bits(0), expected, 1e-2);
         expect_near(with_bits(1), expected, 4e-2);
     }
 }
 
-// One cap for all techniques: an opaque fragment counts as an absorbance of 10, two as 20. Where a method
-// lets nothing through, that is 10, or the ray's total if it is more.
+// All techniques have the same cap: an opaque fragment counts as an absorbance of 10, two as 20. If a method
+// lets nothing through, this is 10, or the ray's total if that is greater.
 TEST(Methods, AnOpaqueFragmentCountsAsTen) {
     const std::vector<float> depths = {-0.5f, 0.0f, 0.5f};
     ViewRay ray;
@@ -206,15 +206,15 @@ TEST(Methods, AnOpaqueFragmentCountsAsTen) {
         EXPECT_NEAR(both.reconstructed[2], 20, 1e-3f) << id;
         ViewRay one = ray;
         one.fragments.resize(1);
-        one.fragments[0].opacity = 0.9f;  // drawn by both with this seed
+        one.fragments[0].opacity = 0.9f;  // both draw it with this seed
         one.fragments[0].threshold = 0.5f;
         EXPECT_EQ(sample_curve(one, require_technique("hashed"), {}, depths).reconstructed[2],
                   fragment_absorbance(1.0f));
     }
 }
 
-// Depths 1e-6 apart are the same 16-bit number: the one that came last is in front, as among equal depths in
-// `sorted`.
+// Depths 1e-6 apart are the same 16-bit number. The fragment that came last is in front, as for equal depths
+// in `sorted`.
 TEST(Layered, SixteenBitDepthsTie) {
     ViewRay ray;
     ray.fragments = {{.depth = 0.1f, .view_depth = 0, .opacity = 0.5f, .color = {0, 1, 0}},
@@ -276,7 +276,7 @@ TEST(Unsorted, IsExactFromBackToFrontAndTellsWhatIsSeen) {
     EXPECT_FALSE(has_function(technique));
 }
 
-// Whatever the depths: quotients of them stay finite.
+// For all depths, their quotients stay finite.
 TEST(Weighted, IsANumberOnEveryWarp) {
     const Technique& technique = require_technique("wboit");
     for (const auto& [near, far] :

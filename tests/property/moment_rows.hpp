@@ -8,14 +8,14 @@
 
 namespace momentscope::test {
 
-/// An id as part of a test's name, which must not hold a minus.
+/// An id as part of a test's name, which must not contain a minus.
 inline std::string test_name(const Technique& technique) {
     std::string name = technique.id;
     std::ranges::replace(name, '-', '_');
     return name;
 }
 
-/// Those techniques with moments for which `holds`.
+/// The techniques with moments for which `holds` is true.
 inline std::vector<const Technique*> moment_techniques_where(bool (*holds)(const Technique&)) {
     std::vector<const Technique*> rows = moment_based_techniques();
     std::erase_if(rows, [holds](const Technique* row) { return !holds(*row); });

@@ -1,4 +1,4 @@
-// moment_transparency_test.cpp -- Moment Transparency against exact moments, and its read formats against
+// moment_transparency_test.cpp -- compares Moment Transparency with exact moments, and its read formats with
 // floats.
 #include <algorithm>
 #include <array>
@@ -14,9 +14,9 @@ namespace momentscope::glsl::two_depths_parts {
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 #include "shaders/shared/portable_math.glsl"
-// portable_math first: the others build on it
+// portable_math first, because the others use it
 #include "shaders/shared/rounding.glsl"
-// and this on rounding
+// this one uses rounding
 #include "shaders/shared/nonlinear_quantisation.glsl"
 #pragma GCC diagnostic pop
 }  // namespace momentscope::glsl::two_depths_parts
@@ -26,8 +26,7 @@ namespace {
 
 namespace parts = glsl::two_depths_parts;
 
-// The ray as Moment Transparency sees it: depths between the planes, logarithmically, as depths in [-1, 1] or
-// [0, 1].
+// The ray as Moment Transparency sees it: logarithmic depths between the planes, mapped to [-1, 1] or [0, 1].
 ViewRay between_planes(const ViewRay& ray, bool published) {
     ViewRay result = ray;
     for (std::size_t i = 0; i < ray.fragments.size(); ++i) {
@@ -68,14 +67,15 @@ TEST(MomentTransparency, IsFourExactMomentsBetweenThePlanes) {
             for (std::size_t k = 0; k < own.size(); ++k)
                 errors.push_back(std::abs(static_cast<double>(own[k]) - std::exp(-absorbance[k])));
         }
-        // In [0, 1] moments are so much closer to singular that floats show: what the correction is for.
+        // In [0, 1] moments are so much closer to singular that float rounding shows. This is the reason for
+        // the correction.
         EXPECT_LT(quantile(errors, 0.5), 1e-5) << published;
         EXPECT_LT(quantile(errors, 0.99), published ? 2e-2 : 2e-4) << published;
     }
 }
 
-// Sets of the second pass, put together by hand from exact moments of the fragments as the first lets them be
-// seen.
+// The sets of the second pass, computed by hand from exact moments of the fragments with the visibility that
+// the first pass gives them.
 TEST(MomentTransparency, TheSecondSetKnowsTheFirst) {
     const Technique& technique = require_technique("mt");
     const Technique& moments = require_technique("power4-32");
@@ -93,7 +93,8 @@ TEST(MomentTransparency, TheSecondSetKnowsTheFirst) {
             for (std::size_t k = 0; k < first.size(); ++k) {
                 Fragment& f = seen.fragments[k];
                 const float visibility = f.opacity * first[k];
-                f.opacity = passes == 1 ? visibility : 1 - std::exp(-visibility);  // whose absorbance is it
+                // In the second reading the visibility is the absorbance.
+                f.opacity = passes == 1 ? visibility : 1 - std::exp(-visibility);
                 depths.push_back(f.depth);
             }
             const auto exact = exact_function(seen, moments, {.alpha = 3e-7f});
@@ -126,7 +127,7 @@ TEST(MomentTransparency, ReadFormatsRoundAsMuchAsTheyShould) {
                 even_depths(31));
         };
         for (std::size_t format = 1; format < 4; ++format) {
-            const float bias = format == 1 ? 6e-5f : 3e-7f;  // each against floats with the same α
+            const float bias = format == 1 ? 6e-5f : 3e-7f;  // compared with floats with the same α
             const auto floats = with_format(0, bias), rounded = with_format(static_cast<int>(format), bias);
             for (std::size_t d = 0; d < floats.size(); ++d)
                 errors[format].push_back(std::abs(static_cast<double>(rounded[d] - floats[d])));
@@ -140,7 +141,7 @@ TEST(MomentTransparency, ReadFormatsRoundAsMuchAsTheyShould) {
     EXPECT_GT(quantile(errors[3], 0.5), 1e-4) << "32 bits do round";
 }
 
-// Without rounding, the closed form of two depths is Algorithm 1.
+// Without rounding, the closed form for two depths equals Algorithm 1.
 TEST(MomentTransparency, TwoDepthsAreAlgorithmOneInAnotherForm) {
     const Technique& moments = require_technique("power4-32");
     RandomNumbers random(34);
@@ -153,7 +154,7 @@ TEST(MomentTransparency, TwoDepthsAreAlgorithmOneInAnotherForm) {
         float b[4];
         const float targets[4] = {0, 0.375f, 0, 0.375f};
         for (std::size_t k = 0; k < 4; ++k)
-            b[k] = (1 - 1e-4f) * sum.b[k] / sum.b0 + 1e-4f * targets[k];  // where floats are good for both
+            b[k] = (1 - 1e-4f) * sum.b[k] / sum.b0 + 1e-4f * targets[k];  // at this bias floats suit both
         const parts::TwoDepths exact = parts::two_depths(b[0], b[1], b[2], b[3]);
         for (const float depth : {-0.9f, -0.5f, -0.1f, 0.2f, 0.6f, 0.95f})
             for (const float beta : {0.0f, 0.25f, 1.0f}) {

@@ -1,5 +1,4 @@
-// moments_needed_test.cpp -- the certificate is right where theory says what it must be, and no error exceeds
-// it.
+// moments_needed_test.cpp -- the certificate is right where theory gives its value, and no error exceeds it.
 #include "core/inspect/moments_needed.hpp"
 
 #include <fmt/format.h>
@@ -18,8 +17,8 @@ ViewRay sheets(int count) {
     return ray;
 }
 
-// n <= m/2 + 1 surfaces are exact at their own depths (Section 4.1): up to three need four moments, four need
-// six, five need eight.
+// n <= m/2 + 1 surfaces are exact at their own depths (Section 4.1): up to three surfaces need four moments,
+// four need six, five need eight.
 TEST(MomentsNeeded, OfSheetsAreWhatTheorySays) {
     constexpr std::array WANTED = {Needed::four, Needed::four, Needed::four, Needed::six, Needed::eight};
     for (const char* basis : {"power", "chebyshev"})
@@ -33,9 +32,9 @@ TEST(MomentsNeeded, OfSheetsAreWhatTheorySays) {
     EXPECT_EQ(pixel_need(sheets(8), moment_orders("power"), {}).by_certificate, Needed::more);
 }
 
-// Both the truth and the result lie between the bounds, so that they differ by no more than these. Bounds are
-// those of biased moments; Chebyshev moments have the least bias, and ten times what it was measured to add
-// is allowed.
+// The truth and the result both lie between the bounds, so they differ by at most the gap. The bounds are
+// those of the biased moments. Chebyshev moments have the least bias; the test allows ten times the measured
+// effect of this bias.
 TEST(MomentsNeeded, NoErrorExceedsTheCertificate) {
     const MomentOrders orders = moment_orders("chebyshev");
     double worst = 0;
@@ -53,8 +52,8 @@ TEST(MomentsNeeded, NoErrorExceedsTheCertificate) {
         }
     }
     fmt::print("errors exceed the certificate by at most {:.2e}\n", worst);
-    // Where surfaces all but tie twice, floats do not tell their nodes apart: in 200,000 rays and three
-    // orders that happens once or twice.
+    // If surfaces nearly tie twice, floats do not distinguish their nodes. In 200,000 rays and three orders
+    // this happens once or twice.
     EXPECT_LE(above, 1);
     EXPECT_LE(worst, 1e-3);
 }
@@ -68,7 +67,7 @@ TEST(MomentsNeeded, MoreMomentsAreNeverLessCertainWithoutBias) {
         const ViewRay ray = random_ray(random);
         const double of_4 = certified_gap(ray, *orders[0], values);
         const double of_8 = certified_gap(ray, *orders[2], values);
-        // The greatest T falls with the lower bound, which rises: gaps fall but for rounding.
+        // The greatest T falls as the lower bound rises, so gaps fall except for rounding.
         EXPECT_LE(of_8, of_4 + 1e-4) << i;
     }
 }
@@ -84,7 +83,7 @@ TEST(MomentsNeeded, CountsEveryPixelOnce) {
 }
 
 TEST(MomentsNeeded, ATileStoresTheMostThatOneOfItsPixelsNeeds) {
-    std::vector<PixelNeed> pixels(6 * 4);  // two tiles of 4x4, the right one cut
+    std::vector<PixelNeed> pixels(6 * 4);  // two tiles of 4x4; the right one is cut off
     EXPECT_EQ(tiled_memory(pixels, 6, 4), 0.0);
     pixels[0].by_certificate = Needed::four;
     pixels[7].by_certificate = Needed::six;

@@ -1,5 +1,5 @@
-// opaque_shadow_test.cpp -- shadow maps of opaque casters against linear programs (Algorithm 1 of Peters and
-// Klein 2015), against Cantelli's inequality and against the math of transparency.
+// opaque_shadow_test.cpp -- compares shadow maps of opaque casters with linear programs (Algorithm 1 of
+// Peters and Klein 2015), with Cantelli's inequality and with the mathematics of transparency.
 #include "core/shadow/opaque_shadow.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ struct Mass {
     double depth, weight;
 };
 
-// Depths of a filter region: weights sum to 1.
+// The depths of a filter region; the weights sum to 1.
 std::vector<Mass> random_region(RandomNumbers& random, int count) {
     std::vector<Mass> region;
     double sum = 0;
@@ -54,12 +54,12 @@ double in_front(const std::vector<Mass>& region, double depth) {
     return sum;
 }
 
-/// The least mass in front of `depth` of all distributions on `grid` that have the region's moments 0 to 4.
-/// Columns are divided by 1 + z^4, so that far masses are no larger numbers than near ones.
+/// The least mass in front of `depth` over all distributions on `grid` with the region's moments 0 to 4.
+/// Columns are divided by 1 + z^4, so that far masses do not give larger numbers than near ones.
 double least_in_front(const std::vector<Mass>& region, double depth, std::vector<double> grid) {
     grid.push_back(depth);
     for (const Mass& mass : region)
-        grid.push_back(mass.depth);  // or no mixture of the grid need have the moments
+        grid.push_back(mass.depth);  // otherwise no mixture of the grid may have the moments
     ClpSimplex solver;
     solver.setLogLevel(0);
     solver.scaling(0);
@@ -85,14 +85,15 @@ double least_in_front(const std::vector<Mass>& region, double depth, std::vector
     return solver.objectiveValue();
 }
 
-// 2001 depths of the range.
+// 2001 depths of the depth range.
 std::vector<double> range_grid() {
     std::vector<double> grid;
     for (int k = 0; k <= 2000; ++k) grid.push_back(-1 + k * 1e-3);
     return grid;
 }
 
-// The range as before, and up to 200 beyond it, ever coarser: a mass at distance d can weigh d^-4 at most.
+// The same depths, and increasingly coarse ones up to 200 beyond the range. A mass at distance d can weigh at
+// most d^-4.
 std::vector<double> line_grid() {
     std::vector<double> grid = range_grid();
     for (double z = 1; z < 200; z *= 1.006) {
@@ -102,8 +103,8 @@ std::vector<double> line_grid() {
     return grid;
 }
 
-// The grid's step is 1e-3, near a support point the objective is quadratic in the distance to it, and bias
-// adds 3e-7: what was measured is 4e-4 at most.
+// The grid's step is 1e-3. Near a support point, the objective is quadratic in the distance to it, and bias
+// adds 3e-7. The measured maximum is 4e-4.
 void expect_sharp(const char* id, const std::vector<double>& grid) {
     const OpaqueShadow& row = require_opaque_shadow(id);
     RandomNumbers random(5);
@@ -143,8 +144,8 @@ TEST(OpaqueShadow, HausdorffIsNeverLighterThanHamburger) {
     EXPECT_GT(darker, 5'000) << "else it knows nothing of the range";
 }
 
-// Moment bounds are lower bounds of the shadow, of the biased region: bias moves 3e-7 of its mass, and
-// rounding is magnified where few surfaces leave the matrix nearly singular.
+// Moment bounds are lower bounds of the shadow of the biased region. Bias moves 3e-7 of its mass, and
+// rounding is magnified if few surfaces leave the matrix nearly singular.
 TEST(OpaqueShadow, MomentBoundsAreNotTooDark) {
     for (const char* id : {"hamburger-32", "hausdorff"}) {
         const OpaqueShadow& row = require_opaque_shadow(id);
@@ -159,8 +160,8 @@ TEST(OpaqueShadow, MomentBoundsAreNotTooDark) {
     }
 }
 
-// Cantelli: the lit fraction of a receiver at or behind the mean is never below the true one; in front of it
-// all is lit.
+// Cantelli: at or behind the mean, the lit fraction of a receiver is never below the true one. In front of
+// the mean everything is lit.
 TEST(OpaqueShadow, VarianceIsNeverTooDark) {
     const OpaqueShadow& row = require_opaque_shadow("variance");
     RandomNumbers random(8);
@@ -179,7 +180,7 @@ TEST(OpaqueShadow, VarianceIsNeverTooDark) {
     EXPECT_GT(leaks, 10'000) << "the bound is as loose as it is known to be";
 }
 
-// The same solver with b_0 = 1 and beta = 0: every bit.
+// The same solver with b_0 = 1 and beta = 0 gives the same bits.
 TEST(OpaqueShadow, MomentsAreThoseOfTransparency) {
     const struct {
         const char *map, *technique;
@@ -204,7 +205,8 @@ TEST(OpaqueShadow, MomentsAreThoseOfTransparency) {
     }
 }
 
-// 16 bits with their greater bias and the rounding of the transform: what Table 1's alpha of 6e-5 is for.
+// 16 bits have a greater bias and the rounding of the transform, which is the reason for Table 1's alpha of
+// 6e-5.
 TEST(OpaqueShadow, SixteenBitsAreCloseToFloats) {
     const OpaqueShadow &floats = require_opaque_shadow("hamburger-32"),
                        &bits = require_opaque_shadow("hamburger-16");

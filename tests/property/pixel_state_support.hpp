@@ -1,4 +1,4 @@
-// pixel_state_support.hpp -- techniques without moments on a ray, in double precision.
+// pixel_state_support.hpp -- evaluates techniques without moments on a ray in double precision.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 namespace momentscope::test {
 
-// In [0, 1] of the depth range, in double.
+// Depths in [0, 1] of the depth range, in double.
 inline double unit_depth(float depth) {
     return 0.5 * (static_cast<double>(depth) + 1);
 }
@@ -29,7 +29,7 @@ inline ViewRay colored_ray(RandomNumbers& random, int count) {
     return ray;
 }
 
-// Composited front to back.
+// Composites front to back.
 inline glm::dvec4 true_color(const ViewRay& ray) {
     glm::dvec4 result(0, 0, 0, 1);
     for (const std::size_t i : front_to_back(ray)) {
@@ -50,7 +50,7 @@ inline void expect_near(const glm::dvec4& a, const glm::dvec4& b, double toleran
     for (int i = 0; i < 4; ++i) EXPECT_NEAR(a[i], b[i], tolerance);
 }
 
-// Other random numbers for the same ray.
+// The same ray with other random numbers.
 inline ViewRay reseeded(ViewRay ray, std::uint32_t run) {
     for (std::size_t i = 0; i < ray.fragments.size(); ++i) {
         ray.fragments[i].seed = fragment_seed(run, static_cast<std::uint32_t>(i), 77);

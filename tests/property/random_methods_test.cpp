@@ -1,5 +1,5 @@
-// random_methods_test.cpp -- stochastic transparency and hashed alpha testing: what they do with given random
-// numbers, and what comes out on average.
+// random_methods_test.cpp -- stochastic transparency and hashed alpha testing: their results with given
+// random numbers, and on average.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -11,7 +11,7 @@ namespace momentscope::glsl::threshold_parts {
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 #include "shaders/shared/portable_math.glsl"
-// portable_math first: the other builds on it
+// portable_math first, because the other uses it
 #include "shaders/shared/alpha_threshold.glsl"
 #pragma GCC diagnostic pop
 }  // namespace momentscope::glsl::threshold_parts
@@ -47,7 +47,7 @@ TEST(Stochastic, CountsTheSamplesThatSeeADepth) {
     }
 }
 
-// Unbiased, and the error falls with the root of the samples.
+// The result is unbiased, and the error falls with the square root of the number of samples.
 TEST(Stochastic, ConvergesWithTheRootOfTheSamples) {
     const Technique& technique = require_technique("stochastic");
     RandomNumbers random(28);
@@ -89,11 +89,11 @@ TEST(Hashed, ShowsTheNearestOfThoseThatReachTheirThreshold) {
         expected += true_color(ray);
     }
     expect_near(sum / static_cast<double>(RUNS), expected / static_cast<double>(RUNS),
-                0.01);  // right on average
+                0.01);  // correct on average
 }
 
-// Kolmogorov and Smirnov: 100,000 uniform numbers stay within .0061 of their distribution with 99.9 %
-// probability; places on a grid are less random than that.
+// Kolmogorov and Smirnov: 100,000 uniform numbers stay within 0.0061 of their distribution with 99.9 %
+// probability. Places on a grid are less random than that.
 TEST(Hashed, ThresholdsAreUniform) {
     RandomNumbers random(30);
     for (const float width : {0.9f, 0.013f, 0.0031f}) {

@@ -1,5 +1,5 @@
-// random_rays.hpp -- the distribution that accuracy is measured on: 1 to 10 fragments, depths uniform in [-1,
-// 1], opacities uniform in [.05, .95] (the distribution of the published trials).
+// random_rays.hpp -- the distribution of rays for measuring accuracy: 1 to 10 fragments, depths uniform in
+// [-1, 1], opacities uniform in [0.05, 0.95] (as in the published trials).
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -24,12 +24,12 @@ inline ViewRay random_ray(std::mt19937& random, int most_fragments = 10) {
     return ray;
 }
 
-/// Surfaces close to one another, which float moments hardly tell apart: 3 to 10 fragments in 1 to 3 groups,
-/// neighbours in a group 1e-4 to 1e-2 apart.
+/// Surfaces close to each other, which float moments hardly distinguish: 3 to 10 fragments in 1 to 3 groups,
+/// with 1e-4 to 1e-2 between neighbours in a group.
 inline ViewRay clustered_ray(std::mt19937& random) {
     std::uniform_int_distribution<int> count(3, 10), groups(1, 3);
     std::uniform_real_distribution<float> depth(-1.0f, 1.0f), opacity(0.05f, 0.95f), exponent(-4.0f, -2.0f);
-    std::vector<float> next(static_cast<std::size_t>(groups(random)));  // where each group goes on
+    std::vector<float> next(static_cast<std::size_t>(groups(random)));  // the next depth of each group
     for (float& start : next) start = depth(random);
     const int fragments = count(random);
     ViewRay ray;

@@ -1,4 +1,4 @@
-// robustness_test.cpp -- whatever the fragments, results are numbers within their range.
+// robustness_test.cpp -- for all fragments, results are finite numbers within their range.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 class Robustness : public testing::TestWithParam<const Technique*> {
 protected:
-    // Checks unclamped fractions and weights at one depth, and counts what floors and clamps did.
+    // Checks unclamped fractions and weights at one depth, and counts floors and clamps.
     void check(const MomentVector& moments, const ReconstructionSettings& settings, float depth) {
         const ReconstructionSteps steps = GetParam()->moment_kernel().steps(moments, settings, depth);
         const float beta0 = steps.in_front;
@@ -104,7 +104,7 @@ TEST_P(Robustness, AnyParameters) {
         ParameterValues values;
         for (const ParameterId id : {ParameterId::beta, ParameterId::theta, ParameterId::alpha}) {
             const Parameter& row = parameter(id);
-            const int choice = i % 4;  // the ends of the range too: no bias, no wrapping zone
+            const int choice = i % 4;  // including the ends of the range: no bias, no wrapping zone
             const float share = choice == 0 ? 0.0f : choice == 1 ? 1.0f : unit(random);
             values.set(
                 id, std::clamp(row.minimum + share * (row.maximum - row.minimum), row.minimum, row.maximum));

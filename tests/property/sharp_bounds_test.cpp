@@ -1,5 +1,5 @@
-// sharp_bounds_test.cpp -- sharp bounds against the truth, against Algorithm 1 where it is sharp, too, and
-// those of the line against linear programs.
+// sharp_bounds_test.cpp -- compares sharp bounds with the truth, with Algorithm 1 where it is sharp, too, and
+// on the line with linear programs.
 #include "core/inspect/sharp_bounds.hpp"
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ namespace {
 
 constexpr ResolvedParameters PARAMETERS = {.theta = 0.3f};
 
-// Even depths, and every fragment's own.
+// Even depths, and the own depth of every fragment.
 std::vector<float> depths_of(const ViewRay& ray, std::size_t even) {
     std::vector<float> depths = even_depths(even);
     for (const Fragment& fragment : ray.fragments) depths.push_back(fragment.depth);
@@ -55,7 +55,7 @@ TEST_P(SharpBoundsOf, RandomRaysHoldTheTruth) {
     }
 }
 
-// m/2 surfaces are determined by m moments of a basis on the line, m by m trigonometric ones.
+// m moments of a basis on the line determine m/2 surfaces; m trigonometric moments determine m.
 TEST_P(SharpBoundsOf, FewSurfacesAreTheTruth) {
     const bool circle = GetParam()->on_circle();
     const int most = circle ? GetParam()->moments().moment_count : GetParam()->moments().moment_count / 2;
@@ -69,8 +69,8 @@ TEST_P(SharpBoundsOf, FewSurfacesAreTheTruth) {
     ASSERT_TRUE(bounds);
     const std::vector<double> truth = true_absorbance(ray, depths);
     for (std::size_t i = 0; i < depths.size(); ++i) {
-        // Moments hold to 1e-9, and the mass that this lets past is magnified by the distance of the
-        // surfaces.
+        // The moments are met within 1e-9. This allows some mass, which the distance between the surfaces
+        // magnifies.
         EXPECT_NEAR(static_cast<double>(bounds->lower[i]), truth[i], 1e-6) << "at " << depths[i];
         EXPECT_NEAR(static_cast<double>(bounds->upper[i]), truth[i], 1e-6) << "at " << depths[i];
     }
@@ -79,8 +79,8 @@ TEST_P(SharpBoundsOf, FewSurfacesAreTheTruth) {
 INSTANTIATE_TEST_SUITE_P(Techniques, SharpBoundsOf, ::testing::ValuesIn(moment_based_techniques()),
                          [](const auto& one) { return test_name(*one.param); });
 
-// Algorithm 1 in long double is sharp where its masses lie in the depth range; else the range adds to what
-// the moments say.
+// Algorithm 1 in long double is sharp if its masses lie in the depth range. Otherwise the depth range is
+// additional knowledge.
 TEST(SharpBounds, AreThoseOfAlgorithm1WhereItsMassesLieInTheDepthRange) {
     RandomNumbers random(12);
     const Technique& technique = require_technique("power6-32");
@@ -119,13 +119,13 @@ TEST(SharpBounds, AreThoseOfAlgorithm1WhereItsMassesLieInTheDepthRange) {
     EXPECT_GT(compared, 100);
 }
 
-/// The least share of b_0 in front of `depth`, or the greatest until it, with masses at 2001 even depths, at
-/// the fragments and at the depth itself.
+/// The least share of b_0 in front of `depth`, or the greatest share up to it, with masses at 2001 even
+/// depths, at the fragments and at the depth itself.
 double bound_on_grid(const ViewRay& ray, int moments, double depth, bool upper) {
     std::vector<double> grid = {depth};
     for (const Fragment& fragment : ray.fragments) grid.push_back(fragment.depth);
     for (int k = 0; k <= 1000; ++k) grid.push_back(-1 + 2e-3 * k);
-    const auto column_at = [&](double z) {  // Chebyshev: better conditioned, the same constraints
+    const auto column_at = [&](double z) {  // Chebyshev: the same constraints, but better conditioned
         std::vector<double> column;
         for (int j = 0; j <= moments; ++j)
             column.push_back(std::cos(j * std::acos(std::clamp(z, -1.0, 1.0))));
@@ -158,8 +158,9 @@ double bound_on_grid(const ViewRay& ray, int moments, double depth, bool upper) 
     return upper ? -solver.objectiveValue() : solver.objectiveValue();
 }
 
-// A grid is narrower by what the nearest masses on it lack: 1e-3 of depth, where the bounds are steep.
-// Moments that hold to CLP's 1e-9 make it wider, by 1e-4 where they almost determine the truth.
+// On a grid, the bounds are narrower, because the nearest possible masses are off by up to 1e-3 of depth,
+// which matters where the bounds are steep. They are wider because CLP meets the moments only within 1e-9: by
+// 1e-4 if the moments almost determine the truth.
 TEST(SharpBounds, OfTheLineAreThoseOfALinearProgram) {
     RandomNumbers random(17);
     double worst = 0;
@@ -189,7 +190,7 @@ TEST(SharpBounds, OfTheLineAreThoseOfALinearProgram) {
     EXPECT_LT(worst, 2e-3);
 }
 
-// By these two the inequalities of Chebyshev, Markov and Stieltjes hold for them.
+// With these two properties, the inequalities of Chebyshev, Markov and Stieltjes hold for them.
 TEST(CanonicalMasses, HaveTheMomentsAndLieInTheDepthRange) {
     std::mt19937 random(18);
     std::uniform_real_distribution<double> anywhere(-1, 1), any_mass(0.01, 1);
@@ -226,7 +227,8 @@ TEST(CanonicalMasses, HaveTheMomentsAndLieInTheDepthRange) {
     EXPECT_LT(worst, 1e-14L);
 }
 
-// Why they are there: what beta = 0 and beta = 1 give for trigonometric moments is no bound.
+// The reason for sharp bounds: for trigonometric moments, the results for beta = 0 and beta = 1 are not
+// bounds.
 TEST(SharpBounds, HoldWhereBetaDoesNot) {
     RandomNumbers random(13);
     const Technique& technique = require_technique("trig2-32");
@@ -252,7 +254,7 @@ TEST(SharpBounds, HoldWhereBetaDoesNot) {
     EXPECT_EQ(outside_sharp, 0);
 }
 
-// Depths of a plot that is zoomed in: their columns are all but the same. CLP must not cycle.
+// The depths of a zoomed plot: their columns are nearly equal, and CLP must not cycle.
 TEST(SharpBounds, OfDepthsThatLieCloseAreThereAndHoldTheTruth) {
     RandomNumbers random(16);
     for (int i = 0; i < 60; ++i) {

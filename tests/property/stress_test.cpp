@@ -1,4 +1,4 @@
-// stress_test.cpp -- stress finds what is known to fail and nothing else; tune finds what the papers found by
+// stress_test.cpp -- stress finds exactly the known failures; tune finds the values that the papers found by
 // hand.
 #include "core/stress/stress.hpp"
 
@@ -80,12 +80,13 @@ TEST(Stress, SeesTheTextbookBreakWithoutBiasAndTheRobustSolverHold) {
 }
 
 TEST(Stress, KnowsWhatItMeasures) {
-    // 10,000 fragments in half floats: each adds less than half a step of b0, so the sum stands still.
+    // 10,000 fragments in half floats: each one adds less than half a step of b0, so the sum stops growing.
     const auto cells =
         run_stress(options_of({"power4-16", "power4-32"}, {"overdraw-10000"}, 100), {}, NO_REPORT);
     EXPECT_GT(cells[0].failure_rate(), 0.9);
     EXPECT_EQ(cells[1].failure_rate(), 0.0);
-    // Trigonometric beta = 0 and 1 are no bounds; those of power moments are.
+    // The results for beta = 0 and 1 are not bounds for trigonometric moments, but they are for power
+    // moments.
     const auto bounds = run_stress(options_of({"power4-32", "trig2-32"}, {"overdraw-10"}), {}, NO_REPORT);
     EXPECT_EQ(bounds[0].truth_outside, 0);
     EXPECT_GT(bounds[1].truth_outside, bounds[1].queries / 50);
@@ -142,7 +143,7 @@ TEST(Tune, FindsLessBiasWithTheRobustSolverThanWithTheTextbook) {
 }
 
 TEST(Tune, ErrorsAreThoseOfItsTrials) {
-    // One fragment: beta alone decides, and its error at its own depth is exp(-beta a) against 1.
+    // With one fragment, only beta matters: the error at its own depth is exp(-beta a) against 1.
     ViewRay ray;
     ray.fragments.push_back(plain_fragment(0.3f, 0.5f, 0));
     TuneOptions options;
@@ -178,8 +179,8 @@ TEST(Tune, SaysWhatItCannotDo) {
     EXPECT_FALSE(tune(tuning_rays(2, 1), options, stop.get_token(), NO_REPORT));
 }
 
-// The preset `robust` is worth its name: at most .65 times the error of Table 1 for eight power moments, beta
-// = 0, 2 to 5 fragments.
+// The preset `robust` must have at most 0.65 times the error of Table 1, for eight power moments, beta = 0,
+// and 2 to 5 fragments.
 TEST(RobustBias, OfEightPowerMomentsIsSharperThanTableOne) {
     const auto rays = tuning_rays(20'000, 3);
     const Technique& technique = require_technique("power8-32");

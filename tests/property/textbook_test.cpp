@@ -1,5 +1,5 @@
-// textbook_test.cpp -- Algorithms 1 and 2 as published: right where they can be, broken where bias is too
-// small for them.
+// textbook_test.cpp -- Algorithms 1 and 2 as published: correct where they can be, and failing if the bias is
+// too small.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -16,8 +16,8 @@ namespace {
 class Textbook : public testing::TestWithParam<const Technique*> {
 protected:
     struct Outcome {
-        std::vector<double> errors;  // of T where there is a result in [0, 1]
-        long failures = 0;           // no number, or beyond [0, 1] by more than rounding
+        std::vector<double> errors;  // errors of T for results in [0, 1]
+        long failures = 0;           // not finite, or outside [0, 1] by more than rounding
         long queries = 0;
     };
 
@@ -57,8 +57,8 @@ protected:
     }
 };
 
-// With a hundred thousand ulps of bias the matrix is far from singular, so whoever implements the algorithms
-// rightly gets the exact result but for rounding.
+// With a bias of a hundred thousand ulps the matrix is far from singular, so a correct implementation of the
+// algorithms gives the exact result except for rounding.
 TEST_P(Textbook, IsRightWhereTheMatrixIsRegular) {
     const Outcome outcome = measure(0.02f, 5000, 1, 10);
     const double median = outcome.errors[outcome.errors.size() / 2];
@@ -66,15 +66,15 @@ TEST_P(Textbook, IsRightWhereTheMatrixIsRegular) {
     fmt::print("{}: {} failures of {}, median {:.1e}, 99 % {:.1e}\n", GetParam()->id, outcome.failures,
                outcome.queries, median, percentile_99);
     EXPECT_EQ(outcome.failures, 0);
-    // A few ulps, magnified by a matrix whose smallest pivot is of the order of the bias; 16-bit moments are
-    // off by 1e-5.
+    // A few ulps, magnified by a matrix with a smallest pivot of about the size of the bias; 16-bit moments
+    // are off by 1e-5.
     const bool floats = GetParam()->moment_kernel().bits == 32;
     EXPECT_LT(median, floats ? 2e-7 : 2e-5);
     EXPECT_LT(percentile_99, floats ? 1e-5 : 1e-3);
 }
 
-// Without bias two surfaces make the matrix singular, and the published solver divides by what is left.
-// In floats: rounding to 16 bits alone keeps matrices from being singular.
+// Without bias two surfaces make the matrix singular, and the published solver divides by a rounding error.
+// Only for floats, because rounding to 16 bits already keeps matrices from being singular.
 class TextbookInFloats : public Textbook {};
 
 TEST_P(TextbookInFloats, BreaksWithoutBias) {

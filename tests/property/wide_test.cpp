@@ -1,5 +1,5 @@
-// wide_test.cpp -- curves are computed many depths at a time, and pixels many at a time; the bits must be
-// those of one alone.
+// wide_test.cpp -- curves are computed for many depths at a time, and pictures for many pixels at a time. The
+// bits must equal those of single computations.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ TEST_P(Wide, EqualsScalar) {
     for (int i = 0; i < 300; ++i) {
         const ViewRay ray = random_ray(random);
         const Curve curve =
-            sample_curve(ray, *GetParam(), {}, even_depths(67));  // 67: leaves a rest for any width
+            sample_curve(ray, *GetParam(), {}, even_depths(67));  // 67 leaves a remainder for any width
         const ReconstructionSettings settings = settings_of(curve.parameters);
         for (std::size_t k = 0; k < curve.depth.size(); ++k)
             ASSERT_EQ(curve.reconstructed[k],
@@ -26,7 +26,7 @@ TEST_P(Wide, EqualsScalar) {
 }
 
 TEST_P(Wide, ManyPixelsEqualOne) {
-    constexpr std::size_t PIXELS = 1003;  // full batches and a rest
+    constexpr std::size_t PIXELS = 1003;  // full batches and a remainder
     const MomentKernel& kernel = GetParam()->moment_kernel();
     for (const bool textbook : {false, true}) {
         if (textbook && !kernel.has_textbook) continue;
@@ -35,7 +35,7 @@ TEST_P(Wide, ManyPixelsEqualOne) {
         const ResolvedParameters parameters = resolve(values, *GetParam());
         const ReconstructionSettings settings = settings_of(parameters);
         std::mt19937 random(5);
-        std::vector<MomentVector> moments(PIXELS);  // each seventh stays empty
+        std::vector<MomentVector> moments(PIXELS);  // every seventh pixel stays empty
         std::vector<float> depths(PIXELS), fractions(PIXELS);
         for (std::size_t i = 0; i < PIXELS; ++i) {
             const ViewRay ray = random_ray(random);

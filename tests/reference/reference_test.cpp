@@ -1,4 +1,5 @@
-// reference_test.cpp -- truth and Algorithm 1: known analytically, against 50 digits, and as bounds.
+// reference_test.cpp -- tests the truth and Algorithm 1: against analytic results, against 50 digits, and as
+// bounds.
 #include <gtest/gtest.h>
 
 #include "tests/reference/reference_test_support.hpp"
@@ -78,7 +79,7 @@ TYPED_TEST(Power, FewMassesAreExactAtTheirOwnDepths) {
 
 TYPED_TEST(Power, BoundsHoldForTheBiasedMeasureAndGrow) {
     constexpr std::size_t M = TypeParam::value;
-    const auto bias_support = power_bounds<M, Long>(power_bias<M, Long>(), .3L);  // a measure with moments b*
+    const auto bias_support = power_bounds<M, Long>(power_bias<M, Long>(), .3L);  // has moments b*
     ASSERT_TRUE(bias_support);
     Random random(3);
     for (int ray = 0; ray < 100; ++ray) {
@@ -136,7 +137,7 @@ TYPED_TEST(Power, RefusesWhatIsNotPositiveDefinite) {
 }
 
 TEST(PowerSix, RootAtInfinityHasWeightZero) {
-    // b* is symmetric, so p_3 is odd and 0 is a Gauss node: q_3 vanishes there, and the support is the Gauss
+    // b* is symmetric, so p_3 is odd and 0 is a Gauss node. q_3 vanishes there, and the support is the Gauss
     // rule.
     const auto factor = factor_power<6, Wide>(power_bias<6, Wide>());
     ASSERT_TRUE(factor);

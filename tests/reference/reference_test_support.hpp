@@ -1,4 +1,4 @@
-// reference_test_support.hpp -- rays, biases, error reports and a plain linear solver for these tests.
+// reference_test_support.hpp -- rays, biases, error reports and a simple linear solver for these tests.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -28,8 +28,8 @@ inline double uniform(Random& random, double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-/// Depths uniform in [-1, 1] and at least `gap` apart, opacities uniform in [.05, .95]; doubles, so that
-/// every Real starts from the same numbers.
+/// Depths uniform in [-1, 1] and at least `gap` apart, opacities uniform in [0.05, 0.95]. They are doubles,
+/// so that every Real starts from the same numbers.
 inline Masses<double> random_masses(Random& random, std::size_t count, double gap) {
     Masses<double> masses;
     while (masses.size() < count) {
@@ -48,7 +48,7 @@ Masses<Real> convert(const Masses<double>& masses) {
     return result;
 }
 
-/// Table 1, 32 bit variants: even entries of b* (the odd ones are 0) and alpha.
+/// Table 1, 32-bit variants: the even entries of b* (the odd ones are 0) and alpha.
 template <std::size_t M>
 inline constexpr std::array<double, M / 2 + 1> EVEN_BIAS{};
 template <>
@@ -83,7 +83,7 @@ Real fraction_in_front(const Masses<Real>& masses, const Real& depth) {
     return absorbance_in_front(view(masses), depth) / power_moments<0>(view(masses))[0];
 }
 
-/// Prints quantiles of the errors, so that a test's log says what was found; returns the 99 % one.
+/// Prints quantiles of the errors into the log of the test; returns the 99 % quantile.
 inline double report(const char* what, std::size_t m, std::vector<double> errors) {
     std::sort(errors.begin(), errors.end());
     const auto quantile = [&](double q) {
@@ -95,7 +95,7 @@ inline double report(const char* what, std::size_t m, std::vector<double> errors
     return quantile(.99);
 }
 
-/// Plain Gaussian elimination with row exchanges: shares nothing with the references' factorisation.
+/// Plain Gaussian elimination with row exchanges. It shares nothing with the factorisation of the references.
 using C = std::complex<Long>;
 inline std::vector<C> eliminate(std::vector<std::vector<C>> a, std::vector<C> b) {
     const std::size_t n = b.size();

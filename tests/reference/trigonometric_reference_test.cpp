@@ -1,4 +1,5 @@
-// trigonometric_reference_test.cpp -- Algorithm 2: known analytically, against 50 digits, and by brute force.
+// trigonometric_reference_test.cpp -- tests Algorithm 2: against analytic results, against 50 digits, and by
+// brute force.
 #include <gtest/gtest.h>
 
 #include "tests/reference/reference_test_support.hpp"
@@ -13,7 +14,7 @@ using TrigonometricCounts =
                    std::integral_constant<std::size_t, 4>>;
 TYPED_TEST_SUITE(Trigonometric, TrigonometricCounts);
 
-/// Eq. 6 as printed: four cases of psi, comparisons of psi.
+/// Eq. 6 as printed: four cases with comparisons of psi.
 Long printed_psi(C x) {
     const Long re = x.real(), im = x.imag();
     if (re >= 0 && im >= 0) return -re + im;
@@ -26,8 +27,8 @@ Long printed_fraction(C x, C x0, Long theta) {
     return theta <= 0 || printed_psi(x) <= far ? 0 : (printed_psi(x) - far) / (7 - far);
 }
 
-/// Algorithm 2 for beta = 0 by scanning the circle for zeros of the kernel; negative if it did not find all
-/// of them.
+/// Algorithm 2 for beta = 0 by scanning the circle for zeros of the kernel; negative if the scan did not find
+/// all of them.
 template <std::size_t M>
 Long scan_circle(const TrigonometricMoments<M, Long>& b, Long phase0, Long theta) {
     const auto moment = [&](std::size_t i, std::size_t j) {
@@ -77,7 +78,7 @@ TYPED_TEST(Trigonometric, AgreesWithAScanOfTheCircle) {
         const Long z0 = ray % 2 ? masses[0].depth : Long(uniform(random, -1, 1));
         const auto values = trigonometric_values(*factor, z0, theta);
         const Long scan = scan_circle<M>(factor->moments, phase_of_depth(z0, theta), theta);
-        if (scan < 0) continue;  // two roots within a step of the scan
+        if (scan < 0) continue;  // two roots lie within one step of the scan
         ++scanned;
         EXPECT_LT(std::abs(values.beta0 - scan), 1e-9L);
     }
@@ -103,7 +104,7 @@ TYPED_TEST(Trigonometric, SupportReproducesTheMomentsAndIncludesX0) {
         }
         EXPECT_LT(std::abs(values.w0 - values.weight[0]), 1e-9L);
         if (theta != 0 || ray % 3 == 2) continue;
-        const Long known = ray % 3 == 0 ? values.beta0 : values.beta1 - 1;  // nothing before -1, all up to 1
+        const Long known = ray % 3 == 0 ? values.beta0 : values.beta1 - 1;  // no mass before -1, all up to 1
         EXPECT_LT(std::abs(known), 1e-9L);
     }
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of scripts/testing with a program that crashes, hangs and fails as its tests are named."""
+"""Tests scripts/testing with a program whose tests crash, hang and fail as their names say."""
 
 import contextlib
 import io

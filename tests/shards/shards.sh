@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Four shards of a chart and of a stress run in processes of their own, put together again: what does not depend on the
-# clock must equal the run in one piece, byte for byte. Then a chart is killed half-way and goes on.
+# Runs four shards of a chart and of a stress run in separate processes and merges them. Everything that does not depend on the
+# clock must equal the run in one piece, byte for byte. Then a chart is killed half-way and continues.
 # Usage: shards.sh MOMENTSCOPE
 set -euo pipefail
 momentscope=$(realpath "$1")
@@ -12,7 +12,7 @@ fail() {
     echo "$1"
     exit 1
 }
-# Runs its arguments once for each of 1 to 4, in place of {}, two at a time.
+# Runs its arguments four times, two at a time, and replaces {} by 1 to 4.
 in_parallel() {
     if command -v parallel >/dev/null; then
         parallel --will-cite -j2 "$@" ::: 1 2 3 4
@@ -20,7 +20,7 @@ in_parallel() {
         printf '%s\n' 1 2 3 4 | xargs -P2 -I{} "$@"
     fi
 }
-# The columns of a chart behind the times, and of its settings all.
+# The columns of a chart after the times, and all its settings.
 without_times() { sed 's/^\("[^"]*","[^"]*"\)\(,[^,]*\)\{10\}/\1/' "$1"; }
 
 chart=("$momentscope" chart --scene "planes,ties" --size 48x27 --repeat 1 --technique "unsorted,at,power4-32")
@@ -51,7 +51,7 @@ for kind in md svg html png; do
     [ -s "merged.$kind" ] || fail "No $kind came of the merged chart."
 done
 
-# As soon as some rows are kept, without a chance to end in order.
+# Kill it as soon as some rows are kept, without a chance to stop cleanly.
 "${chart[@]}" -o killed.csv >/dev/null &
 running=$!
 for _ in $(seq 600); do

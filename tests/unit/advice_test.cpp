@@ -1,4 +1,4 @@
-// advice_test.cpp -- which row of a chart is advised under which bounds.
+// advice_test.cpp -- which row of a chart is advised for which bounds.
 #include "core/chart/advice.hpp"
 #include "core/chart/advice_text.hpp"
 #include "tests/unit/expect_error.hpp"
@@ -23,7 +23,7 @@ ChartRow row_of(const std::string& configuration, double total, std::optional<in
     return {"planes", configuration, "", numbers};
 }
 
-// From the fastest to the slowest.
+// Sorted from the fastest to the slowest.
 const std::vector<ChartRow> ROWS = {row_of("unsorted", 1, 0, 0.2),
                                     row_of("wboit", 2, 64, 0.1),
                                     row_of("at", 4, 320, 0.02),
@@ -89,7 +89,7 @@ TEST(Advice, ATieOfTimesGoesToFewerBits) {
 
 TEST(Advice, TheErrorHasToHoldAtOtherViews) {
     HeldOutErrors held_out = unknown();
-    held_out[2] = 0.06;  // more than allowed, though not at the measured view
+    held_out[2] = 0.06;  // more than allowed, but only at a held-out view
     const Advice advice = advise(ROWS, error_of_at_most(0.05), held_out);
     EXPECT_EQ(advice.winner, Row(3));
     EXPECT_EQ(classify(ROWS[2], error_of_at_most(0.05), held_out[2]), Judgement::inaccurate_elsewhere);
@@ -130,20 +130,21 @@ TEST(Advice, WhenNothingMeetsTheNearestMissesLeast) {
     EXPECT_NE(text.find("Only a ground truth"), std::string::npos) << text;
     EXPECT_NE(text.find("sorted at 20.0 ms"), std::string::npos) << text;
     EXPECT_NE(text.find("power8-32"), std::string::npos) << text;
-    bounds.max_bits = 250;  // which a truth does not keep
+    bounds.max_bits = 250;  // a ground truth exceeds this
     advice = advise(ROWS, bounds, unknown());
     EXPECT_TRUE(advice.ground_truths.empty());
     EXPECT_EQ(advice.nearest, Row(4)) << "1.25 times too wrong and 1.15 times too large";
     text = no_advice_text(ROWS, bounds, unknown(), advice);
     expect_one_sentence(text);
-    EXPECT_TRUE(text.starts_with("Nothing meets this (RMSE at most 0.004, at most 250 bits per pixel)"))
+    EXPECT_TRUE(
+        text.starts_with("Nothing meets these bounds (RMSE at most 0.004, at most 250 bits per pixel)"))
         << text;
     EXPECT_NE(text.find("the nearest is power8-32 (RMSE 0.005, 10.0 ms, 288 bits per pixel)"),
               std::string::npos)
         << text;
 }
 
-// The maximum of numbers and NaN must not hide it.
+// The maximum of numbers and NaN must not hide the NaN.
 TEST(Advice, InfinitePicturesElsewhereAreToldAsSuch) {
     const AdviceBounds bounds = error_of_at_most(0.05);
     for (const double none : {std::numeric_limits<double>::infinity(), std::nan("")}) {

@@ -1,4 +1,4 @@
-// chart_test.cpp -- what becomes of a chart's numbers: medians, the Pareto front, tables and drawings.
+// chart_test.cpp -- processing of a chart's numbers: medians, the Pareto front, tables and drawings.
 #include "core/chart/chart.hpp"
 #include "core/chart/chart_csv.hpp"
 #include "core/chart/chart_drawing.hpp"
@@ -115,13 +115,13 @@ TEST(ChartCsv, DamageIsNamed) {
     expect_error([&] { chart_of(table, "x.csv"); }, "not of chart");
 }
 
-// A field of each kind, which an axis or a table could not bear.
+// Fields that an axis or a table could not handle, one for each kind.
 TEST(ChartCsv, OnlyFiniteNumbersInTheirRangeAreRead) {
-    const std::string line = chart_line(row_of("s", "at", 1, 1));  // behind its names: moments, ...
+    const std::string line = chart_line(row_of("s", "at", 1, 1));  // after its names: moments, ...
     std::vector<std::string> fields = csv_fields(line);
     for (const char* wrong : {"inf", "-inf", "nan", "-nan", "1e999", "1e300", "-1"})
         for (std::size_t i = 2; i < fields.size() - 1; ++i) {
-            if (i == 10 && std::string_view(wrong) == "-1") continue;  // the difference to unsorted
+            if (i == 10 && std::string_view(wrong) == "-1") continue;  // a difference may be negative
             std::vector<std::string> damaged = fields;
             damaged[i] = wrong;
             expect_error([&] { parse_chart_line(fmt::format("{}", fmt::join(damaged, ",")), "x.csv"); },
@@ -173,7 +173,7 @@ TEST(ChartDrawing, LabelsOverlapNeitherMarksNorEachOtherNorTheEdge) {
     for (const Configuration& one : chart_grid())
         rows.push_back(row_of("teapots", configuration_text(one), 20 * std::pow(100, share(random)),
                               0.001 * std::pow(60, share(random))));
-    rows[3].numbers->rmse = 0;  // has no logarithm
+    rows[3].numbers->rmse = 0;  // 0 has no logarithm
     const Drawing drawing = chart_drawing(rows, Metric::rmse, "by hand");
     std::size_t labels = 0;
     for (const Drawing::Text& text : drawing.texts) {
@@ -216,7 +216,7 @@ TEST(ChartDrawing, BearsScenesWithoutNumbers) {
     EXPECT_FALSE(chart_drawing({&exact, 1}, Metric::rmse, "").marks.empty());
 }
 
-// Rows come from files as well as from measurements; whatever they hold, the axes end.
+// Rows come from files as well as from measurements. For all values, the axes must be finite.
 TEST(ChartDrawing, LeavesOutWhatHasNoPlaceOnAnAxis) {
     const double infinite = std::numeric_limits<double>::infinity();
     for (const double none : {infinite, -infinite, std::nan("")}) {

@@ -1,4 +1,4 @@
-// coarse_mesh_test.cpp -- fewer triangles, the same shape.
+// coarse_mesh_test.cpp -- coarse meshes have fewer triangles but the same shape.
 #include "core/scene/coarse_mesh.hpp"
 #include "core/scene/billboards.hpp"
 #include "core/scene/shapes.hpp"
@@ -18,7 +18,7 @@ float distance_to_segment(const glm::vec3& p, const glm::vec3& a, const glm::vec
     return glm::length(p - (a + t * along));
 }
 
-/// To the plane of the triangle where the foot lies within, to the nearest edge otherwise.
+/// Distance to the plane of the triangle if the foot point lies within it, otherwise to the nearest edge.
 float distance_to_triangle(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
     const glm::vec3 normal = glm::cross(b - a, c - a);
     const auto inside = [&](const glm::vec3& from, const glm::vec3& to) {

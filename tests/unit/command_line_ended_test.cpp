@@ -1,5 +1,5 @@
-// command_line_ended_test.cpp -- Ctrl+C: every command answers soon, says what is kept, and leaves no process
-// and no half of a file.
+// command_line_ended_test.cpp -- Ctrl+C: every command reacts soon, says what is kept, and leaves neither a
+// process nor a half-written file.
 #include "app/progress.hpp"
 #include "core/output_file.hpp"
 #include "tests/unit/command_line_fixture.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::seconds GENEROUS{20};  // on a busy machine; within a second on an idle one
+constexpr std::chrono::seconds GENEROUS{20};  // for a busy machine; an idle one needs less than a second
 
 template <typename Condition>
 bool comes_true(const Condition& condition) {
@@ -26,7 +26,7 @@ bool comes_true(const Condition& condition) {
 
 class EndedCommandLine : public CommandLine {
 protected:
-    /// What becomes of a process that is interrupted when `ready`.
+    /// Interrupts a process as soon as `ready` returns true, and returns the outcome.
     template <typename Ready>
     Outcome interrupted(const std::function<void()>& process, const Ready& ready) const {
         std::fflush(nullptr);
@@ -43,7 +43,7 @@ protected:
                 content_of(folder_ / "stdout.txt"), content_of(folder_ / "stderr.txt")};
     }
 
-    /// Runs in a forked process with a folder of its own and ends it after a minute.
+    /// Runs in a forked process with its own folder and ends the process after a minute.
     void begin() const {
         ::alarm(60);
         if (::chdir(folder_.c_str()) != 0) ::_exit(99);
@@ -58,13 +58,13 @@ std::string child_of(pid_t process) {
     return content_of(fmt::format("/proc/{0}/task/{0}/children", process));
 }
 
-// Nobody may have asked yet how it ended.
+// The parent may not have collected its exit status yet.
 bool is_gone(const std::string& process) {
     const std::string stat = content_of(fmt::format("/proc/{}/stat", std::stoi(process)));
     return stat.empty() || stat.find(") Z ") != std::string::npos;
 }
 
-// Assimp never comes to an end of this file, whose header has none.
+// Assimp never finishes reading this file, because its header does not end.
 TEST_F(EndedCommandLine, WhileAMeshIsRead) {
     write("endless.ply", "ply\nformat ascii 1.0\nelement vertex 3\n");
     for (const char* line :
@@ -77,14 +77,14 @@ TEST_F(EndedCommandLine, WhileAMeshIsRead) {
             [&] { become_program(folder_, words_of(std::string(line) + " --scene endless.ply"), nullptr); },
             [&](pid_t process) { return !(reader = child_of(process)).empty(); });
         EXPECT_EQ(outcome.code, -SIGINT) << "whoever started it sees what ended it";
-        EXPECT_NE(outcome.errors.find("was ended before"), std::string::npos) << outcome.errors;
+        EXPECT_NE(outcome.errors.find("was stopped before"), std::string::npos) << outcome.errors;
         EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << outcome.errors;
         EXPECT_TRUE(fs::is_empty(folder_ / "out"));
         EXPECT_TRUE(comes_true([&] { return is_gone(reader); })) << "its reader lives on";
     }
 }
 
-// What does not look at the token, as a GL that draws.
+// Work that does not check the token, such as a GL that draws.
 TEST_F(EndedCommandLine, WorkThatDoesNotStopIsCutOff) {
     const Outcome outcome = interrupted(
         [&] {
@@ -115,7 +115,7 @@ TEST_F(EndedCommandLine, WorkThatStopsHasTheLastWord) {
         },
         [&](pid_t) { return has("begun"); });
     EXPECT_EQ(outcome.code, 7);
-    EXPECT_EQ(outcome.output, "Work was ended before it was done; nothing was written.\n");
+    EXPECT_EQ(outcome.output, "Work was stopped before it was finished; nothing was written.\n");
 }
 
 TEST_F(EndedCommandLine, AFileThatIsBeingWrittenIsWritten) {

@@ -1,5 +1,4 @@
-// command_line_endless_test.cpp -- files that would be read or drawn without an end are refused by a
-// sentence.
+// command_line_endless_test.cpp -- files that could be read or drawn endlessly are refused with a sentence.
 #include "tests/unit/command_line_fixture.hpp"
 
 #include <sys/stat.h>
@@ -21,7 +20,7 @@ TEST_F(EndlessFiles, OfPicturesAreRefused) {
     expect_refused("compare area.pgm a.png", "has 16384x16384 pixels");
 }
 
-// libpng prints by itself; what it says is part of the sentence.
+// libpng prints its own messages; the program includes them in its sentence.
 TEST_F(EndlessFiles, LibrariesHaveNoWordsOfTheirOwn) {
     Image picture(64, 64);
     std::mt19937 random(1);
@@ -36,7 +35,7 @@ TEST_F(EndlessFiles, LibrariesHaveNoWordsOfTheirOwn) {
         expect_refused(fmt::format("compare {} whole.png", file), file);
 }
 
-// An axis of a chart that reaches to infinity would have ticks without an end.
+// An axis of a chart that reaches to infinity would have infinitely many ticks.
 TEST_F(EndlessFiles, OfChartsAreRefused) {
     const std::string settings =
         "# momentscope: chart\n# schema: 2\n# rows: 1\n# shard: 1/1\n"

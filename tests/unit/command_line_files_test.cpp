@@ -1,4 +1,4 @@
-// command_line_files_test.cpp -- what commands do to files: nothing is lost, and nobody is told otherwise.
+// command_line_files_test.cpp -- how commands treat files: nothing is lost, and failures are reported.
 #include "app/end_by_signal.hpp"
 #include "core/output_file.hpp"
 #include "tests/unit/command_line_fixture.hpp"
@@ -23,7 +23,7 @@ protected:
     }
 };
 
-// What prints without OpenGL; tests/faults/full_disk.py has all commands.
+// Commands that print without OpenGL; tests/faults/full_disk.py has all commands.
 constexpr const char* PRINTING[] = {"--help",
                                     "stress --help",
                                     "list commands",
@@ -36,19 +36,19 @@ TEST_F(CommandLineFiles, WhatCannotBePrintedIsAFailure) {
     const auto full = [] { redirect("/dev/full", O_WRONLY, STDOUT_FILENO); };
     const auto closed = [] { ::close(STDOUT_FILENO); };
     for (const char* line : PRINTING) {
-        expect_said(run_words(words_of(line), full), "Standard output cannot be written");
-        expect_said(run_words(words_of(line), closed), "Standard output cannot be written");
+        expect_said(run_words(words_of(line), full), "Standard output could not be written");
+        expect_said(run_words(words_of(line), closed), "Standard output could not be written");
     }
 }
 
-// A file that is opened takes the lowest free number, which may be that of the output.
+// An opened file gets the lowest free number, which could be that of standard output.
 TEST_F(CommandLineFiles, WhatIsPrintedGetsIntoNoFile) {
     const auto closed = [] {
         ::close(STDIN_FILENO);
         ::close(STDOUT_FILENO);
     };
     const std::string stress = "stress --rays 1 --technique power4-32 --condition two -o ";
-    expect_said(run_words(words_of(stress + "out/x.csv"), closed), "Standard output cannot be written");
+    expect_said(run_words(words_of(stress + "out/x.csv"), closed), "Standard output could not be written");
     expect_success(stress + "out/y.csv");
     EXPECT_EQ(content_of(folder_ / "out/x.csv"), content_of(folder_ / "out/y.csv"));
 }
@@ -61,7 +61,7 @@ TEST_F(CommandLineFiles, ASignalRemovesWhatIsHalfWritten) {
             static int sent = 0;
             sent = signal;
             end_cleanly_on_signals();
-            std::signal(SIGXFSZ, [](int) { ::raise(sent); });  // comes when the first half is written
+            std::signal(SIGXFSZ, [](int) { ::raise(sent); });  // SIGXFSZ comes when the first half is written
             const rlimit half = {500, 500};
             ::setrlimit(RLIMIT_FSIZE, &half);
             write_file(std::string(1000, 'x'), folder_ / "out/a.txt");
@@ -145,7 +145,7 @@ TEST_F(CommandLineFiles, ScreenshotsOfEventsReplacePicturesAlone) {
     for (const auto& [event, said] :
          {std::pair("screenshot note.txt", "is a .png"), std::pair("screenshot x.exr", "is a .png"),
           std::pair("screenshot ray.json", "is a .png"),
-          std::pair("screenshot ./ray.png", "a file of this command line")}) {
+          std::pair("screenshot ./ray.png", "already used by this command line")}) {
         write("x.events", event);
         expect_refused(window + "x.events", said);
     }
@@ -153,7 +153,7 @@ TEST_F(CommandLineFiles, ScreenshotsOfEventsReplacePicturesAlone) {
     EXPECT_EQ(content_of(folder_ / "ray.json"), ray);
 }
 
-// The same name, another mesh: its rows are not those of the first one.
+// The same name, but another mesh: the rows of the first mesh must not be used.
 TEST_F(CommandLineFiles, AChartGoesOnWithTheSameMeshAlone) {
     const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     const std::string chart = "chart --scene m.obj --size 16x9 --repeat 1 --technique wboit -o ";
@@ -166,7 +166,7 @@ TEST_F(CommandLineFiles, AChartGoesOnWithTheSameMeshAlone) {
     write("m.obj", triangle + "v 0 0 1\nf 1 2 4\n");
     expect_refused(chart + "z.csv", "its mesh content is ");
     EXPECT_EQ(content_of(folder_ / "z.csv.partial"), content_of(folder_ / "x.csv"));
-    expect_refused("advise --scene m.obj --chart x.csv --max-error 0.9", "is another one than 'x.csv'");
+    expect_refused("advise --scene m.obj --chart x.csv --max-error 0.9", "has changed since 'x.csv'");
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
-// command_line_fixture.hpp -- runs the program in a forked process, which spares it the dynamic loader's
-// quarter of a second. What starts threads, such as pictures, must not be called here but in a forked
-// process.
+// command_line_fixture.hpp -- runs the program in a forked process, which saves the quarter of a second that
+// the dynamic loader takes. Code that starts threads, such as drawing, must run in a forked process, not in
+// this one.
 #pragma once
 #include "app/command_line.hpp"
 #include "core/image/image.hpp"
@@ -33,13 +33,13 @@ inline std::string content_of(const fs::path& path) {
 }
 
 struct Outcome {
-    bool exited = false;  // and was not killed by a signal
+    bool exited = false;  // it was not killed by a signal
     int code = 0;
     std::string output;
     std::string errors;
 };
 
-/// The words of a line, which are quoted as for a shell.
+/// The words of a line, with quotes as in a shell.
 inline std::vector<std::string> words_of(const std::string& line) {
     wordexp_t words{};
     if (::wordexp(line.c_str(), &words, WRDE_NOCMD) != 0) throw std::invalid_argument(line);
@@ -53,8 +53,8 @@ inline void redirect(const char* path, int flags, int to) {
     if (file < 0 || ::dup2(file, to) < 0) ::_exit(99);
 }
 
-/// The rest of a forked process: the program, whose output goes into files of the folder. `prepare` changes
-/// the process before. It ends after a minute.
+/// The code of a forked process: runs the program and writes its output to files of the folder. `prepare`
+/// changes the process before. The process ends after a minute.
 [[noreturn]] inline void become_program(const fs::path& folder, std::vector<std::string> words,
                                         const std::function<void()>& prepare) {
     ::alarm(60);
@@ -71,8 +71,7 @@ inline void redirect(const char* path, int flags, int to) {
     ::_exit(code);
 }
 
-/// Runs the program in a folder of its own, whose `out` is the only place where it may write. There is no
-/// display.
+/// Runs the program in a temporary folder. It may write only to the subfolder `out`. There is no display.
 class CommandLine : public testing::Test {
 protected:
     CommandLine() : folder_(fs::temp_directory_path() / ("momentscope_line_" + std::to_string(::getpid()))) {
@@ -113,7 +112,7 @@ protected:
                 content_of(folder_ / "stderr.txt")};
     }
 
-    /// One line on stderr that contains `part`, nothing on stdout, a code of failure, and no file.
+    /// Expects one line on stderr that contains `part`, nothing on stdout, exit code 1, and no file.
     void expect_refused(const std::string& arguments, const std::string& part) {
         expect_words_refused(words_of(arguments), part);
     }
@@ -123,7 +122,7 @@ protected:
         SCOPED_TRACE(fmt::format("{}", fmt::join(words, " ")));
         const Outcome outcome = run_words(words, prepare);
         EXPECT_TRUE(outcome.exited);
-        EXPECT_EQ(outcome.code, 1);  // not 124 (hung) nor 128 + a signal
+        EXPECT_EQ(outcome.code, 1);  // neither 124 (hung) nor 128 + a signal
         EXPECT_EQ(outcome.output, "");
         ASSERT_TRUE(outcome.errors.starts_with("momentscope: ")) << outcome.errors;
         ASSERT_EQ(outcome.errors.back(), '\n');

@@ -1,5 +1,5 @@
-// command_line_ignored_test.cpp -- options that would change nothing are refused, and what once was ignored
-// changes what it should.
+// command_line_ignored_test.cpp -- options without an effect are refused, and options that used to be ignored
+// have an effect now.
 #include "tests/unit/command_line_fixture.hpp"
 
 #include <cmath>
@@ -67,7 +67,7 @@ TEST_F(CommandLine, AcceptsWhatChangesSomething) {
         expect_success(line);
 }
 
-// Sheets of red in front of blue: alpha blending is right when they are submitted back to front.
+// Red sheets in front of a blue one: alpha blending is right if they are submitted back to front.
 TEST_F(CommandLine, OrderActsOnARay) {
     write("ftb.json", R"({"fragments": [{"depth": -0.5, "opacity": 0.6, "color": [1, 0, 0]},
                                         {"depth": 0.5, "opacity": 0.6, "color": [0, 0, 1]}]})");
@@ -76,7 +76,7 @@ TEST_F(CommandLine, OrderActsOnARay) {
     EXPECT_NE(expect_success(line + " --order reversed").output.find("Right to 0.0000"), std::string::npos);
 }
 
-// A surface at the near end of the depth range is seen at every depth behind it.
+// A surface at the near end of the depth range is visible to every depth behind it.
 TEST_F(CommandLine, ASurfaceAtTheNearEndStays) {
     for (const auto& [opacity, absorbance] : {std::pair(0.5, 0.6931), std::pair(0.999, 6.908)}) {
         write("edge.json", fmt::format(R"({{"fragments": [{{"depth": -1, "opacity": {}}}]}})", opacity));
@@ -90,7 +90,8 @@ TEST_F(CommandLine, ASurfaceAtTheNearEndStays) {
     }
 }
 
-// Two panes in one place and one in front: peeling's picture, curve and breakdown agree that one is lost.
+// Two panes at the same place and one in front: the picture, curve and breakdown of peeling agree that one is
+// lost.
 TEST_F(CommandLine, PeelingTellsWhatItLoses) {
     const std::string pane = "v -1 -0.8 {0}\nv 1 -0.8 {0}\nv 1 0.8 {0}\nv -1 0.8 {0}\n";
     write("same.obj", fmt::format(fmt::runtime(pane), 0) + "f 1 2 3 4\n" +

@@ -1,5 +1,5 @@
-// command_line_names_test.cpp -- names that break something somewhere: too long, no UTF-8, with line breaks,
-// commas and codes that terminals obey; places that are closed or gone; libraries that crash.
+// command_line_names_test.cpp -- difficult names: too long, not UTF-8, with line breaks, commas or terminal
+// codes; folders that are closed or gone; libraries that crash.
 #include "core/plain_text.hpp"
 #include "tests/unit/command_line_fixture.hpp"
 
@@ -19,7 +19,7 @@ class CommandLineNames : public CommandLine {
 protected:
     static constexpr const char* TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
-    // What is printed is text, and its only controls are line breaks.
+    // The output is text, and its only control characters are line breaks.
     static void expect_plain(const std::string& text) {
         EXPECT_TRUE(is_utf8(text));
         EXPECT_EQ(plain_lines(text), text);
@@ -79,10 +79,10 @@ TEST_F(CommandLineNames, AWorkingFolderThatIsGoneIsNamed) {
         expect_words_refused(words_of(line), "working folder is gone", leave);
     expect_words_succeed(
         {"--headless", "--scene", "planes", "--size", "640x400", "--screenshot", folder_ / "window.png"},
-        leave);  // it has a browser of files
+        leave);  // its file dialog starts there
 }
 
-// As text, a number of the terminal's codes and a byte that is no UTF-8.
+// The name contains text, terminal codes and a byte that is not UTF-8.
 const std::string CODES = "\x1B[31m\x07\x7F\u009B31m";
 
 TEST_F(CommandLineNames, CodesOfTerminalsReachNone) {
@@ -145,10 +145,11 @@ TEST_F(CommandLineNames, ALimitOfFilesIsAFailureLikeAnother) {
     expect_words_refused(words_of("inspect --ray ray.json -o out/x.json"), "could not be written", limit);
     const Outcome outcome = run_words(words_of("inspect --ray ray.json"), limit);
     EXPECT_EQ(outcome.code, 1);
-    EXPECT_NE(outcome.errors.find("Standard output cannot be written"), std::string::npos) << outcome.errors;
+    EXPECT_NE(outcome.errors.find("Standard output could not be written"), std::string::npos)
+        << outcome.errors;
 }
 
-#ifndef __SANITIZE_ADDRESS__  // which reports crashes itself
+#ifndef __SANITIZE_ADDRESS__  // AddressSanitizer reports crashes itself
 
 TEST_F(CommandLineNames, ADriverThatCrashesIsNamed) {
     const auto unknown = [] { ::setenv("GALLIUM_DRIVER", "nosuch", 1); };

@@ -1,5 +1,5 @@
-// command_line_test.cpp -- the program itself: each wrong input fails with one line, each right one prints or
-// writes.
+// command_line_test.cpp -- tests the program itself: each wrong input fails with one line, and each right one
+// prints or writes.
 #include "core/techniques/technique.hpp"
 #include "tests/unit/command_line_fixture.hpp"
 
@@ -80,8 +80,7 @@ TEST_F(CommandLine, WarnsOfWhatAMeshMeansOtherwise) {
                                 "explore --headless --scene line.obj --size 160x90 --screenshot out/x.png"}) {
         const Outcome outcome = run(command);
         EXPECT_EQ(outcome.code, 0) << command;
-        EXPECT_TRUE(
-            outcome.errors.starts_with("momentscope: The mesh file 'line.obj' leaves next to nothing to see"))
+        EXPECT_TRUE(outcome.errors.starts_with("momentscope: The mesh file 'line.obj' shows almost nothing"))
             << outcome.errors;
     }
 }
@@ -152,12 +151,12 @@ TEST_F(CommandLine, RefusesWrongChartsAndShards) {
     expect_refused(chart + "--repeat 0", "number of rounds");
     expect_refused(chart + "--shard 5/4", "'5/4' is not a shard");
     expect_refused("chart --size 16x9 -o out/x.md --metric psnr", "no metric 'psnr'");
-    expect_refused("chart --scene planes -o out/x.jpg", "none of .csv");
+    expect_refused("chart --scene planes -o out/x.jpg", "does not end in .csv");
     expect_refused("chart --scene planes --shard 1/2 -o out/x.html", "ends in .csv");
     expect_refused("stress --shard 0/2 -o out/x.csv", "is not a shard");
     expect_refused("stress --shard 1/2 -o out/x.html", "ends in .csv");
     expect_refused("merge none.csv -o out/all.csv", "no CSV file");
-    expect_refused("merge ray.json -o out/all.csv", "of which run");
+    expect_refused("merge ray.json -o out/all.csv", "to which run");
     expect_refused("merge -o out/all.csv", "--help");
 }
 
@@ -175,9 +174,9 @@ TEST_F(CommandLine, RefusesWrongBoundsOfAdvice) {
     expect_refused(advise + "--max-error 0.1 --technique nothing", "no technique 'nothing'");
     expect_refused("advise --scene nowhere --max-error 0.1", "no scene 'nowhere'");
     expect_refused("advise --scene planes --max-error 0.1 -o out/x.png", "is not");
-    expect_refused(advise + "--max-error 1e-9 --technique wboit", "Nothing meets this");
+    expect_refused(advise + "--max-error 1e-9 --technique wboit", "Nothing meets these bounds");
     expect_refused(advise + "--max-error 0.1 --technique unsorted --order-independent",
-                   "None of the configurations");
+                   "None of these configurations");
     expect_refused(advise + "--max-error 0.1 --chart none.csv", "excludes");
 }
 
@@ -189,7 +188,7 @@ TEST_F(CommandLine, AdviceTakesTheRowsOfAChart) {
                    "no rows of the scene 'spheres', but of planes");
     expect_refused(advise + "--scene planes --max-error 0.1 --technique at", "no rows of these techniques");
     expect_refused(advise + "--scene planes --max-error 0.1 --beta 0", "leave --chart out");
-    expect_refused("advise --chart ray.json --scene planes --max-error 0.1", "of which run");
+    expect_refused("advise --chart ray.json --scene planes --max-error 0.1", "to which run");
     const Outcome outcome = expect_success(advise + "--scene planes --max-error 0.9 -o out/recipe.json");
     EXPECT_NE(outcome.output.find("Cheapest     "), std::string::npos) << outcome.output;
     const json recipe = json::parse(content_of(folder_ / "out/recipe.json"));
@@ -224,7 +223,7 @@ TEST_F(CommandLine, CompareTellsOfAlphaAndRefusesWhatIsNoNumber) {
     EXPECT_EQ(expect_success("compare a.exr a.exr").output.find("alpha"), std::string::npos);
     picture.at(2, 1).a = 0.25f;
     write_picture(picture, "alpha.exr");
-    EXPECT_NE(expect_success("compare a.exr alpha.exr").output.find("differs by 0.75 at most"),
+    EXPECT_NE(expect_success("compare a.exr alpha.exr").output.find("differ by at most 0.75"),
               std::string::npos);
     picture.at(1, 2).g = std::nanf("");
     picture.at(3, 2).b = INFINITY;
@@ -297,7 +296,7 @@ TEST_F(CommandLine, InspectTakesTheSamplesAndWritesTheFile) {
               root);  // a failure keeps the old file
 }
 
-// Not forked, but started, as users start it.
+// The program is started like by a user, not forked.
 TEST_F(CommandLine, TheProgramIsWhatIsTestedHere) {
     const std::string program = std::string("cd '") + folder_.string() + "' && '" + MOMENTSCOPE_BINARY + "' ";
     EXPECT_EQ(std::system((program + "list techniques >started.txt").c_str()), 0);
@@ -313,7 +312,7 @@ TEST_F(CommandLine, HelpSucceedsAndNamesEveryParameter) {
         EXPECT_NE(help.find(std::string("--") + row.key + " "), std::string::npos) << row.key;
 }
 
-// docs/cli.md is what the program knows of itself.
+// docs/cli.md must equal the program's own description.
 TEST_F(CommandLine, HasItsPage) {
     std::ifstream file("docs/cli.md");
     std::stringstream text;

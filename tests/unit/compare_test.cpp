@@ -1,4 +1,4 @@
-// compare_test.cpp -- metrics against values that are known by hand or from another program.
+// compare_test.cpp -- metrics against values that were computed by hand or by another program.
 #include "core/compare/difference.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(Compare, BlackAndWhite) {
     EXPECT_LE(flip, 1);
 }
 
-// L*a*b* of the primaries under D65, from tables.
+// L*a*b* of the primaries under D65, from published tables.
 TEST(Compare, LabOfPrimaries) {
     const auto expect = [](const glm::dvec3& rgb, const glm::dvec3& lab) {
         EXPECT_LT(glm::distance(lab_of_linear(rgb), lab), 0.03);
@@ -47,7 +47,7 @@ TEST(Compare, LabOfPrimaries) {
     EXPECT_LT(glm::distance(linear_of_opponent(opponent_of_linear(color)), color), 1e-12);
 }
 
-// Root of the mean square: one pixel of twelve is off by 1 in one of three channels.
+// Root mean square: one pixel of twelve is off by 1 in one of three channels.
 TEST(Compare, OnePixel) {
     const Image a = plain(4, 3, glm::vec3(0.5f));
     Image b = a;
@@ -55,8 +55,8 @@ TEST(Compare, OnePixel) {
     EXPECT_NEAR(mean_difference(a, b, Metric::rmse), 1.0 / 6, 1e-6);
 }
 
-// An independent program, which convolves with whole two-dimensional kernels and takes the matrix of the
-// published code, gives .0774147.
+// An independent program, which convolves with full two-dimensional kernels and uses the matrix of the
+// published code, gives 0.0774147.
 TEST(Compare, FlipOfACommittedPair) {
     const Image sorted = read_image("tests/images/sorted.png"), wboit = read_image("tests/images/wboit.png");
     EXPECT_NEAR(mean_difference(sorted, wboit, Metric::flip), 0.0774147, 5e-6);
@@ -104,7 +104,7 @@ TEST(Compare, FalseColorsGoFromBlackToBright) {
     EXPECT_EQ(image.at(3, 0), image.at(2, 0)) << "what is beyond the scale has its end's colour";
 }
 
-// Straight alpha stays beside its colours: half of the red is not lost.
+// Straight alpha is stored separately from the colours: half of the red must not be lost.
 TEST(ReadImage, KeepsColoursAndAlphaAsTheyAreStored) {
     const std::filesystem::path path =
         std::filesystem::temp_directory_path() / "momentscope_straight_alpha.png";

@@ -13,7 +13,7 @@ namespace {
 TEST(Configuration, TextHoldsWhatTheTechniqueReadsAndIsNotAtItsStandard) {
     ParameterValues values;
     values.set(ParameterId::nodes, 8.0f);
-    values.set(ParameterId::layers, 2.0f);  // none of adaptive transparency's
+    values.set(ParameterId::layers, 2.0f);  // adaptive transparency has no such parameter
     EXPECT_EQ(configuration_text({&require_technique("at"), values}), "at:nodes=8");
     EXPECT_EQ(configuration_options({&require_technique("at"), values}), "--technique at --nodes 8");
     EXPECT_EQ(configuration_text({&require_technique("unsorted"), values}), "unsorted");
@@ -73,7 +73,7 @@ TEST(Grid, HoldsEveryTechniqueFirstAsItIsAndNothingTwice) {
         EXPECT_EQ(configuration_text(chart_grid(technique).front()), technique.id);
     }
     EXPECT_EQ(chart_grid(require_technique("at")).size(), 3U);
-    // What advise --max-bits 160 may answer: two trigonometric moments without room for a factor.
+    // A possible answer of advise --max-bits 160: two trigonometric moments without space for a factor.
     const Configuration lean = parse_configuration("trig2-32:factorisation=per-fragment");
     EXPECT_TRUE(texts.contains(configuration_text(lean)));
     EXPECT_EQ(bits_with_factor(*lean.technique, lean.values), 160);

@@ -1,4 +1,5 @@
-// curve_output_test.cpp -- curves as JSON (the form that other people's scripts rely on), CSV and a table.
+// curve_output_test.cpp -- curves as JSON (the form that other people's scripts depend on), as CSV and as a
+// table.
 #include "core/inspect/curve_output.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// Fragments of opacity one half at -.5 and three quarters at .5.
+/// Fragments of opacity one half at -0.5 and three quarters at 0.5.
 ViewRay two_fragments() {
     ViewRay ray;
     for (const auto& [depth, opacity] : {std::pair{-0.5f, 0.5f}, {0.5f, 0.75f}}) {
@@ -64,7 +65,7 @@ TEST(CurveJson, OfPowerMomentsHasBounds) {
     EXPECT_EQ(curve["technique"], "power4-32");
     EXPECT_EQ(keys_of(curve["parameters"]), (Keys{"beta", "alpha", "solver"}));
     EXPECT_EQ(curve["parameters"]["beta"], 0.25);
-    EXPECT_EQ(curve["parameters"]["alpha"].get<float>(), 5e-7f);  // what `auto` means here
+    EXPECT_EQ(curve["parameters"]["alpha"].get<float>(), 5e-7f);  // the value of `auto` here
     for (const char* key : {"depth", "true", "reconstructed", "lower", "upper"}) {
         ASSERT_EQ(curve[key].size(), 5u) << key;
         for (const ordered_json& value : curve[key]) EXPECT_TRUE(value.is_number()) << key;
@@ -83,7 +84,7 @@ TEST(CurveJson, OfTrigonometricMomentsHasBetaZeroAndOneButNoBounds) {
     EXPECT_TRUE(curve["upper"].is_null());
     ASSERT_EQ(curve["beta0"].size(), 5u);
     ASSERT_EQ(curve["beta1"].size(), 5u);
-    for (std::size_t i = 0; i < 5; ++i) {  // beta = .25 lies between, or clamped with both
+    for (std::size_t i = 0; i < 5; ++i) {  // beta = 0.25 lies between, or is clamped with both
         EXPECT_LE(curve["beta0"][i], curve["reconstructed"][i]);
         EXPECT_LE(curve["reconstructed"][i], curve["beta1"][i]);
     }
@@ -106,7 +107,7 @@ TEST(CurveJson, ListsPowerMomentsByTheirOrder) {
         ASSERT_EQ(moments.size(), count + 1);
         for (std::size_t k = 0; k <= count; ++k) {
             const double exact = std::log(2) * (std::pow(-0.5, k) + 2 * std::pow(0.5, k));
-            EXPECT_NEAR(moments[k].get<double>(), exact, 6e-7) << k;  // absorbances are good to 3 ulps
+            EXPECT_NEAR(moments[k].get<double>(), exact, 6e-7) << k;  // absorbances are accurate to 3 ulps
         }
     }
 }
@@ -120,8 +121,8 @@ TEST(CurveJson, ListsTrigonometricMomentsAsRealAndImaginaryParts) {
             const double near = static_cast<double>(k) * 0.475 * std::numbers::pi;  // theta is pi / 10
             const double re = std::log(2) * (std::cos(near) + 2 * std::cos(3 * near));
             const double im = std::log(2) * (std::sin(near) + 2 * std::sin(3 * near));
-            // sincos errs by 2.1e-7, twice that for its square, k times for its power, times the 2.1 of
-            // absorbance.
+            // sincos errs by 2.1e-7; its square by twice that, its k-th power by k times that, times the
+            // absorbance of 2.1.
             EXPECT_NEAR(moments[2 * k - 1].get<double>(), re, 3.6e-6) << k;
             EXPECT_NEAR(moments[2 * k].get<double>(), im, 3.6e-6) << k;
         }
@@ -190,7 +191,7 @@ TEST(CurveTable, NamesWhatItsColumnsAre) {
     for (std::size_t i = 4; i < power.size(); ++i) EXPECT_EQ(power[i].size(), power[3].size());  // aligned
     const std::string trigonometric = curves_to_table(ray, {curve_of(ray, "trig2-32")});
     EXPECT_NE(trigonometric.find("beta = 0    beta = 1"), std::string::npos);
-    EXPECT_EQ(trigonometric.find("lower"), std::string::npos);  // they are no bounds
+    EXPECT_EQ(trigonometric.find("lower"), std::string::npos);  // these are not bounds
 }
 
 TEST(EvenDepths, RunFromOneEndToTheOther) {

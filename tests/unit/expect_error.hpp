@@ -1,4 +1,4 @@
-// expect_error.hpp -- what every failure of the outside world must look like: one sentence, on one line.
+// expect_error.hpp -- checks the form of error messages: one sentence on one line.
 #pragma once
 #include "core/error.hpp"
 
@@ -8,7 +8,7 @@
 
 namespace momentscope {
 
-/// One line that ends in its only full stop that ends a sentence (that of 0.5, .json or "e.g." is none).
+/// One line that ends with its only full stop (those in 0.5, .json or "e.g." do not count).
 inline void expect_one_sentence(const std::string& text) {
     ASSERT_FALSE(text.empty());
     EXPECT_EQ(text.find('\n'), std::string::npos) << text;

@@ -1,4 +1,5 @@
-// gltf_file_test.cpp -- glTF files: where things stand, what is needed, and which files belong to them.
+// gltf_file_test.cpp -- glTF files: placement of meshes, required features, and the files that belong to
+// them.
 #include "core/scene/gltf_file.hpp"
 #include "tests/unit/mesh_folder.hpp"
 
@@ -15,8 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// The bytes of panes 2 by 1.6 at z = -1, 0 and 1, each coordinate as `change` makes it, and (0, 0, 5) for
-/// each corner.
+/// The bytes of three panes of 2 by 1.6 at z = -1, 0 and 1, with each coordinate passed through `change`, and
+/// (0, 0, 5) for each corner.
 template <class Change>
 std::string panes_bytes(const Change& change) {
     std::string bytes;
@@ -38,7 +39,7 @@ std::string panes_bytes() {
     return panes_bytes([](float x) { return x; });
 }
 
-/// Three nodes, a pane each; accessor 4 holds (0, 0, 5).
+/// Three nodes with one pane each; accessor 4 holds (0, 0, 5).
 json panes_json(const std::string& uri) {
     json file = {
         {"asset", {{"version", "2.0"}}},
@@ -94,7 +95,7 @@ TEST_F(GltfMesh, IsReadAsTextAndBinaryFromFilesAndUris) {
     std::string wide = "\xff\xfe";
     for (const char c : panes_json("panes.bin").dump()) wide += {c, '\0'};
     expect_depths(write("wide.gltf", wide), THREE_DEPTHS);
-    // A buffer that begins like a text in UTF-16 is none.
+    // A buffer that begins like UTF-16 text is still binary.
     write("mark.bin", "\xff\xfe" + panes_bytes());
     json file = panes_json("mark.bin");
     file["buffers"][0]["byteLength"] = 206;
@@ -145,7 +146,7 @@ TEST_F(GltfMesh, RefusesExtensionsThatItNeedsByName) {
         file["extensionsRequired"] = {"KHR_materials_unlit", "KHR_texture_transform", "KHR_technique_webgl"};
     expect_depths(write_json(file), THREE_DEPTHS);
     file = panes_json("panes.bin");
-    file["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] = 4;  // not listed
+    file["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] = 4;  // unlisted
     expect_warning(write_json(file), "EXT_mesh_gpu_instancing");
 }
 
@@ -153,7 +154,7 @@ TEST_F(GltfMesh, RefusesWhatIsNoJson) {
     expect_refused(write("nan.gltf", "{\"asset\": {\"version\": \"2.0\"}, \"a\": NaN}"),
                    "not valid JSON at byte");
     expect_refused(write("far.gltf", "{\"asset\": {\"version\": \"2.0\"}, \"a\": 1e999}"),
-                   "a value that JSON cannot carry");
+                   "a value that JSON cannot represent");
 }
 
 TEST_F(GltfMesh, RefusesNestingWithoutFollowingIt) {
@@ -170,7 +171,7 @@ TEST_F(GltfMesh, RefusesAShapeLargerThanNumbers) {
         const double end = node == 0 ? 1.5e308 : -1.5e308;
         file["nodes"][node]["translation"] = {end, end, 0.0};
     }
-    expect_refused(write_json(file), "is larger than numbers are");
+    expect_refused(write_json(file), "is larger than any number can be");
 }
 
 TEST_F(GltfMesh, RefusesPositionsThatAreNoFloats) {
@@ -187,13 +188,13 @@ TEST_F(GltfMesh, NodesAreInDouble) {
     json file = panes_json("panes.bin");
     for (json& node : file["nodes"]) node["translation"] = far;
     expect_depths(write_json(file), THREE_DEPTHS);
-    // The same by a parent, a grandparent with a scale and a rotation that is undone.
+    // The same placement by a parent and a grandparent, with a scale, and a rotation that is undone.
     file = panes_json("panes.bin");
     file["nodes"].push_back({{"children", {0, 1, 2}}, {"translation", far}, {"rotation", {0, 1, 0, 0}}});
     file["nodes"].push_back({{"children", {3}}, {"scale", {1e-3, 1e-3, 1e-3}}, {"rotation", {0, -1, 0, 0}}});
     file["scenes"][0]["nodes"] = {4};
     expect_depths(write_json(file), THREE_DEPTHS);
-    // Panes that lie far apart only in their nodes, as a matrix and as a translation.
+    // Panes that are far apart only by their nodes, with a matrix and with a translation.
     file = panes_json("panes.bin");
     for (json& node : file["nodes"]) node["mesh"] = 1;
     file["nodes"][0]["matrix"] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 448261.35, 0, 5411931.68, 1};
@@ -215,24 +216,23 @@ TEST_F(GltfMesh, NodesOfNoScaleLeaveTheOthers) {
     file["nodes"][0]["translation"] = {1e308, 0, 0};
     file["nodes"].push_back({{"children", {0}}, {"scale", {10, 1, 1}}});
     file["scenes"][0]["nodes"] = {5, 1, 2};
-    expect_refused(write_json(file), "at infinity");
+    expect_refused(write_json(file), "infinite or NaN");
 }
 
 TEST_F(GltfMesh, DefaultWeightsOfMorphTargetsAreApplied) {
-    const std::vector<double> morphed = {1.9635, 2.3301,
-                                         3.4299};  // the one in the middle is moved by 0.1 * 5
+    const std::vector<double> morphed = {1.9635, 2.3301, 3.4299};  // the middle pane is moved by 0.1 * 5
     json file = panes_json("panes.bin");
     file["meshes"][1]["primitives"][0]["targets"] = {{{"POSITION", 4}}};
     expect_depths(write_json(file), THREE_DEPTHS);
     file["meshes"][1]["weights"] = {0.1};
     expect_depths(write_json(file), morphed);
     expect_depths(write_binary(file), morphed);
-    file["nodes"][1]["weights"] = {0.0};  // the node's count
+    file["nodes"][1]["weights"] = {0.0};  // as many as the node needs
     expect_depths(write_json(file), THREE_DEPTHS);
     file["meshes"][1]["weights"] = {0.0};
     file["nodes"][1]["weights"] = {0.1};
     expect_depths(write_json(file), morphed);
-    file["nodes"][1]["weights"] = {0.1, 0.2};  // of a target that is not there
+    file["nodes"][1]["weights"] = {0.1, 0.2};  // for a missing target
     expect_depths(write_json(file), morphed, true);
 }
 
@@ -262,7 +262,7 @@ TEST_F(GltfMesh, NumbersThatFloatsCannotHoldAreSaid) {
     write("panes.bin", panes_bytes([](float x) { return x + 5411932.0f; }));
     expect_warning(write_with_uri("panes.bin"), "as large as 5411933");
     write("panes.bin", panes_bytes([](float x) { return 1e-42f * x; }));
-    expect_warning(write_with_uri("panes.bin"), "half diagonal is 1.6");
+    expect_warning(write_with_uri("panes.bin"), "half diagonal of only 1.6");
     write("panes.bin", panes_bytes([](float x) { return x + 1000.0f; }));
     expect_depths(write_with_uri("panes.bin"), THREE_DEPTHS);
     for (const float scale : {1e-37f, 1e-20f, 1e-6f, 1e30f}) {

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// IEC 61966-2-1: the standard's own examples of the curve, in 8 bits.
+// IEC 61966-2-1: examples of the curve from the standard, in 8 bits.
 TEST(Srgb, FollowsTheStandard) {
     EXPECT_EQ(srgb_from_linear(0), 0);
     EXPECT_NEAR(srgb_from_linear(1), 1, 1e-6);
@@ -28,7 +28,7 @@ TEST(Srgb, FollowsTheStandard) {
     EXPECT_NEAR(srgb_from_linear(40), 1, 1e-6);
 }
 
-// Equation 3 of Reinhard et al. and Narkowicz's fit of the ACES curve, computed elsewhere.
+// Equation 3 of Reinhard et al. and Narkowicz's fit of the ACES curve, computed independently.
 TEST(ToneMap, FollowsItsCurves) {
     for (const float linear : {0.0f, 0.25f, 1.0f, 8.0f})
         EXPECT_EQ(tone_mapped(linear, ToneMap::none), linear);
@@ -58,7 +58,7 @@ TEST(ToneMap, ChangesPngAndNotExr) {
     fs::remove_all(folder);
 }
 
-// Files of renderers hold depths beside colours, in any order.
+// Files of renderers contain depths besides colours, in any order.
 TEST(ReadImage, FindsChannelsByTheirNames) {
     const fs::path path = fs::temp_directory_path() / "momentscope-channels-test.exr";
     OIIO::ImageSpec spec(1, 1, 6, OIIO::TypeDesc::FLOAT);
@@ -77,7 +77,7 @@ TEST(ReadImage, FindsChannelsByTheirNames) {
     fs::remove(path);
 }
 
-// Rows of a map count from below; a picture without an alpha channel is taken as it is.
+// Rows of a map count from below. A picture without an alpha channel is taken as it is.
 TEST(AlphaMaps, AreTheAlphaChannelOrTheFirst) {
     const fs::path folder = fs::temp_directory_path() / "momentscope-alpha-test";
     fs::create_directories(folder);
@@ -103,7 +103,7 @@ TEST(AlphaMaps, AreTheAlphaChannelOrTheFirst) {
     fs::remove_all(folder);
 }
 
-// Reading them would never end, or take all memory; the header of a picture is enough to refuse it.
+// Reading these files would never end or take all memory. The header of a picture is enough to refuse it.
 TEST(PictureFiles, OnlyOrdinaryFilesOfBearableSizeAreRead) {
     const fs::path folder = fs::temp_directory_path() / "momentscope-endless-test";
     fs::create_directories(folder);

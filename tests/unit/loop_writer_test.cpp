@@ -1,4 +1,4 @@
-// loop_writer_test.cpp -- loops of shaders written out.
+// loop_writer_test.cpp -- writing out the loops of shaders.
 #include "core/gl/loop_writer.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace momentscope::test {
 namespace {
 
-// Without the white space that does not matter.
+// Removes white space that does not matter.
 std::string packed(std::string_view text) {
     std::string result;
     for (const ShaderToken& token : shader_tokens(text)) {

@@ -1,4 +1,4 @@
-// mesh_checks.hpp -- what every mesh must fulfil, wherever it comes from.
+// mesh_checks.hpp -- checks that every mesh must pass, whatever its source.
 #pragma once
 #include "core/scene/scene.hpp"
 
@@ -34,7 +34,7 @@ inline void expect_well_formed(const Mesh& mesh) {
     for (const glm::vec3& n : mesh.normals) ASSERT_NEAR(glm::length(n), 1.0f, 1e-5f);
 }
 
-/// The share of triangles (of those with an area) whose winding agrees with their vertices' normals.
+/// The share of triangles with an area whose winding agrees with their vertices' normals.
 inline double agreeing_triangles(const Mesh& mesh) {
     double agreeing = 0.0;
     double all = 0.0;

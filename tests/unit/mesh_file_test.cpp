@@ -1,4 +1,4 @@
-// mesh_file_test.cpp -- meshes from files: what is read, and what is refused with which sentence.
+// mesh_file_test.cpp -- meshes from files: what is read, and which sentence refuses the rest.
 #include "core/scene/mesh_file.hpp"
 #include "core/memory.hpp"
 #include "core/scene/isolated_read.hpp"
@@ -49,7 +49,7 @@ TEST_F(MeshFile, QuadrilateralsAreSplitVerticesJoinedLinesDropped) {
     const std::string quads = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nv 9 9 9\nv 8 8 8\n";
     const Mesh mesh = read_mesh_file(write("quads.obj", quads + "f 1 2 3 4\nf 2 5 6 3\nl 7 8\n")).mesh;
     expect_well_formed(mesh);
-    expect_normalized(mesh);  // the line's ends would make the box larger
+    expect_normalized(mesh);  // the ends of the line would enlarge the box
     EXPECT_EQ(mesh.indices.size(), 12u);
     EXPECT_EQ(mesh.positions.size(), 6u);
 }
@@ -81,13 +81,13 @@ TEST_F(MeshFile, PanesAtSmallScalesStayApart) {
 TEST_F(MeshFile, WarnsOfCoordinatesThatFloatsCannotHold) {
     expect_warning(
         write("far.off", "OFF\n3 1 0\n448261 0 5411932.5\n448263 0 5411932.5\n448263 2 5411933\n3 0 1 2\n"),
-        "as large as 5411933, where numbers lie 0.65 apart, in a shape whose half diagonal is 1.436");
+        "as large as 5411933, where numbers lie 0.65 apart, but a half diagonal of only 1.436");
 }
 
 TEST_F(MeshFile, WarnsWhenNothingIsLeftToSee) {
     const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
-    expect_warning(write("far.obj", square + "v 1e30 0 0\nf 1 2 5\n"), "next to nothing to see");
-    expect_warning(write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), "next to nothing to see");
+    expect_warning(write("far.obj", square + "v 1e30 0 0\nf 1 2 5\n"), "shows almost nothing");
+    expect_warning(write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), "shows almost nothing");
     std::string speck;
     for (int i = 0; i < 10; ++i)
         speck += fmt::format("v 0 0 {0}\nv 1 0 {0}\nv 1 1 {0}\nv 0 1 {0}\nf -4 -3 -2 -1\n", i);
@@ -112,7 +112,7 @@ TEST_F(MeshFile, RefusesWhatIsNoMeshFile) {
 
 TEST_F(MeshFile, RefusesWhatIsTooLarge) {
     const fs::path path = write("large.obj", TRIANGLE);
-    fs::resize_file(path, MAX_MESH_FILE_BYTES + 1);  // sparse: takes no room
+    fs::resize_file(path, MAX_MESH_FILE_BYTES + 1);  // sparse, so it takes no space
     expect_refused(path, "1024 MiB");
 }
 
@@ -215,7 +215,7 @@ TEST(IsolatedRead, OutlivesAReaderThatCrashesHangsOrLies) {
     EXPECT_FALSE(read_isolated([&](const ReadReport&) { return LoadedMesh{incomplete}; }, 5));
 }
 
-// A parent that is killed cannot tell its child; the system must.
+// A killed parent cannot tell its child; the system must.
 TEST(IsolatedRead, EndsWithItsParent) {
     int held[2];
     ASSERT_EQ(::pipe2(held, O_CLOEXEC), 0);
@@ -236,7 +236,7 @@ TEST(IsolatedRead, EndsWithItsParent) {
     ASSERT_EQ(::read(begun[0], &byte, 1), 1);
     ::kill(parent, SIGKILL);
     ::waitpid(parent, nullptr, 0);
-    // Both hold the other end of the pipe open as long as they live.
+    // Both keep the other end of the pipe open during their lifetime.
     pollfd end{held[0], POLLIN, 0};
     constexpr int GENEROUS_MS = 20'000;
     EXPECT_EQ(::poll(&end, 1, GENEROUS_MS), 1) << "the reader lives on";
@@ -256,7 +256,7 @@ TEST(IsolatedRead, IsStoppedWhileItReads) {
     EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
 }
 
-// What a file takes is told before it is taken, and what it means is told before it is drawn.
+// The memory for a file is reported before it is taken, and the content before it is drawn.
 TEST_F(MeshFile, TellsItsMemoryAndItsTriangles) {
     std::vector<std::string> reports;
     read_mesh_file(write("triangle.obj", TRIANGLE), {},

@@ -1,4 +1,4 @@
-// mesh_folder.hpp -- a folder for the mesh files of a test, and what is seen of them.
+// mesh_folder.hpp -- a temporary folder for the mesh files of a test, and checks of the visible surfaces.
 #pragma once
 #include "core/error.hpp"
 #include "core/scene/mesh_file.hpp"
@@ -16,7 +16,7 @@
 
 namespace momentscope {
 
-/// A folder of its own for each test's files, which goes with the test.
+/// A folder for the files of each test, which is removed with the test.
 class MeshFolder : public testing::Test {
 protected:
     MeshFolder()
@@ -35,7 +35,7 @@ protected:
         return folder_ / name;
     }
 
-    /// Expects one plain sentence that names the file and contains `part`.
+    /// Expects the file to be refused with one plain sentence that names it and contains `part`.
     static void expect_refused(const std::filesystem::path& path, const std::string& part) {
         try {
             read_mesh_file(path);
@@ -57,7 +57,7 @@ protected:
         EXPECT_NE(warnings[0].find(part), std::string::npos) << warnings[0];
     }
 
-    /// Expects the pixel in the middle of a picture of 160 x 90 to see the mesh at these depths, and no
+    /// Expects that the middle pixel of a picture of 160 x 90 shows the mesh at these depths, without a
     /// warning.
     static void expect_depths(const std::filesystem::path& path, const std::vector<double>& depths,
                               bool with_warning = false) {
@@ -68,7 +68,7 @@ protected:
         for (std::size_t i = 0; i < seen.size(); ++i) EXPECT_NEAR(seen[i], depths[i], 1e-4) << path;
     }
 
-    /// Where the ray through the middle of pixel (80, 45) of 160 x 90 meets the triangles, in view depth.
+    /// The view depths at which the ray through the middle of pixel (80, 45) of 160 x 90 meets the triangles.
     static std::vector<double> depths_of(const Scene& scene) {
         const Camera& camera = scene.camera;
         const double azimuth = camera.azimuth, elevation = camera.elevation;

@@ -1,4 +1,4 @@
-// obj_text_test.cpp -- OBJ files of every spelling, and text in every encoding.
+// obj_text_test.cpp -- OBJ files with all spellings, and text in all encodings.
 #include "core/scene/obj_text.hpp"
 #include "core/scene/text_encoding.hpp"
 #include "tests/unit/mesh_folder.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 class ObjFile : public MeshFolder {};
 
-/// Parallel panes 2 by 1.6 at these depths, moved and then scaled; `format` says how numbers are written.
+/// Parallel panes of 2 by 1.6 at these depths, moved and then scaled; `format` is the format of numbers.
 std::string panes_obj(const std::vector<double>& depths, glm::dvec3 moved, double scale, const char* format) {
     std::string text;
     for (const double z : depths) {
@@ -28,9 +28,9 @@ std::string panes_obj(const std::vector<double>& depths, glm::dvec3 moved, doubl
     return text;
 }
 
-const std::vector<double> FOUR_DEPTHS = {2.2634, 2.6967, 2.9133, 3.1299};  // of panes at 0, 0.25, 0.5 and 1
+const std::vector<double> FOUR_DEPTHS = {2.2634, 2.6967, 2.9133, 3.1299};  // for panes at 0, 0.25, 0.5 and 1
 
-// The trials origin.obj, utm.obj and tiny.obj, whose panes floats merge.
+// The trials origin.obj, utm.obj and tiny.obj. Floats would merge their panes.
 TEST_F(ObjFile, LosesNothingFarFromTheOriginOrAtAnyScale) {
     const auto expect_seen = [&](glm::dvec3 moved, double scale, const char* format) {
         SCOPED_TRACE(format);
@@ -39,7 +39,7 @@ TEST_F(ObjFile, LosesNothingFarFromTheOriginOrAtAnyScale) {
     expect_seen({}, 1.0, "{:.3f}");
     expect_seen({448262.35, 5.0, 5411932.68}, 1.0, "{:.3f}");
     for (const double scale : {1e-300, 1e-45, 1e-20, 1e-5, 1e30, 1e250}) expect_seen({}, scale, "{:.9g}");
-    expect_seen({}, 1e-20, "{:.25f}");  // Assimp drops what follows the 15th decimal
+    expect_seen({}, 1e-20, "{:.25f}");  // Assimp drops digits after the 15th decimal place
     expect_warning(write("lost.obj", panes_obj({0, 0.25, 0.5, 1}, {0, 0, 1e14}, 1.0, "{:.3f}")),
                    "as large as 1e+14");
 }
@@ -169,7 +169,7 @@ TEST(TextEncoding, KeepsEveryCharacter) {
               "a");  // half a pair, half a character
     EXPECT_EQ(as_utf8("v 1 2 3\n"), std::nullopt);
     EXPECT_EQ(as_utf8("glTF\2\0\0\0\1\0\0\0\1\0\0\0JSON"sv), std::nullopt);
-    EXPECT_EQ(as_utf8("a\0b\0c\0"sv), std::nullopt);  // too short to be sure
+    EXPECT_EQ(as_utf8("a\0b\0c\0"sv), std::nullopt);  // too short to detect the encoding
     EXPECT_EQ(as_utf8(""), std::nullopt);
 }
 

@@ -1,4 +1,5 @@
-// output_file_test.cpp -- a file is written whole or stays as it was; what must not be replaced is not.
+// output_file_test.cpp -- a file is written completely or stays as it was, and protected files are not
+// replaced.
 #include "core/output_file.hpp"
 
 #include <fcntl.h>
@@ -20,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// No file may become longer while it lives, as on a disk that is full.
+/// During its lifetime no file may grow, like on a full disk.
 class FileLimit {
 public:
     explicit FileLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
@@ -81,7 +82,7 @@ TEST_F(OutputFile, AFullDiskLeavesTheOldFileAndNoOther) {
     EXPECT_EQ(count(), 3) << "and nothing half-written";
 }
 
-// Names that were known before could be planted, or be somebody's.
+// Files with predictable names could be planted by somebody, or belong to somebody.
 TEST_F(OutputFile, FilesBesideItAreNotTouched) {
     const fs::path neighbour = folder_ / ".a.partial.txt", precious = folder_ / "precious";
     write_file("precious", precious);
@@ -111,7 +112,7 @@ TEST_F(OutputFile, KeepsPermissions) {
 
 TEST_F(OutputFile, WritesWhatALinkPointsTo) {
     fs::create_directories(folder_ / "there");
-    fs::create_symlink("there/real.txt", folder_ / "link.txt");  // to nothing yet, and relative
+    fs::create_symlink("there/real.txt", folder_ / "link.txt");  // relative, and the target is missing
     fs::create_symlink("link.txt", folder_ / "link-to-link.txt");
     for (const char* text : {"first", "second"}) {
         write_file(text, folder_ / "link-to-link.txt");

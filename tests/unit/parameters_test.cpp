@@ -1,4 +1,4 @@
-// parameters_test.cpp -- values within their ranges, texts that mean values, and what a change makes stale.
+// parameters_test.cpp -- values in their ranges, texts of values, and the stages that a change makes stale.
 #include "core/parameters.hpp"
 #include "core/render/view.hpp"
 #include "tests/unit/expect_error.hpp"
@@ -22,7 +22,7 @@ TEST(ParameterValues, StartAtTheirDefaults) {
     EXPECT_EQ(values[ParameterId::alpha], std::nullopt);
 }
 
-/// Every value of an enum has a name, and the name means the value.
+/// Every value of an enum has a name, and the name gives the value.
 template <typename Choice>
 void expect_named(const std::vector<Choice>& all) {
     const Parameter& row = parameter(ParameterOf<Choice>::ID);
@@ -81,7 +81,7 @@ TEST(ParameterValues, TakeBothEndsOfTheRangeAndNothingBeyond) {
         const float above = std::nextafter(row.maximum, ENDLESS);
         for (const float refused : {below, above, NO_NUMBER, ENDLESS, -ENDLESS})
             expect_error([&] { values.set(row.id, refused); }, std::string("--") + row.key);
-        EXPECT_EQ(values, before);  // what was refused changed nothing
+        EXPECT_EQ(values, before);  // a refused value changed nothing
     }
 }
 
@@ -121,7 +121,7 @@ TEST(ParseParameter, ReadsNumbersAndAuto) {
     EXPECT_EQ(parse_parameter(alpha, "5e-7"), 5e-7f);
     EXPECT_EQ(parse_parameter(alpha, ".5"), 0.5f);
     EXPECT_EQ(parse_parameter(alpha, "0"), 0.0f);
-    EXPECT_EQ(parse_parameter(alpha, "-1"), -1.0f);  // a number; set() knows the range
+    EXPECT_EQ(parse_parameter(alpha, "-1"), -1.0f);  // a number; set() checks the range
 }
 
 TEST(ParseParameter, RefusesWhatIsNoNumber) {
@@ -133,7 +133,7 @@ TEST(ParseParameter, RefusesWhatIsNoNumber) {
     try {
         parse_parameter(beta, "x");
     } catch (const Error& error) {
-        EXPECT_EQ(std::string(error.what()).find("auto"), std::string::npos);  // beta has none
+        EXPECT_EQ(std::string(error.what()).find("auto"), std::string::npos);  // beta has no auto
     }
 }
 
@@ -148,7 +148,7 @@ TEST(ParseParameter, NoTextGetsNaNOrInfinityIntoTheValues) {
     }
 }
 
-/// A view of some scene with one technique.
+/// A view of a scene with one technique.
 View view_with(const char* technique) {
     View view;
     view.size = {320, 200};
@@ -186,10 +186,10 @@ TEST(FirstStaleStage, FollowsWhatATechniqueReads) {
         EXPECT_EQ(stale_after_changing(technique, ParameterId::theta),
                   circle ? Stage::moments : Stage::nothing);
         EXPECT_EQ(stale_after_changing(technique, ParameterId::renormalize), Stage::composite);
-        EXPECT_EQ(stale_after_changing(technique, ParameterId::opacity), Stage::nothing);  // the scene's
+        EXPECT_EQ(stale_after_changing(technique, ParameterId::opacity), Stage::nothing);  // not in scenes
         EXPECT_EQ(stale_after_changing(technique, ParameterId::tone_map), Stage::display);
     }
-    for (const Parameter& row : parameters()) {  // the truth reads what every picture does, and nothing else
+    for (const Parameter& row : parameters()) {  // the truth reads what every picture reads, and nothing else
         const bool of_every_picture =
             std::ranges::find(PICTURE_PARAMETERS, row.id) != PICTURE_PARAMETERS.end();
         EXPECT_EQ(stale_after_changing("sorted", row.id), of_every_picture ? row.invalidates : Stage::nothing)

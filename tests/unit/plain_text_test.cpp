@@ -1,4 +1,4 @@
-// plain_text_test.cpp -- text from outside, in sentences, JSON, pages and tables.
+// plain_text_test.cpp -- text from outside in sentences, JSON, pages and tables.
 #include "core/plain_text.hpp"
 #include "core/json_text.hpp"
 #include "core/markup.hpp"

@@ -1,5 +1,5 @@
-// portable_math_test.cpp -- the shared log, exp, sincos, exact float pairs, depth warp and opacity cap
-// against long double. An ulp is one of the exact result, 2^(exponent - 23).
+// portable_math_test.cpp -- compares the shared log, exp, sincos, exact float pairs, depth warp and opacity
+// cap with long double. An ulp is an ulp of the exact result, 2^(exponent - 23).
 #include "core/glsl.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 
 namespace momentscope::glsl::tested_math {
 #include "shaders/shared/portable_math.glsl"
-// portable_math first: fragment.glsl builds on it
+// portable_math first, because fragment.glsl uses it
 #include "shaders/shared/float_pair.glsl"
 #include "shaders/shared/fragment.glsl"
 }  // namespace momentscope::glsl::tested_math
@@ -30,14 +30,14 @@ Long ulps(float computed, Long exact) {
     return std::fabs(wide(computed) - exact) / std::ldexp(Long(1), exponent - 23);
 }
 
-/// Calls visit for every stride-th float of [low, high], 0 < low < high.
+/// Calls `visit` for every stride-th float of [low, high], 0 < low < high.
 template <class Visit>
 void for_floats(float low, float high, Bits stride, const Visit& visit) {
     for (Bits bits = std::bit_cast<Bits>(low); bits <= std::bit_cast<Bits>(high); bits += stride)
         visit(std::bit_cast<float>(bits));
 }
 
-/// The worst error in ulps of `function` over the floats of [low, high].
+/// The worst error of `function` in ulps over the floats of [low, high].
 template <class Function, class Exact>
 Long worst_ulps(float low, float high, Bits stride, const Function& function, const Exact& exact) {
     Long worst = 0;
@@ -60,14 +60,15 @@ constexpr float GREATEST = 0x1.fffffep127f;
 
 TEST(PortableLog, IsWithinTwoUlpsOfEveryNormalFloat) {
     const auto exact = [](Long x) { return std::log(x); };
-    // Measured: 1.85 over every 101st normal float, 1.97 (near 1.004) over all of [.25, 4].
+    // Measured: 1.85 over every 101st normal float, 1.97 (near 1.004) over all floats of [0.25, 4].
     EXPECT_LT(worst_ulps(MIN_NORMAL, 0.999999f, 2003, portable_log, exact), Long(2));
     EXPECT_LT(worst_ulps(1.000001f, GREATEST, 2003, portable_log, exact), Long(2));
     EXPECT_EQ(portable_log(1.0f), 0.0f);
 }
 
 TEST(PortableLog, AscendsAcrossTheSeamsOfItsMantissa) {
-    // Both sides of sqrt(1/2), 1, sqrt 2 and 2, float by float: a seam that steps back would disorder depths.
+    // Check both sides of sqrt(1/2), 1, sqrt 2 and 2 float by float: a seam where values step back would
+    // disorder depths.
     for (const float seam : {0.707106781f, 1.0f, 1.41421356f, 2.0f})
         expect_ascending(seam * 0.999f, seam * 1.001f, 1, portable_log);
     expect_ascending(MIN_NORMAL, GREATEST, 4001, portable_log);
@@ -75,10 +76,10 @@ TEST(PortableLog, AscendsAcrossTheSeamsOfItsMantissa) {
 
 TEST(NegativeLogOneMinus, KeepsItsDigitsForTheFaintestFragments) {
     const auto exact = [](Long x) { return -std::log1p(-x); };
-    // Measured over [1e-30, cap]: 2.69 (at .3933, where ln(mantissa) cancels against e ln 2); 3 leaves a
-    // little.
+    // Measured over [1e-30, cap]: 2.69 (at 0.3933, where ln(mantissa) cancels against e ln 2). The limit 3
+    // leaves a margin.
     EXPECT_LT(worst_ulps(1e-30f, OPACITY_CAP, 499, negative_log_one_minus, exact), Long(3));
-    // Below .25, where no exponent is split off, measured .05 at 1/255 and 1.7 in all.
+    // Below 0.25, where no exponent is split off, measured 0.05 at 1/255 and 1.7 in all.
     EXPECT_LT(worst_ulps(1e-30f, 0.25f, 499, negative_log_one_minus, exact), Long(2));
     EXPECT_LT(ulps(negative_log_one_minus(1.0f / 255.0f), exact(wide(1.0f / 255.0f))), Long(1));
     EXPECT_EQ(negative_log_one_minus(1e-30f), 1e-30f);
@@ -122,7 +123,7 @@ TEST(PortableSincos, IsAccurateToTwoUlpsOfOneOverZeroToPi) {
         sine = std::max(sine, std::fabs(wide(result.sine) - std::sin(wide(x))));
         cosine = std::max(cosine, std::fabs(wide(result.cosine) - std::cos(wide(x))));
     });
-    // Measured 2.09e-7 (at .01806, where the series ends at 1 and 1 ulp of a term is 1.2e-7) and 1.24e-7.
+    // Measured 2.09e-7 (at 0.01806, where the series ends at 1 and 1 ulp of a term is 1.2e-7) and 1.24e-7.
     EXPECT_LT(sine, Long(2.2e-7));
     EXPECT_LT(cosine, Long(1.3e-7));
 }
@@ -130,7 +131,7 @@ TEST(PortableSincos, IsAccurateToTwoUlpsOfOneOverZeroToPi) {
 TEST(PortableSincos, HitsTheAxes) {
     EXPECT_NEAR(portable_sincos(0.0f).sine, 0.0f, 2e-7f);  // 2 ulps of 1, as above; measured 0
     EXPECT_EQ(portable_sincos(0.5f * PI).sine, 1.0f);
-    // A float's pi/2 is 4.37e-8 short of it: a series about the float alone would give 0.
+    // pi/2 in float is 4.37e-8 too small, so a series about this float alone would give 0.
     EXPECT_NEAR(portable_sincos(0.5f * PI).cosine, -4.3711388e-8f, 1e-14f);
     EXPECT_NEAR(portable_sincos(PI).sine, -8.7422777e-8f, 2.2e-7f);
 }
@@ -145,7 +146,7 @@ TEST(InversePowerOfTwo, BringsEveryNormalFloatIntoOneToTwo) {
     });
 }
 
-/// A float of random sign and of a random exponent up to `exponent` either way.
+/// A float of random sign and with a random exponent of at most `exponent` in magnitude.
 float random_float(std::mt19937& random, int exponent) {
     const float mantissa = std::uniform_real_distribution<float>(1.0f, 2.0f)(random);
     const int power = std::uniform_int_distribution<int>(-exponent, exponent)(random);
@@ -159,7 +160,8 @@ Long value_of(const FloatPair& pair) {
 TEST(FloatPair, SumsAndProductsAreExact) {
     std::mt19937 random(1);
     for (int i = 0; i < 1'000'000; ++i) {
-        // 24 bits 2^36 apart span 60 bits, which the 64 of a long double hold exactly; so do products' 48.
+        // 24 bits that are 2^36 apart span 60 bits, which the 64 bits of a long double hold exactly; products
+        // have 48 bits.
         const float a = random_float(random, 18);
         const float b = random_float(random, 18);
         const FloatPair sum = exact_sum(a, b);
@@ -196,8 +198,8 @@ TEST(FloatPair, PairsCarryTwiceTheDigitsOfAFloat) {
             std::max(difference_error, std::fabs(value_of(pair_difference(a, b)) - difference) / size);
         ASSERT_EQ(value_of(scaled_pair(a, 0.125f)), value_of(a) * Long(0.125));
     }
-    // Measured 2^-46.0 and 2^-46.6: a few roundings of 2^-24 of a low part of 2^-24. Without low parts:
-    // 2^-24.
+    // Measured 2^-46.0 and 2^-46.6: a few roundings of 2^-24 of a low part of 2^-24. Without low parts it
+    // would be 2^-24.
     EXPECT_LT(product_error, Long(0x1p-45));
     EXPECT_LT(difference_error, Long(0x1p-45));
 }
@@ -207,11 +209,11 @@ TEST(OpacityCap, HoldsAbsorbanceToTenOnItsFarSideOnly) {
     const float cap = absorbance_of_opacity(OPACITY_CAP);
     EXPECT_LE(cap, 10.0f);
     EXPECT_NEAR(cap, 10.0f,
-                1e-3f);  // the cap's own rounding to 2^-24 is 6e-8 / 4.5e-5 = 1.3e-3 of absorbance
+                1e-3f);  // rounding the cap itself to 2^-24 gives 6e-8 / 4.5e-5 = 1.3e-3 of absorbance
     EXPECT_LT(absorbance_of_opacity(below), cap);
     EXPECT_EQ(absorbance_of_opacity(std::nextafter(OPACITY_CAP, 2.0f)), cap);
     EXPECT_EQ(absorbance_of_opacity(1.0f), cap);
-    EXPECT_LT(std::exp(-wide(cap)), Long(4.6e-5));  // what is left of a transmittance that should be 0
+    EXPECT_LT(std::exp(-wide(cap)), Long(4.6e-5));  // the rest of a transmittance that should be 0
     EXPECT_EQ(absorbance_of_opacity(0.0f), 0.0f);
 }
 
@@ -223,8 +225,8 @@ TEST(DepthWarp, MapsItsRangeOntoMinusOneToOneAndClampsBeyond) {
         EXPECT_NEAR(warped_depth(z_max, warp), 1.0f, 3e-7f);  // 3 roundings of numbers near 2
         EXPECT_EQ(warped_depth(0.5f * z_min, warp), -1.0f);
         EXPECT_EQ(warped_depth(2.0f * z_max, warp), 1.0f);
-        // The geometric mean. 2 ulps of ln 3 are 2.4e-7, times the scale 2 / ln 1.1: 5e-6; the others are
-        // better.
+        // The geometric mean. 2 ulps of ln 3 are 2.4e-7, times the scale 2 / ln 1.1 gives 5e-6; the other
+        // cases are better.
         const auto mean = static_cast<float>(std::sqrt(wide(z_min) * wide(z_max)));
         EXPECT_NEAR(warped_depth(mean, warp), 0.0f, 1e-5f);
     }

@@ -1,4 +1,4 @@
-// quantisation_test.cpp -- the transforms of Table 2, their inverses, and the rounding to 16 bits.
+// quantisation_test.cpp -- the transforms of Table 2, their inverses, and rounding to 16 bits.
 #include "core/techniques/quantisation.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ template <int M>
 void expect_unit_range() {
     constexpr auto TRANSFORM = quantisation_transform<M>();
     constexpr std::size_t N = M / 2;
-    // Every row is an affine function of odd or of even powers of z: it must fill [0, 1] and no more.
+    // Every row is an affine function of the odd or the even powers of z. It must fill [0, 1] exactly.
     for (std::size_t i = 0; i < N; ++i) {
         double odd_least = 2, odd_most = -1, even_least = 2, even_most = -1;
         for (int step = -100'000; step <= 100'000; ++step) {
@@ -33,7 +33,7 @@ void expect_unit_range() {
             even_least = std::min(even_least, even);
             even_most = std::max(even_most, even);
         }
-        // 1e-8 is what the printed digits hold; the grid of 1e-5 misses extremes by up to 1e-8.
+        // The printed digits are accurate to 1e-8; the grid of 1e-5 misses extremes by up to 1e-8.
         EXPECT_NEAR(odd_least, 0, 3e-8) << "m = " << M << ", odd row " << i;
         EXPECT_NEAR(odd_most, 1, 3e-8) << "m = " << M << ", odd row " << i;
         EXPECT_NEAR(even_least, 0, 3e-8) << "m = " << M << ", even row " << i;
@@ -74,7 +74,7 @@ std::vector<const Technique*> of_16_bits() {
     return rows;
 }
 
-float nearest_half(float x) {  // by search among all halves, which are their own definition
+float nearest_half(float x) {  // searches all halves, which needs no other definition
     float best = 0;
     for (int exponent = -15; exponent <= 15; ++exponent)
         for (int mantissa = 0; mantissa < 1024; ++mantissa) {
@@ -106,8 +106,8 @@ TEST(Quantisation, StoresMultiplesAndHalves) {
     }
 }
 
-// What is stored of one fragment stands for its moments, to the last bit that 16 bits hold: half a code in
-// the transformed moments, plus what float arithmetic with entries up to 127 adds.
+// The stored moments of one fragment are accurate to the last bit of 16 bits: half a code in the transformed
+// moments, plus the error of float arithmetic with entries up to 127.
 TEST(Quantisation, OneFragmentComesBack) {
     for (const Technique* technique : of_16_bits()) {
         double worst = 0;

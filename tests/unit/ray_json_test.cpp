@@ -1,4 +1,4 @@
-// ray_json_test.cpp -- view rays through JSON and back, and what is refused with which sentence.
+// ray_json_test.cpp -- view rays to JSON and back, and which sentence refuses wrong ones.
 #include "core/ray/ray_json.hpp"
 #include "tests/unit/expect_error.hpp"
 
@@ -37,7 +37,7 @@ Fragment fragment_at(float depth, float opacity, glm::vec3 color) {
     return fragment;
 }
 
-/// Equal in every bit: JSON carries enough digits.
+/// Equal in every bit: JSON has enough digits.
 void expect_same(const ViewRay& a, const ViewRay& b) {
     ASSERT_EQ(a.fragments.size(), b.fragments.size());
     for (std::size_t i = 0; i < a.fragments.size(); ++i) {
@@ -54,7 +54,7 @@ void expect_same(const ViewRay& a, const ViewRay& b) {
 }
 
 TEST(RayJson, ComesBackTheSameWithoutAWarp) {
-    ViewRay ray;  // in submission order, which is not that of depth
+    ViewRay ray;  // in submission order, not in order of depth
     ray.fragments = {fragment_at(0.1f, 1.0f / 3.0f, {0.1f, 0.7f, 1e-8f}),
                      fragment_at(-1.0f, 0.0f, {0, 1, 65504.0f}), fragment_at(1.0f, 1.0f, {1, 1, 1}),
                      fragment_at(-1e-20f, 1.0f / 255.0f, {0.5f, 0, 0})};
@@ -218,7 +218,7 @@ TEST(RayJson, ALineBreakInAWarpKindStaysOnOneLine) {
 }
 
 TEST(RayJson, AWarpTooNarrowForFloatsIsRefusedOrHarmless) {
-    // ln z_max - ln z_min rounds to 0 though z_min < z_max: 1 ulp of 1000 against 1 ulp of ln 1000.
+    // ln z_max - ln z_min rounds to 0 although z_min < z_max: 1 ulp of 1000 against 1 ulp of ln 1000.
     const std::string text =
         with_fragments(R"({"depth": 1000, "opacity": 0.5})",
                        R"(, "warp": {"kind": "log", "z_min": 1000, "z_max": 1000.0001})");
@@ -243,7 +243,7 @@ TEST(RayJson, ReadsAsManyFragmentsAsItSaysAndNoMore) {
     expect_refused(std::string(MAX_RAY_FILE_BYTES + 1, ' '), "larger than 64 MiB");
 }
 
-// Twenty million empty values, of 3 bytes each, would take 1 GiB and more.
+// Twenty million empty values of 3 bytes each would take 1 GiB and more.
 TEST(RayJson, RefusesMoreValuesThanMemoryBears) {
     std::string values = "{}";
     for (int i = 0; i < 1'000'000; ++i) values += ",{}";
@@ -262,7 +262,7 @@ TEST(RayFile, IsReadAndWhatIsNoneIsRefused) {
     expect_error([] { read_ray_file("/dev/zero"); }, "no view ray file");  // endless
     const fs::path large = folder / "large.json";
     std::ofstream(large) << "";
-    fs::resize_file(large, MAX_RAY_FILE_BYTES + 1);  // a hole: takes no disk
+    fs::resize_file(large, MAX_RAY_FILE_BYTES + 1);  // a hole, so it takes no disk space
     expect_error([&] { read_ray_file(large); }, "larger than 64 MiB");
     fs::remove_all(folder);
 }

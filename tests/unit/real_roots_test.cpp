@@ -1,8 +1,8 @@
-// real_roots_test.cpp -- the shared solver for polynomials of degree 2, 3 and 4 with real roots only.
+// real_roots_test.cpp -- the shared solver for polynomials of degree 2, 3 and 4 with only real roots.
 //
-// Errors count in units of what no solver of float coefficients could do better: a relative change of all
-// coefficients by 2^-24 moves a simple root t by 2^-24 sum |e_k t^k| / |p'(t)|, and roots of a close pair by
-// the square root of such a term.
+// Errors are in units of the error that no solver with float coefficients can avoid. A relative change of all
+// coefficients by 2^-24 moves a simple root t by 2^-24 sum |e_k t^k| / |p'(t)|, and the roots of a close pair
+// by the square root of such a term.
 #include "core/glsl.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ namespace {
 
 namespace glsl = momentscope::glsl;
 
-/// Roots, or e of t^n + e[0] t^(n-1) + ... + e[n-1].
+/// The roots, or the e of t^n + e[0] t^(n-1) + ... + e[n-1].
 template <std::size_t N>
 using Numbers = std::array<double, N>;
 
@@ -63,7 +63,7 @@ Numbers<N> solve(const Numbers<N>& e) {
             [](auto p) { return glsl::degree4::real_roots(p); }, e);
 }
 
-/// Multiplies the leading factor, t^2 + ... if given, by t - root for each root.
+/// Multiplies the leading factor, such as t^2 + ..., by t - root for each root.
 std::vector<double> expand(std::vector<double> product, std::span<const double> roots) {
     for (const double root : roots) {
         product.push_back(0);
@@ -80,7 +80,8 @@ Numbers<N> polynomial_of(const Numbers<N>& roots) {
     return e;
 }
 
-/// How far rounding the coefficients to floats moves root i, plus half an ulp of the root itself.
+/// The distance by which rounding the coefficients to floats moves root i, plus half an ulp of the root
+/// itself.
 template <std::size_t N>
 double unavoidable_error(const Numbers<N>& t, const Numbers<N>& e, std::size_t i) {
     double size = 0;
@@ -110,7 +111,7 @@ Numbers<N> uniform_roots(Random& random, double bound) {
     return t;
 }
 
-/// Errors of all roots of 20,000 random polynomials, ascending.
+/// The errors of all roots of 20,000 random polynomials, ascending.
 template <std::size_t N>
 std::vector<double> sorted_errors(const std::function<Numbers<N>(Random&)>& random_roots) {
     Random random(5);
@@ -129,7 +130,7 @@ std::vector<double> sorted_errors(const std::function<Numbers<N>(Random&)>& rand
     return errors;
 }
 
-/// `share` of the errors lie below the result.
+/// A quantile: `share` of the errors lie below the result.
 double quantile(const std::vector<double>& errors, double share) {
     return errors[static_cast<std::size_t>(share * static_cast<double>(errors.size() - 1))];
 }
@@ -206,8 +207,8 @@ TYPED_TEST(RealRoots, AtZeroAreFoundAsNodesAtInfinity) {
         exact[0] = 0;
         const Numbers<N> t = solve(polynomial_of(exact));
         const auto least = std::ranges::min(t, {}, [](double root) { return std::abs(root); });
-        // Measured 3e-7 at worst: rounding of the others, at most 2 (1.2e-7). A weight goes with t^2 at
-        // least.
+        // Measured 3e-7 at worst: rounding of the others, which are at most 2 (1.2e-7). A weight grows at
+        // least with t^2.
         ASSERT_LT(std::abs(least), 1e-6);
         for (const double root : t) ASSERT_TRUE(std::isfinite(root));
     }
@@ -215,7 +216,7 @@ TYPED_TEST(RealRoots, AtZeroAreFoundAsNodesAtInfinity) {
 
 TYPED_TEST(RealRoots, AllAtInfinityCountAsZero) {
     constexpr std::size_t N = TestFixture::DEGREE;
-    // A quartic's count as a tenth of 2^-20 then.
+    // Then the errors of a quartic count as a tenth of 2^-20.
     for (const double root : solve(Numbers<N>{})) EXPECT_LE(std::abs(root), 1e-7);
 }
 

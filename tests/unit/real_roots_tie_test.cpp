@@ -1,5 +1,5 @@
-// real_roots_tie_test.cpp -- polynomials in which a tie is the root nearest to the query, where a Newton
-// step from within the tie is the quotient of two roundings.
+// real_roots_tie_test.cpp -- polynomials in which a tie is the root nearest to the query. A Newton step from
+// within the tie is the quotient of two rounding errors.
 #include "core/glsl.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ namespace {
 namespace glsl = momentscope::glsl;
 
 // Rounding the coefficients of a double root moves it by about the square root of 2^-24 times their size:
-// .002. Ten times that is no good answer, but tells one from what lies elsewhere altogether.
+// 0.002. Ten times that is inaccurate, but still identifies the root among all others.
 constexpr float WHERE_IT_IS = 0.02f;
 
 TEST(CubicRoots, OfATieNearestToTheQueryStayWhereTheyAre) {

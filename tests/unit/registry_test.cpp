@@ -1,4 +1,5 @@
-// registry_test.cpp -- the registries of techniques and parameters, and the constants of Table 1 typed again.
+// registry_test.cpp -- the registries of techniques and parameters, and the constants of Table 1, typed
+// again.
 #include "core/glsl.hpp"
 #include "core/reference/exact_reconstruction.hpp"
 #include "core/techniques/moment_kernel.hpp"
@@ -46,7 +47,7 @@ using namespace momentscope;
 
 namespace {
 
-// Table 1 of the supplementary; Chebyshev moments, which are not in it, take the least of its biases.
+// Table 1 of the supplementary. Chebyshev moments are not in it and take the smallest of its biases.
 const std::map<std::string, float> TABLE_1 = {
     {"power4-32", 5e-7f},   {"power6-32", 5e-6f},  {"power8-32", 5e-5f},  {"trig2-32", 4e-7f},
     {"trig3-32", 8e-7f},    {"trig4-32", 1.5e-6f}, {"power4-16", 6e-5f},  {"power6-16", 6e-4f},
@@ -59,7 +60,7 @@ bool well_formed(const std::string& id) {
     return std::regex_match(id, std::regex("[a-z][a-z0-9]*(-[a-z0-9]+)*"));
 }
 
-/// A text for people: it begins with a capital or a `quoted` word and ends its last sentence.
+/// A text for people: it begins with a capital letter or a digit and ends with a full stop.
 void expect_prose(const std::string& text) {
     ASSERT_GT(text.size(), 20u);
     EXPECT_TRUE(std::isdigit(text[0]) != 0 || std::isupper(text[0]) != 0) << text;
@@ -106,7 +107,7 @@ TEST(Techniques, WithoutMomentsHaveStatesThatFit) {
     }
 }
 
-// What an id says is what is stored: power4-16 four real moments and b0, of 16 bits each; trig2-32 two
+// The id tells what is stored: power4-16 stores four real moments and b0 with 16 bits each, trig2-32 two
 // complex ones.
 TEST(Techniques, OfMomentsHaveTableOnesBiasAndTheBitsOfTheirId) {
     for (const auto& [id, bias] : TABLE_1) {
@@ -117,8 +118,7 @@ TEST(Techniques, OfMomentsHaveTableOnesBiasAndTheBitsOfTheirId) {
         const bool circle = id.starts_with("trig");
         const int numbers = circle ? 2 * count : count;
         EXPECT_EQ(stored_bits(technique, {}), (numbers + 1) * bits);
-        // A factor of m real moments has as many numbers; one of m complex ones has m complex and m real
-        // ones.
+        // A factor of m real moments has m numbers; one of m complex moments has m complex and m real ones.
         const int factor = circle && bits == 32 ? 3 * count : numbers;
         EXPECT_EQ(bits_with_factor(technique, {}), (factor + 1) * bits);
         ParameterValues per_fragment;
@@ -145,7 +145,7 @@ TEST(Techniques, ResolveAutoToTheirOwnBiasAndKeepWhatIsSet) {
     ParameterValues values;
     for (const auto& [id, bias] : TABLE_1)
         EXPECT_EQ(resolve(values, require_technique(id)).alpha, bias) << id;
-    values.set(ParameterId::alpha, 0.0f);  // a set 0 is no `auto`
+    values.set(ParameterId::alpha, 0.0f);  // an explicit 0 is not `auto`
     values.set(ParameterId::beta, 0.75f);
     values.set(ParameterId::theta, 0.5f);
     values.turn(ParameterId::renormalize, false);
@@ -188,14 +188,14 @@ TEST(Parameters, HaveThePapersDefaults) {
     EXPECT_EQ(parameter(ParameterId::alpha).default_value, std::nullopt);
     EXPECT_EQ(parameter(ParameterId::renormalize).default_value, 1.0f);
     for (const Technique* technique :
-         moment_based_techniques())  // so that what `auto` means can also be typed
+         moment_based_techniques())  // so that the value of `auto` can also be typed
         for (const float bias : {technique->moments().recommended_bias, technique->moments().robust_bias}) {
             EXPECT_GE(bias, parameter(ParameterId::alpha).minimum);
             EXPECT_LE(bias, parameter(ParameterId::alpha).maximum);
         }
 }
 
-/// (1, b*_1, ..., b*_M) of a shader's table.
+/// (1, b*_1, ..., b*_M) from the table of a shader.
 template <std::size_t M>
 reference::PowerMoments<M, double> bias_moments(const float (&table)[M]) {
     reference::PowerMoments<M, double> moments{1};
@@ -203,7 +203,8 @@ reference::PowerMoments<M, double> bias_moments(const float (&table)[M]) {
     return moments;
 }
 
-/// The smallest pivot of the Hankel matrix of b*: positive where b* is interior, that is, where bias helps.
+/// The smallest pivot of the Hankel matrix of b*. It is positive if b* is interior, which makes bias
+/// effective.
 template <std::size_t M>
 double least_pivot(const reference::PowerMoments<M, double>& moments) {
     const auto factor = reference::factor_power<M, double>(moments);
@@ -211,7 +212,7 @@ double least_pivot(const reference::PowerMoments<M, double>& moments) {
 }
 
 TEST(BiasMoments, LieInsideTheMomentSpace) {
-    // Half of the last digit named is the tolerance: the papers' last printed digit matters.
+    // The tolerance is half of the last printed digit, because the digits printed in the papers matter.
     EXPECT_NEAR(least_pivot<4>(bias_moments(glsl::bias4_16::BIAS_MOMENTS)), 0.234, 0.0005);
     EXPECT_NEAR(least_pivot<4>(bias_moments(glsl::bias4_32::BIAS_MOMENTS)), 0.234, 0.0005);
     EXPECT_NEAR(least_pivot<6>(bias_moments(glsl::bias6_16::BIAS_MOMENTS)), 0.049, 0.0005);
@@ -237,7 +238,7 @@ TEST(BiasMoments, AreThoseOfTableOne) {
 TEST(BiasMoments, WithTheKnownMisprintLieOutside) {
     auto moments = bias_moments(glsl::bias8_32::BIAS_MOMENTS);
     EXPECT_GT(least_pivot<8>(moments), 0);
-    moments[6] = 0.64;  // for .63, as others have it
+    moments[6] = 0.64;  // instead of 0.63, as other implementations have it
     EXPECT_LT(least_pivot<8>(moments), 0);
 }
 

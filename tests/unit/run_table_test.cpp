@@ -1,4 +1,4 @@
-// run_table_test.cpp -- files of runs and their shards: what is put together, and what is refused and why.
+// run_table_test.cpp -- files of runs and their shards: which are merged, and which are refused and why.
 #include "core/table/run_table.hpp"
 #include "core/output_file.hpp"
 #include "tests/unit/expect_error.hpp"
@@ -74,7 +74,7 @@ TEST_F(RunTables, OtherRunsAreRefusedWithTheDifference) {
         "only its configurations have at:nodes=8");
     RunTable columns = table_of({2, 2}, 5);
     columns.columns = "name";
-    expect_unmergeable(columns, "its columns are others");
+    expect_unmergeable(columns, "its columns differ");
 }
 
 TEST_F(RunTables, LineBreaksAndBackslashesSurvive) {
@@ -99,7 +99,7 @@ TEST_F(RunTables, MissingDoubledAndUnfinishedShardsAreRefused) {
 TEST_F(RunTables, OtherFilesAreRefused) {
     expect_error([&] { read_run_table(folder_ / "none.csv"); }, "no CSV file");
     write_file("a,b\n1,2\n", folder_ / "plain.csv");
-    expect_error([&] { read_run_table(folder_ / "plain.csv"); }, "does not say of which run");
+    expect_error([&] { read_run_table(folder_ / "plain.csv"); }, "does not say to which run");
     expect_error([&] { read_run_table(folder_); }, "no CSV file");
 }
 
@@ -122,7 +122,7 @@ TEST_F(RunTables, ShardsLargerThanAnyRunTogetherAreRefused) {
     expect_error([&] { merge_shards({path, path}); }, "larger than 64 MiB together");
 }
 
-// Words were looked for one in all of the others, which takes minutes here.
+// Comparing each word with all others would take minutes here.
 TEST_F(RunTables, LongListsAreCompared) {
     RunTable one = table_of({1, 2}, 2), other = table_of({2, 2}, 2);
     std::string words;

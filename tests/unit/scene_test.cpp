@@ -21,7 +21,7 @@ using namespace momentscope;
 
 namespace {
 
-/// The signed volume by the divergence theorem: positive when the winding is outward.
+/// The signed volume by the divergence theorem; positive if the winding is outward.
 double volume(const Mesh& mesh) {
     double sum = 0.0;
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -31,7 +31,7 @@ double volume(const Mesh& mesh) {
     return sum;
 }
 
-/// Directed edges without an opposite: the rims of holes. Fails when an edge occurs twice.
+/// Directed edges without an opposite edge: the rims of holes. Fails if an edge occurs twice.
 int border_edges(const Mesh& mesh) {
     std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -71,7 +71,7 @@ TEST(Shapes, SphereIsClosedOutwardAndRound) {
         EXPECT_EQ(static_cast<long>(mesh.positions.size()) - faces / 2, 2);
         for (const glm::vec3& position : mesh.positions) EXPECT_NEAR(glm::length(position), 1.0f, 1e-6f);
     }
-    // An inscribed polyhedron with steps of 1/15 rad misses about (1/15)^2 / 2 of the volume at most.
+    // An inscribed polyhedron with steps of 1/15 rad lacks at most about (1/15)^2 / 2 of the volume.
     EXPECT_NEAR(volume(make_sphere(96, 48)), 4.18879, 0.012);
 }
 
@@ -81,7 +81,7 @@ TEST(Shapes, CurtainWavesAsAsked) {
     EXPECT_EQ(agreeing_triangles(mesh), 1.0);
     EXPECT_NEAR(extent_of(mesh).high.z, 0.25f, 1e-6f);
     EXPECT_NEAR(extent_of(mesh).low.z, -0.25f, 1e-6f);
-    // A normal is at right angles to the central difference of its neighbours, but for the cubic term.
+    // A normal is perpendicular to the central difference of its neighbours, except for the cubic term.
     for (std::size_t i = 1; i < 48; ++i) {
         const glm::vec3 along = glm::normalize(mesh.positions[i + 1] - mesh.positions[i - 1]);
         EXPECT_NEAR(glm::dot(along, mesh.normals[i]), 0.0f, 0.02f);
@@ -111,8 +111,8 @@ TEST(Surfaces, FaceAlongUCrossV) {
     EXPECT_EQ(mesh.texture_coordinates.size(), mesh.positions.size());
     EXPECT_EQ(mesh.texture_coordinates[3], glm::vec2(1, 0));
     EXPECT_EQ(mesh.positions[3], glm::vec3(1, 0, 0));
-    // From 12 on: the first tube, whose every point lies at its radius from the axis, and whose normals point
-    // away.
+    // From index 12 on: the first tube. Each of its points lies at the radius from the axis, with a normal
+    // that points away.
     for (std::size_t i = 12; i < 12 + 2 * 8; ++i) {
         const glm::vec3 axis = glm::normalize(glm::vec3(-3, 3, 0));
         const glm::vec3 from = mesh.positions[i] - glm::vec3(1, 2, 3);
@@ -145,7 +145,7 @@ TEST(Teapot, HasNewellsMeasures) {
     EXPECT_EQ(extent.high.y, 1.575f);  // 3.15 / 2
     EXPECT_EQ(extent.low.x, -1.5f);    // the handle's outermost control points lie on it
     EXPECT_NEAR(extent.high.x, 1.717f, 0.001f);
-    // Only the body reaches so far to the sides; cubics of 0.56 / 1 make a circle to within 0.2 %.
+    // Only the body reaches this far to the sides; cubics with 0.56 / 1 make a circle within 0.2 %.
     EXPECT_NEAR(extent.high.z, 1.0f, 1e-6f);
     EXPECT_NEAR(extent.low.z, -1.0f, 1e-6f);
 }
@@ -175,8 +175,8 @@ TEST(Teapot, FacesOutwardsEverywhere) {
 }
 
 TEST(Teapot, HasNoCracks) {
-    // 32 patches of 2 n^2 triangles, of which the 8 at the poles lose n each. Open are the two ends of
-    // handle and spout (2 n edges each), the rim's inside and the lid's edge (4 n edges each).
+    // 32 patches have 2 n^2 triangles each; the 8 patches at the poles lose n each. The two ends of handle
+    // and spout (2 n edges each), the inside of the rim and the edge of the lid (4 n edges each) are open.
     for (const int n : {4, 7, 18}) {
         const Mesh mesh = make_teapot(n);
         EXPECT_EQ(mesh.indices.size() / 3, static_cast<std::size_t>(64 * n * n - 8 * n));
@@ -242,7 +242,7 @@ TEST(Scenes, AreWellFormed) {
 }
 
 TEST(Scenes, FollowThePaper) {
-    // Fig. 8: a depth range of more than ten radii (of 1), which does not swallow the camera.
+    // Fig. 8: a depth range of more than ten radii (of 1) that does not contain the camera.
     const Scene spheres = load_scene("spheres", 0.5f);
     const Sphere bounds = transparent_bounds(spheres);
     const Camera& camera = spheres.camera;
@@ -284,7 +284,7 @@ TEST(Scenes, TheCloudIsTheSameOnEveryMachine) {
     EXPECT_EQ(scene.objects[1].opacity, 0.94f);
 }
 
-/// What does not depend on which sine a machine has: how much there is of everything, and where it stands.
+/// Numbers that do not depend on the machine's sine: how much there is of everything, and where it is.
 TEST(Scenes, LargeOnesAreTheSameEveryTimeAndBearable) {
     for (const char* id : {"foliage", "ship", "smoke"}) {
         SCOPED_TRACE(id);
@@ -299,7 +299,7 @@ TEST(Scenes, LargeOnesAreTheSameEveryTimeAndBearable) {
         ASSERT_EQ(scene.alpha_maps.size(), 1u);
         EXPECT_EQ(scene.alpha_maps[0].bytes, again.alpha_maps[0].bytes);
         const auto [least, most] = std::ranges::minmax(scene.alpha_maps[0].bytes);
-        EXPECT_EQ(least, 0);  // a map that shapes something
+        EXPECT_EQ(least, 0);  // the map cuts something out
         EXPECT_GT(most, 150);
     }
 }

@@ -1,4 +1,4 @@
-// shader_namespace_test.cpp -- names of GLSL that stands in a program twice.
+// shader_namespace_test.cpp -- renaming of GLSL that occurs twice in a program.
 #include "core/gl/shader_namespace.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// shadow_test.cpp -- the light's frustum, its filter, what it mixes, rays to it, and what is said of
-// receivers.
+// shadow_test.cpp -- the light's frustum, its filter, mixtures of texels, rays to the light, and the
+// sentences about receivers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ TEST(ShadowFilter, IsAGaussianThatSumsToOne) {
     }
 }
 
-// What GL does in two passes and four fetches, texel by texel.
+// The filter of the GL, which takes two passes and four fetches, computed texel by texel.
 TEST(ShadowFilter, FootprintIsFilterAndInterpolationAtOnce) {
     constexpr int SIZE = 16, RADIUS = 3;
     const std::vector<float> gaussian = gaussian_weights(RADIUS);
@@ -212,7 +212,7 @@ TEST(ShadowFilterSamples, MixesTexelsAsTheirWeightsSay) {
     EXPECT_LE(mixed_transmittance(bundle, 0.5f), deep_transmittance(bundle, 0.5f)) << "Jensen's inequality";
 }
 
-// A bundle of one texel whose sums are those of its fragments.
+// A bundle of one texel with the sums of its fragments.
 ShadowFilterSamples bundle_of(const ViewRay& ray, const Configuration& configuration, float depth) {
     ShadowFilterSamples bundle;
     bundle.place = {{0, 0}, depth, true};
@@ -291,8 +291,8 @@ TEST(ShadowOnset, OfTheTruthIsAStep) {
     EXPECT_GT(fourier.length(), 0.1f);
 }
 
-// A caster as thin as mist: its shadow rises evenly over its depths, so a tenth and nine tenths stand at a
-// tenth and nine tenths.
+// A caster as thin as mist: its shadow rises evenly over its depths, so it reaches a tenth and nine tenths at
+// a tenth and nine tenths of the depths.
 TEST(ShadowOnset, TakesATenthAndNineTenths) {
     ViewRay ray;
     ray.warp = {DepthWarp::Kind::linear, 1, 3};
@@ -302,7 +302,7 @@ TEST(ShadowOnset, TakesATenthAndNineTenths) {
         ray.fragments.back().draw = 7;
     }
     const ShadowOnset onset = shadow_onset(ray, 7, {&require_technique("sorted"), {}});
-    EXPECT_NEAR(onset.low, 1.6f, 0.01f);  // absorbing a tenth in all bends the ramp by half a percent
+    EXPECT_NEAR(onset.low, 1.6f, 0.01f);  // a total absorption of a tenth bends the ramp by half a percent
     EXPECT_NEAR(onset.high, 2.4f, 0.01f);
     EXPECT_NEAR(onset.caster, 2.0f, 1e-3f);
 }

@@ -1,4 +1,4 @@
-// unbiased_exact_test.cpp -- the exact curve without bias, and the canonical representation of the plot.
+// unbiased_exact_test.cpp -- the unbiased exact curve, and the canonical representation of the plot.
 #include "core/inspect/exact.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ ResolvedParameters without_bias(float beta, float theta = 0.3f) {
     return {.beta = beta, .theta = theta, .alpha = 0, .renormalize = true};
 }
 
-// m power moments determine m/2 surfaces, m trigonometric ones m: the exact curve without bias is the truth.
+// m power moments determine m/2 surfaces, m trigonometric ones m. Then the unbiased exact curve is the truth.
 TEST(Ghost, IsTheTruthWhereMomentsDetermineIt) {
     const ViewRay two = ray_of({{-0.25f, 0.5f}, {0.5f, 0.75f}});
     const float depths[] = {-1, -0.5f, 0, 0.499f, 0.501f, 1};
@@ -56,8 +56,8 @@ TEST(Ghost, IsEmptyWithoutMomentsAndZeroWithoutFragments) {
               (std::vector<float>{0, 0}));
 }
 
-// With enough bias that floats do not matter, and with the same bias in both, kernel and reference agree; the
-// exact curve is that reference with a bias of 0, which a small bias approaches.
+// With a bias so large that floats do not matter, kernel and reference agree if both use the same bias. The
+// unbiased exact curve is this reference with a bias of 0, and a small bias approaches it.
 TEST(Ghost, IsWhatSmallBiasApproaches) {
     std::mt19937 random(5);
     const float depths[] = {-0.9f, -0.3f, 0.1f, 0.7f};
@@ -75,13 +75,14 @@ TEST(Ghost, IsWhatSmallBiasApproaches) {
                 mean += std::abs(static_cast<double>(unbiased_exact[d] - curve.reconstructed[d])) /
                         curve.total_absorbance;
         }
-        // Table 1's bias of 5e-7 and less moves rays of six fragments and more by this little on average.
+        // The bias of Table 1, at most 5e-7 here, moves rays of six and more fragments by this little on
+        // average.
         EXPECT_LT(mean / (RAYS * 4), 5e-3) << id;
     }
 }
 
-// The masses that the plot draws have the biased moments of the ray: recomputed here from depths and weights
-// alone.
+// The masses in the plot have the biased moments of the ray, which are recomputed here from depths and
+// weights alone.
 TEST(CanonicalRepresentation, HasTheBiasedPowerMoments) {
     std::mt19937 random(6);
     constexpr double B4[] = {0, 0.375, 0, 0.375};  // b* of Table 1
@@ -100,7 +101,7 @@ TEST(CanonicalRepresentation, HasTheBiasedPowerMoments) {
             const double stored =
                 k == 0 ? b0 : static_cast<double>(curve.moments.b[static_cast<std::size_t>(k - 1)]);
             const double biased = k == 0 ? b0 : (1 - alpha) * stored + alpha * b0 * B4[k - 1];
-            // Far nodes with tiny masses make the fourth moment: their rounding shows most there.
+            // Far nodes with tiny masses dominate the fourth moment, so their rounding shows most there.
             EXPECT_NEAR(sum, biased, 2e-3 * b0) << "moment " << k;
         }
     }
@@ -135,7 +136,7 @@ TEST(PixelHistory, FollowsCompositingByHand) {
     EXPECT_NEAR(rows[1].true_transmittance, 0.5, 1e-7);
     EXPECT_NEAR(rows[1].error(), 0, 1e-6);
     EXPECT_FALSE(rows[0].gl_transmittance);
-    // 0.5 of light left, 0.75 of opacity.
+    // 0.5 of the light is left, and the opacity is 0.75.
     EXPECT_NEAR(rows[1].source.r, 0.375f, 1e-6f);
     EXPECT_NEAR(rows[1].source.g, 0.1875f, 1e-6f);
     EXPECT_NEAR(rows[1].source.a, 0.375f, 1e-6f);

@@ -25,8 +25,8 @@ std::vector<double> truth(const ViewRay& ray, std::vector<float> depths) {
     return true_absorbance(ray, depths);
 }
 
-// Absorbances of one half and three quarters: ln 2 and 2 ln 2. As floats they are good to 3 ulps of at
-// most 1.4, 3.6e-7 each; sums of a few stay below 2e-6.
+// The absorbances of opacities one half and three quarters: ln 2 and 2 ln 2. As floats they are accurate to 3
+// ulps of at most 1.4, 3.6e-7 each, so sums of a few stay below 2e-6.
 const double LN2 = std::log(2.0);
 constexpr double FLOAT_NOISE = 2e-6;
 
@@ -49,7 +49,7 @@ TEST(TrueAbsorbance, CountsNoFragmentAtItsOwnDepth) {
     const ViewRay ends = ray_of({{-1.0f, 0.5f}, {1.0f, 0.5f}});
     EXPECT_EQ(truth(ends, {-1.0f})[0], 0.0);
     EXPECT_NEAR(truth(ends, {1.0f})[0], LN2,
-                FLOAT_NOISE);  // the one at the far end hides nothing in the range
+                FLOAT_NOISE);  // the fragment at the far end hides nothing in the range
 }
 
 TEST(TrueAbsorbance, OfATieCountsNoneOfItAtItsDepthAndAllBehind) {
@@ -78,8 +78,8 @@ TEST(TrueAbsorbance, OfManyFaintFragmentsLosesNone) {
         ray.fragments.push_back(fragment);
     }
     const double exact = -100'000 * std::log1p(-1.0 / 255.0);
-    // In double: the error is that of one absorbance, below an ulp of a float (measured .05). A float sum is
-    // off by 1e-3.
+    // In double, the error is that of one absorbance, below an ulp of a float (measured 0.05). A float sum
+    // would be off by 1e-3.
     EXPECT_NEAR(total_absorbance(ray) / exact, 1.0, 1.2e-7);
     EXPECT_NEAR(truth(ray, {1.0f})[0] / exact, 1.0, 1.2e-7);
 }

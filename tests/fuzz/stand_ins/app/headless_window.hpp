@@ -1,5 +1,5 @@
-// headless_window.hpp -- stands in for app/headless_window.hpp, so that the player of event files runs
-// without GL: a window that draws nothing and has two controls.
+// headless_window.hpp -- replaces app/headless_window.hpp, so that the player of event files runs without GL:
+// a window that draws nothing and has two controls.
 #pragma once
 #include <glm/glm.hpp>
 #include <string>
