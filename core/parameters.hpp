@@ -20,41 +20,15 @@ namespace momentscope {
 enum class Stage { scene, opaque, moments, shading, color, composite, display, nothing };
 
 enum class ParameterId : std::size_t {
-    beta,
-    theta,
-    alpha,
-    preset,
-    solver,
-    factorisation,
-    tolerance,
-    accumulation,
-    renormalize,
-    weight,
-    coefficients,
-    lanczos,
-    nodes,
-    layers,
-    layer_bits,
-    samples,
-    resolution,
-    read_format,
-    moment_passes,
-    depth_range,
-    order,
-    order_seed,
-    opacity,
-    tone_map,
-    shadows,
-    shadow_technique,
-    shadow_beta,
-    opaque_shadow,
-    shadow_size,
-    shadow_radius,
-    light_azimuth,
-    light_elevation,
-    light_distance
+#define PARAMETER(id, ...) id,
+#include "core/parameters.def"
+#undef PARAMETER
 };
-constexpr std::size_t PARAMETER_COUNT = 33;
+constexpr std::size_t PARAMETER_COUNT = 0
+#define PARAMETER(...) +1
+#include "core/parameters.def"
+#undef PARAMETER
+    ;
 
 /// How a slider maps its way to a value; decides nothing but the looks.
 enum class Scale { linear, logarithmic, toggle, choice, whole };
