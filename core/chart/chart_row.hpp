@@ -19,8 +19,8 @@ struct ChartNumbers {
     Spread moments, color, composite;        // the passes of the technique
     Spread total;                            // of these three
     Spread differential;                     // total minus that of `unsorted` in the same round
-    std::optional<int> stored_bits;          // per pixel, without colour buffers; with the factor that is
-    std::optional<int> bits_with_factor;     // stored once per pixel; nullopt if they grow with the fragments
+    std::optional<int> stored_bits;          // per pixel, without colour buffers; nullopt if they grow
+    std::optional<int> bits_with_factor;     // the same with the factor that is stored once per pixel
     std::optional<int> geometry_passes;      // nullopt if they grow with the layers
     double rmse = 0, delta_e = 0, flip = 0;  // against `sorted`
     double stability = 0;  // greatest change of rmse from one picture of the camera path to the next
