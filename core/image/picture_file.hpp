@@ -13,7 +13,7 @@ namespace momentscope {
 /// The first sentence of a message of a library, as part of a sentence of ours.
 std::string first_sentence(const std::string& text);
 
-/// A picture file of which only the header has been read, and the messages of the libraries.
+/// A picture file that has been read up to the end of its header, and the messages of the libraries.
 struct PictureFile {
     CaughtStderr caught;  // libraries may print messages
     std::filesystem::path path;

@@ -44,8 +44,8 @@ struct ViewRay {
     DepthWarp warp;
     float near_plane = 0;  // of the camera; 0 if unknown
     float far_plane = 0;
-    std::vector<LowResolutionSource> low_resolution_sources =
-        {};  // of which the moments of the pixel are a mixture; empty: its own fragments
+    /// The pixel reads a mixture of these. If there are none, it reads its own fragments.
+    std::vector<LowResolutionSource> low_resolution_sources = {};
     friend bool operator==(const ViewRay&, const ViewRay&) = default;
 };
 

@@ -12,10 +12,9 @@
 
 namespace momentscope::reference {
 
-// An offset o in [0, 2 pi] from x0 is represented by its `place` p in [0, 2]. Take the point of the diamond
-// |x| +
-// y| = 1, y >= 0, in the direction of o / 2: p is the length along the diamond to this point. It grows with
-// o, and computing it takes a square root instead of a sine and a cosine.
+// An offset o in [0, 2 pi] from x0 is represented by its `place` p in [0, 2]. Take the half |x| + |y| = 1,
+// y >= 0, of a diamond, and its point in the direction of o / 2: p is the length along the diamond to this
+// point. It grows with o, and computing it takes a square root instead of a sine and a cosine.
 
 /// exp(i o / 2) for the offset o of a place. Sets `scale` to d(o / 2) / dp.
 template <class Real>

@@ -12,9 +12,9 @@ namespace momentscope::reference {
 template <class Scalar, std::size_t Size>
 using SquareMatrix = std::array<std::array<Scalar, Size>, Size>;
 
-/// The factor of G = L D L^H: `inverse` is L^-1 (unit lower triangular), and `pivot` is the diagonal of D, >
-/// 0. Row k of `inverse` holds the coefficients of the k-th monic orthogonal polynomial; pivot[k] is its
-/// squared norm.
+/// The factor of G = L D L^H. `inverse` is L^-1, which is unit lower triangular. `pivot` is the diagonal of
+/// D, whose entries are positive. Row k of `inverse` holds the coefficients of the k-th monic orthogonal
+/// polynomial; pivot[k] is its squared norm.
 template <class Real, class Scalar, std::size_t Size>
 struct TriangularFactor {
     SquareMatrix<Scalar, Size> inverse{};

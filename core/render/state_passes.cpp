@@ -13,7 +13,7 @@ namespace momentscope {
 
 namespace {
 
-// passes/stored_state.glsl and state_composite.frag
+// Texture units, as in passes/stored_state.glsl and state_composite.frag.
 constexpr GLuint SAMPLES_UNIT = 3;
 constexpr GLuint EXACT_ABSORBANCE_UNIT = 10;
 constexpr GLuint OPAQUE_DEPTH_UNIT = 11;  // state.frag

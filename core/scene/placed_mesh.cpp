@@ -19,8 +19,8 @@ constexpr std::uint32_t UNUSED = std::numeric_limits<std::uint32_t>::max();
 constexpr double HALF_STEP = 0x1p-24;      // half a step of floats, relative
 constexpr double MIN_NORMAL = 0x1p-126;    // below it floats are as far apart as at it
 constexpr double ALLOWED_ROUNDING = 1e-4;  // of the half diagonal: a tenth of a pixel of a large picture
-constexpr double MIN_AREA = 1e-4;          // of the half diagonal squared: some ten pixels of a large picture
-constexpr float MIN_CORE = 1e-4f;          // of the half diagonal: smaller than a pixel
+constexpr double MIN_AREA = 1e-4;  // of the half diagonal squared: about ten pixels of a large picture
+constexpr float MIN_CORE = 1e-4f;  // of the half diagonal: smaller than a pixel
 
 /// Finds vertices with the same position and normal to the last bit, with a hash table of open addresses.
 class EqualVertices {

@@ -10,9 +10,9 @@
 
 namespace momentscope {
 
-/// Triangles with one unit normal per vertex. indices.size() is a multiple of 3, every index is <
-/// positions.size(), and normals.size() == positions.size(). There are as many texture coordinates as
-/// positions, or none.
+/// Triangles with one unit normal per vertex. indices.size() is a multiple of 3, and every index is less than
+/// positions.size(). normals.size() == positions.size(). There are as many texture coordinates as positions,
+/// or none.
 struct Mesh {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;

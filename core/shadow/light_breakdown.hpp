@@ -12,9 +12,9 @@ namespace momentscope {
 /// The light that reaches a receiver, and the error split into its causes.
 struct LightBreakdown {
     double true_transmittance = 1;  // of transparent casters, by a deep shadow map with the same filter
-    double transmittance = 1;       // as the map's numbers give it
+    double transmittance = 1;       // as computed from the map
     double true_shadowed = 0;       // share of the filter region with opaque casters in front, by pcf
-    double shadowed = 0;            // as the map's numbers give it
+    double shadowed = 0;            // as computed from the map
 
     /// The causes of true_transmittance - transmittance. A share is positive if light is missing and negative
     /// if it leaks. The shares sum to the difference.

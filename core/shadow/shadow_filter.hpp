@@ -6,8 +6,8 @@
 
 namespace momentscope {
 
-/// The 2 radius + 1 weights of the Gaussian. They sum to 1. The standard deviation is radius / 2. radius >=
-/// 0.
+/// The 2 radius + 1 weights of the Gaussian. They sum to 1. The standard deviation is radius / 2.
+/// radius >= 0.
 std::vector<float> gaussian_weights(int radius);
 
 /// A rectangle of texels and the weight of each, row by row from the lower left. The weights sum to 1.

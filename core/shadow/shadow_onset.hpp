@@ -13,8 +13,8 @@ struct ShadowOnset {
     float length() const { return high - low; }
 };
 
-/// The onset of the shadow that the fragments of one draw call cast on a ray from the light. The shadow is 1
-/// - T / T', where T' is T without these fragments, both by the same technique. For the truth, which is the
+/// The onset of the shadow that the fragments of one draw call cast on a ray from the light. The shadow is
+/// 1 - T / T', where T' is T without these fragments, both by the same technique. For the truth, which is the
 /// technique `sorted`, it is a step.
 ShadowOnset shadow_onset(const ViewRay& ray, std::uint32_t draw, const Configuration& configuration);
 

@@ -24,8 +24,8 @@ FN float transmittance_of(float absorbance)
 }
 
 /// Maps view depths in [z_min, z_max] to [-1, 1], either logarithmically (paper, Section 3.3) or linearly (paper, Section 6). Both
-/// are z = (place - origin) scale - 1. Logarithmically place = ln z_v and origin = ln z_min; linearly place = z_v and origin =
-/// z_min.
+/// are z = (place - origin) scale - 1. Logarithmically place = ln z_v and origin = ln z_min; linearly place = z_v and
+/// origin = z_min.
 struct DepthWarpFactors { float origin; float scale; bool linear; };
 
 /// Logarithmic: z = 2 (ln z_v - ln z_min) / (ln z_max - ln z_min) - 1. z_min, z_max: view depths in scene units, 0 < z_min < z_max.

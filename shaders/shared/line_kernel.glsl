@@ -76,7 +76,7 @@ FN float node_weight_of_degree(float t, IN(Query) query, IN(Factor) factor, int 
     PRECISE float u = t * s;            // (s, u) is (1, t), scaled so that the larger component is at most 1
     PRECISE float u2 = u * u;
     PRECISE float previous = 1.0f;
-    PRECISE float q = query.offset[0] * u + s;             // u^k p_k
+    PRECISE float q = query.offset[0] * u + s;             // q_1; q_k = u^k p_k(z)
     PRECISE float kernel = u2 + q * q * factor.inverse_h[1];
     PRECISE float u_power = u2;
     UNROLL

@@ -107,8 +107,8 @@ FN float greatest_root(float e1, float e2, float e3)
 /// The root of largest magnitude of a quartic with four real roots (Ferrari).
 ///
 /// The depressed quartic y^4 + c2 y^2 + c1 y + c0 is (y^2 - m y + u) (y^2 + m y + v), where m is the sum of the two upper roots. So
-/// u + v = c2 + m^2, u - v = c1 / m and u v = c0. This makes m^2 the greatest root of the resolvent cubic x^3 + 2 c2 x^2 + (c2^2 -
-/// 4 c0) x - c1^2.
+/// u + v = c2 + m^2, u - v = c1 / m and u v = c0. This makes m^2 the greatest root of the resolvent cubic
+/// x^3 + 2 c2 x^2 + (c2^2 - 4 c0) x - c1^2.
 FN float far_root(IN(MonicPolynomial) p)
 {
     PRECISE float shift = -0.25f * p.e[0];

@@ -5,8 +5,8 @@
 // is the kernel of the monic Szego polynomials. On the circle these obey p_{k+1}(x) = x p_k(x) + gamma_k x^k conj(p_k(x)).
 //
 // The circle is turned so that the query is at x = 1. With t = cot((phi - phi_f)/2), x = (t + i)/(t - i). Let q_k(t) = (t - i)^k
-// p_k and multiply the recurrence by (t - i)^(k+1). Since x (t - i) = t + i and conj(t - i) = t + i, the result is q_{k+1} = y +
-// gamma_k conj(y) with y = (t + i) q_k. So all arithmetic is on real coefficients of t.
+// p_k and multiply the recurrence by (t - i)^(k+1). Since x (t - i) = t + i and conj(t - i) = t + i, the result is
+// q_{k+1} = y + gamma_k conj(y) with y = (t + i) q_k. So all arithmetic is real, on the real and imaginary parts of coefficients.
 
 #define ALGORITHM_2   // see textbook.glsl
 #define ROOT_COUNT MOMENT_COUNT
@@ -92,8 +92,8 @@ FN KernelTerms next_terms(IN(KernelTerms) terms, IN(Complex) gamma)
     return next;
 }
 
-/// The kernel with the query at x = 1: (t - i)^m K(1, x(t)) = at_query (t^m + e[0] t^(m-1) + ...). It is real for real t. at_query
-/// = K(1, 1) = 1 / w_0 >= 1.
+/// The kernel with the query at x = 1: (t - i)^m K(1, x(t)) = at_query (t^m + e[0] t^(m-1) + ...). It is real for real t.
+/// at_query = K(1, 1) = 1 / w_0 >= 1.
 struct Kernel { float at_query; MonicPolynomial in_t; };
 
 FN Kernel kernel_polynomial(IN(Query) query, IN(Factor) factor)
