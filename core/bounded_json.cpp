@@ -12,19 +12,19 @@ namespace momentscope {
 namespace {
 
 struct Extent {
-    int nesting = 0;         // of brackets outside strings, the deepest
-    std::size_t values = 1;  // at most: one begins the text, the others stand behind a bracket or a comma
+    int nesting = 0;         // deepest nesting of brackets outside of strings
+    std::size_t values = 1;  // upper limit: one at the beginning, the others after a bracket or a comma
 };
 
-// Counted beforehand, so that what is refused costs no memory. A parser callback would make reading
-// quadratic.
+// Counts in advance, so that a text which is not accepted costs no memory. A parser callback would make
+// reading quadratic.
 Extent extent_of(const std::string& text) {
     Extent extent;
     int depth = 0;
     bool in_string = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
-        if (in_string && c == '\\') ++i;  // whatever is escaped, it does not end the string
+        if (in_string && c == '\\') ++i;  // an escaped character never ends the string
         if (c == '"') in_string = !in_string;
         if (in_string) continue;
         if (c == '[' || c == '{') extent.nesting = std::max(extent.nesting, ++depth);
@@ -47,7 +47,7 @@ nlohmann::json parse_bounded_json(const std::string& text, const JsonBounds& bou
         return nlohmann::json::parse(text);
     } catch (const nlohmann::json::parse_error& error) {
         throw Error(fmt::format("it is not valid JSON at byte {}; correct it there.", error.byte));
-    } catch (const nlohmann::json::exception&) {  // a number beyond a double, for instance
+    } catch (const nlohmann::json::exception&) {  // for example, a number too large for a double
         throw Error("it holds a value that JSON cannot represent; give finite numbers.");
     }
 }

@@ -1,4 +1,4 @@
-// bounded_json.hpp -- reads JSON that cannot be trusted.
+// bounded_json.hpp -- reads JSON that may be broken or hostile.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -7,16 +7,15 @@
 
 namespace momentscope {
 
-/// What a text may ask of the reader. A value takes up to 200 bytes of memory, in whatever few letters it is
-/// written, so that two million of them stay below half a GiB.
+/// Limits of what a text may demand of the reader. A value takes up to 200 bytes of memory, however short its
+/// text is. So two million values take less than half a GiB.
 struct JsonBounds {
-    std::uintmax_t bytes;            // of the text
-    std::size_t values = 2'000'000;  // ten for each fragment of a ray with everything that may be said of it
+    std::uintmax_t bytes;            // size of the text
+    std::size_t values = 2'000'000;  // a complete fragment of a ray takes ten
     int nesting = 16;                // a session with a ray needs 5
 };
 
-/// Throws Error for more bytes, values or nesting than the bounds allow, and with the place of a syntax
-/// error.
+/// The JSON in a text. Throws Error if it exceeds the bounds, and for a syntax error, whose place is given.
 nlohmann::json parse_bounded_json(const std::string& text, const JsonBounds& bounds);
 
 }  // namespace momentscope

@@ -13,7 +13,7 @@ namespace momentscope {
 
 namespace {
 
-std::mutex stderr_mutex;  // there is one standard error
+std::mutex stderr_mutex;  // because there is only one standard error
 
 }  // namespace
 
@@ -22,7 +22,7 @@ CaughtStderr::CaughtStderr() {
 #ifndef __SANITIZE_ADDRESS__
     kept_ = ::memfd_create("stderr", MFD_CLOEXEC);
     standard_ = ::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 0);
-    if (kept_ < 0 || standard_ < 0) return;  // too many open files: then it is not caught
+    if (kept_ < 0 || standard_ < 0) return;  // too many open files; then nothing is caught
     std::fflush(stderr);
     ::dup2(kept_, STDERR_FILENO);
 #endif

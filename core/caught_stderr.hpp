@@ -1,11 +1,12 @@
-// caught_stderr.hpp -- what libraries print on standard error by themselves.
+// caught_stderr.hpp -- catches what libraries print on standard error.
 #pragma once
 #include <string>
 
 namespace momentscope {
 
-/// While it lives, what anything in the process writes to standard error is kept instead. One lives at a
-/// time; another thread waits for it. With AddressSanitizer, whose reports must be seen, nothing is caught.
+/// During its life, everything that the process writes to standard error is caught. Only one exists at a
+/// time; other threads wait for it. With AddressSanitizer nothing is caught, because its reports must be
+/// seen.
 class CaughtStderr {
 public:
     CaughtStderr();
@@ -13,12 +14,12 @@ public:
     CaughtStderr(const CaughtStderr&) = delete;
     CaughtStderr& operator=(const CaughtStderr&) = delete;
 
-    /// The first line of it.
+    /// The first line that was caught.
     std::string first_line() const;
 
 private:
     int kept_ = -1;      // a file in memory
-    int standard_ = -1;  // where standard error went before
+    int standard_ = -1;  // the original target of standard error
 };
 
 }  // namespace momentscope

@@ -1,4 +1,4 @@
-// error.hpp -- how the outside world's failures travel: one sentence, caught once at the edge.
+// error.hpp -- the exception for failures from outside: one sentence, caught in one place.
 #pragma once
 #include <stdexcept>
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace momentscope {
 
-/// A file, argument, shader or GL did not do what was asked. what() is one plain sentence that says
-/// what is wrong and what to do; the command line prints it, the window shows it as a message.
+/// A failure of a file, an argument, a shader or the GL. what() is one plain sentence that says what is wrong
+/// and what to do. The command line prints it; the window shows it as a message.
 class Error : public std::runtime_error {
 public:
     explicit Error(const std::string& sentence) : std::runtime_error(one_line(sentence)) {}

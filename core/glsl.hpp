@@ -1,12 +1,12 @@
-// glsl.hpp -- the words and built-ins that let shaders/shared/*.glsl compile as C++.
+// glsl.hpp -- the words and built-in functions with which shaders/shared/*.glsl compiles as C++.
 //
-// A shared file is GLSL 4.50 within docs/glsl-subset.md plus four words (shaders/prelude.glsl is their
-// GLSL meaning):
-//   FN       before every function; in C++ always inlined, so that it is compiled for the instruction
-//            set of the loop that calls it
+// A shared file is GLSL 4.50 within the limits of docs/glsl-subset.md, plus four words. shaders/prelude.glsl
+// defines them for GLSL:
+//   FN       before every function; always inlined in C++, so that it is compiled for the instruction set of
+//            the loop that calls it
 //   IN(T)    a parameter that is only read
-//   PRECISE  before a local whose rounding must not be re-associated: nothing in C++, which is built
-//            with -ffp-contract=off
+//   PRECISE  before a local variable whose rounding must not be re-associated; nothing in C++, which is
+//            compiled with -ffp-contract=off
 //   UNROLL   before a loop of fixed count
 // Include shared files inside a namespace nested in momentscope::glsl.
 #pragma once
@@ -36,7 +36,7 @@ using std::pow;
 using std::sin;
 using std::sqrt;
 
-// Scalars only and no templates, so that min(x, 0.0f) means what it means in GLSL.
+// Scalars only and no templates, so that calls such as min(x, 0.0f) mean the same as in GLSL.
 inline float abs(float x) {
     return std::fabs(x);
 }

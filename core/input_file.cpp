@@ -19,9 +19,9 @@ std::string read_input_file(const std::filesystem::path& path, std::uintmax_t mo
     const std::uintmax_t size = std::filesystem::file_size(path, status);
     std::ifstream file(path, std::ios::binary);
     std::string text;
-    if (!status) text.reserve(std::min(size, most_bytes));  // a text that grew would need three times as much
+    if (!status) text.reserve(std::min(size, most_bytes));  // growing text needs three times the memory
     std::vector<char> chunk(std::size_t{1} << 16);
-    do {  // to the end, wherever it is: files of the kernel have a size of 0, and others grow
+    do {  // to the end: files of the kernel have a size of 0, and others may grow
         file.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
         text.append(chunk.data(), static_cast<std::size_t>(file.gcount()));
     } while (file && text.size() <= most_bytes);

@@ -1,4 +1,4 @@
-// input_file.hpp -- reads text files that cannot be trusted.
+// input_file.hpp -- reads text files that may be broken or hostile.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -6,8 +6,8 @@
 
 namespace momentscope {
 
-/// The whole file. Throws Error when it is missing, no file, larger than `most_bytes` or unreadable; `what`
-/// names it there, as "session".
+/// The contents of the file. Throws Error if it is missing, not an ordinary file, larger than `most_bytes` or
+/// unreadable. `what` names the kind of file in the sentence, such as "session".
 std::string read_input_file(const std::filesystem::path& path, std::uintmax_t most_bytes, const char* what);
 
 }  // namespace momentscope

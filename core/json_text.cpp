@@ -13,8 +13,7 @@ std::string escaped_json(std::string_view text) {
     result.reserve(text.size());
     while (!text.empty()) {
         const CodePoint one = first_code_point(text);
-        if (one.value >= 0x20 &&
-            is_control(one.value))  // below, there are only the line breaks between values
+        if (one.value >= 0x20 && is_control(one.value))  // smaller ones are only line breaks between values
             fmt::format_to(std::back_inserter(result), "\\u{:04x}", static_cast<unsigned>(one.value));
         else
             result += text.substr(0, one.bytes);

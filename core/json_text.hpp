@@ -1,4 +1,4 @@
-// json_text.hpp -- writes JSON that may go to a terminal.
+// json_text.hpp -- writes JSON that is safe on a terminal.
 #pragma once
 #include <nlohmann/json.hpp>
 #include <string>
@@ -6,11 +6,12 @@
 
 namespace momentscope {
 
-/// The text of a JSON value with the controls escaped that JSON lets stand: it reads back the same, and a
-/// terminal obeys none of it.
+/// The text of a JSON value with those control characters escaped that JSON allows. It reads back the same,
+/// and contains nothing that a terminal obeys.
 std::string escaped_json(std::string_view text);
 
-/// `indent` spaces for each level, or all on one line. What is no UTF-8 becomes U+FFFD.
+/// A JSON value as text, with `indent` spaces per level, or on one line. Bytes that are not UTF-8 become
+/// U+FFFD.
 template <typename Json>
 std::string json_text(const Json& value, int indent = -1) {
     return escaped_json(value.dump(indent, ' ', false, Json::error_handler_t::replace));

@@ -43,7 +43,7 @@ std::string markdown_code(std::string_view text) {
         longest = std::max(longest, run);
     }
     const std::string fence(longest + 1, '`');
-    const char* space = longest > 0 ? " " : "";  // which is no part of the code
+    const char* space = longest > 0 ? " " : "";  // spaces that are not part of the code
     return fence + space + code + space + fence;
 }
 

@@ -22,16 +22,17 @@ namespace momentscope {
 
 namespace {
 
-std::mutex file_mutex;  // one file at a time, of which a handler of signals knows the name
+std::mutex file_mutex;  // one file at a time; a signal handler knows its name
 
 namespace fs = std::filesystem;
 
-// The name of the file that is being written, for a handler of signals.
+// The name of the file that is being written, for signal handlers.
 std::array<char, PATH_MAX> unfinished_name;
 std::atomic<bool> has_unfinished = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-/// Lets a signal remove a file while it lives, and removes it at its end, when it has another name by then.
+/// During its life a signal handler can remove the file. The destructor removes it, too, unless it has been
+/// renamed.
 class Unfinished {
 public:
     explicit Unfinished(const std::string& name) {
@@ -47,7 +48,7 @@ public:
     Unfinished& operator=(const Unfinished&) = delete;
 };
 
-// Where symbolic links lead, even when nothing is there yet.
+// The target of symbolic links, even if nothing exists there yet.
 fs::path target_of(fs::path path) {
     constexpr int MAX_LINKS = 40;  // as many as the system follows
     std::error_code code;
@@ -60,7 +61,8 @@ fs::path folder_of(const fs::path& path) {
     return path.has_parent_path() ? path.parent_path() : ".";
 }
 
-// Nobody can know it before, and so plant a link or a pipe of that name. Short enough for any file system.
+// A name that nobody can guess, so nobody can place a link or a pipe there before. It is short enough for any
+// file system.
 std::string random_name() {
     std::random_device random;
     return fmt::format(".momentscope-{:08x}{:08x}.partial", random(), random());
@@ -71,7 +73,7 @@ std::optional<struct stat> status_of(const fs::path& path) {
     return ::stat(path.c_str(), &status) == 0 ? std::optional(status) : std::nullopt;
 }
 
-// These return 0 or the number of the system's error.
+// The following functions return 0 or the error number of the system.
 
 int write_all(int file, std::string_view bytes) {
     while (!bytes.empty()) {
@@ -82,7 +84,8 @@ int write_all(int file, std::string_view bytes) {
     return 0;
 }
 
-// As far as the system allows it: the owner is for the superuser alone to give.
+// Gives the file the owner, group and permissions of the previous one, as far as the system allows. Only the
+// superuser may change the owner.
 int make_alike(int file, const struct stat& before) {
     struct stat now {};
     if (::fstat(file, &now) != 0) return errno;
@@ -94,7 +97,7 @@ int make_alike(int file, const struct stat& before) {
 }
 
 int make_file(const fs::path& path, std::string_view bytes, const std::optional<struct stat>& before) {
-    // What stood there may be secret: nobody else reads the new file before it has the same permissions.
+    // The old file may be secret. Nobody else may read the new file before it has the same permissions.
     const mode_t mode = before ? 0600 : 0666;
     const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
     if (file < 0) return errno;
@@ -105,7 +108,8 @@ int make_file(const fs::path& path, std::string_view bytes, const std::optional<
     return failure;
 }
 
-// So that a file that is removed afterwards is not gone before this one is there; some systems cannot.
+// Brings the folder to the disk, so that another file which is removed afterwards does not vanish before this
+// one exists. Some systems cannot do this.
 void sync_folder(const fs::path& folder) {
     const int handle = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (handle < 0) return;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr float PI = std::numbers::pi_v<float>;
 
-// The names of a choice: CHOICE_NAMES<Solver>.
+// The names of the values of a choice, such as CHOICE_NAMES<Solver>.
 template <typename Choice>
 constexpr bool CHOICE_NAMES = false;
 #define VALUE(enumerator, text) text
@@ -26,8 +26,8 @@ constexpr bool CHOICE_NAMES = false;
 #undef CHOICE
 #undef VALUE
 
-// Moments in floats, which may be filtered; two sizes of Fourier series; the ground truth; and no such
-// casters.
+// How transparent casters may be stored: moments in floats, which may be filtered; two sizes of Fourier
+// series; the ground truth; or no such casters.
 std::vector<const char*> shadow_techniques() {
     std::vector<const char*> ids;
 #define MOMENT_TECHNIQUE(id, basis, count, bits, key, ...) \
@@ -44,7 +44,7 @@ constexpr std::array OPAQUE_SHADOWS = {
 #include "core/shadow/opaque_shadows.def"
 #undef OPAQUE_SHADOW
 };
-constexpr float HAMBURGER_16 = 3;  // among them
+constexpr float HAMBURGER_16 = 3;  // index in OPAQUE_SHADOWS
 
 const std::array<Parameter, PARAMETER_COUNT> ROWS = {{
 #define PARAMETER(id, ...) {ParameterId::id, __VA_ARGS__},
@@ -78,7 +78,7 @@ ParameterValues::ParameterValues() {
 
 void ParameterValues::set(ParameterId id, std::optional<float> value) {
     const Parameter& row = parameter(id);
-    const bool in_range = value && *value >= row.minimum && *value <= row.maximum;  // false for NaN
+    const bool in_range = value && *value >= row.minimum && *value <= row.maximum;  // false if it is NaN
     const bool allowed =
         value ? in_range && (!is_whole(row) || *value == std::floor(*value)) : !row.default_value;
     if (!allowed)

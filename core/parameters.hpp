@@ -1,4 +1,4 @@
-// parameters.hpp -- the one registry of parameters: sliders, options, JSON keys, docs and cache invalidation
+// parameters.hpp -- the registry of parameters. Sliders, options, JSON keys, docs and cache invalidation all
 // follow from it.
 #pragma once
 #include <array>
@@ -14,9 +14,9 @@
 
 namespace momentscope {
 
-/// The way of the data. A change invalidates its stage and all later ones.
-/// shading: colours of opaque surfaces again, and then from the second pass on; the first pass knows no
-/// colours.
+/// The stages of the pipeline, in the order in which data flows. A change invalidates its stage and all later
+/// ones. shading: opaque surfaces are shaded again, and then everything from the second pass on runs again;
+/// the first pass stays, because it stores no colours.
 enum class Stage { scene, opaque, moments, shading, color, composite, display, nothing };
 
 enum class ParameterId : std::size_t {
@@ -30,37 +30,38 @@ constexpr std::size_t PARAMETER_COUNT = 0
 #undef PARAMETER
     ;
 
-/// How a slider maps its way to a value; decides nothing but the looks.
+/// What kind of number a parameter is, and how its slider looks. toggle: 0 or 1. choice: an index into the
+/// names of its values. whole: a whole number.
 enum class Scale { linear, logarithmic, toggle, choice, whole };
 
-/// One row: everything that is said about a parameter anywhere.
+/// One row of the registry: everything that the program says about a parameter.
 struct Parameter {
     ParameterId id;
-    const char* key;     // option and JSON key
-    const char* symbol;  // the papers' symbol
+    const char* key;     // key of options and JSON
+    const char* symbol;  // symbol in the papers
     const char* name;
-    const char* unit;  // "" for a plain number
+    const char* unit;  // "" if it has no unit
     float minimum;
     float maximum;
-    std::optional<float> default_value;  // nullopt: `auto`, the technique recommends a value
+    std::optional<float> default_value;  // nullopt: `auto`, a value that the technique recommends
     Scale scale;
-    Stage invalidates;                          // the first stage that a change makes stale
-    const char* help;                           // one or two sentences: what it does and when to change it
+    Stage invalidates;                          // first stage that a change makes stale
+    const char* help;                           // one or two sentences: what it does, when to change it
     const char* source;                         // paper and section
-    std::span<const char* const> choices = {};  // names of the values 0, 1, ...; for Scale::choice alone
+    std::span<const char* const> choices = {};  // names of the values 0, 1, ...; only for Scale::choice
 };
 
-/// Those that every picture of a scene reads, whatever the technique.
+/// Parameters that every picture of a scene reads, whatever the technique.
 inline constexpr std::array PICTURE_PARAMETERS = {ParameterId::order, ParameterId::order_seed,
                                                   ParameterId::tone_map, ParameterId::shadows};
 
-/// Those that pictures with shadows read, too.
+/// Parameters that pictures with shadows read in addition.
 inline constexpr std::array SHADOW_PARAMETERS = {ParameterId::shadow_technique, ParameterId::shadow_beta,
                                                  ParameterId::opaque_shadow,    ParameterId::shadow_size,
                                                  ParameterId::shadow_radius,    ParameterId::light_azimuth,
                                                  ParameterId::light_elevation,  ParameterId::light_distance};
 
-/// The parameter whose values an enum of parameter_choices.def names.
+/// ParameterOf<Enum>::ID is the parameter whose values are named by this enum of parameter_choices.def.
 template <typename Choice>
 struct ParameterOf;
 #define CHOICE(type, parameter, ...)                              \
@@ -74,38 +75,40 @@ struct ParameterOf;
 /// All parameters, in the order of ParameterId.
 std::span<const Parameter> parameters();
 const Parameter& parameter(ParameterId id);
-const Parameter* find_parameter(std::string_view key);  // nullptr when there is none
+const Parameter* find_parameter(std::string_view key);  // nullptr if there is none
 
-/// A value for every parameter. A new object has all of them at their defaults. Each getter is for rows of
-/// one Scale; what `set` accepts is always in the row's range.
+/// A value for every parameter. A new object has the default values. Each getter is for rows of one Scale.
+/// Values that `set` accepts are always in the range of their row.
 class ParameterValues {
 public:
     ParameterValues();
 
-    /// Of a choice by name: values.get<Solver>().
+    /// The value of a choice, by the enum of parameter_choices.def: values.get<Solver>().
     template <typename Choice>
     Choice get() const {
         return static_cast<Choice>(number_of_choice(ParameterOf<Choice>::ID));
     }
 
-    /// The same as a number from 0, for choices that come from other registries.
+    /// The value of a choice as an index from 0, for choices that come from other registries.
     std::size_t number_of_choice(ParameterId id) const { return static_cast<std::size_t>(count(id)); }
 
-    /// Of a switch (Scale::toggle).
+    /// The value of a switch (Scale::toggle).
     bool is_on(ParameterId id) const { return number(id) != 0; }
 
-    /// Of a whole number.
+    /// The value of a whole number.
     int count(ParameterId id) const { return static_cast<int>(number(id)); }
 
-    /// Of a parameter that is never `auto`, in the row's unit. Throws std::bad_optional_access otherwise.
+    /// The value of a parameter, in the unit of its row. Throws std::bad_optional_access if the value is
+    /// `auto`.
     float number(ParameterId id) const { return (*this)[id].value(); }
 
-    /// nullopt means `auto`, which is allowed where Parameter::default_value is nullopt.
+    /// The value, or nullopt for `auto`. Only parameters without a Parameter::default_value can be `auto`.
     const std::optional<float>& operator[](ParameterId id) const {
         return values_[static_cast<std::size_t>(id)];
     }
 
-    /// Throws Error when the value is not a number within the row's range, or `auto` where there is none.
+    /// Throws Error if the value is not a number in the range of the row, if the row needs a whole number and
+    /// the value is not one, or if it is `auto` and the row has a default value.
     void set(ParameterId id, std::optional<float> value);
 
     template <typename Choice>
@@ -121,17 +124,17 @@ private:
 
 using ParameterSettings = std::vector<std::pair<ParameterId, float>>;
 
-/// All values at their defaults but these. Throws Error as ParameterValues::set.
+/// The default values except for these settings. Throws Error as ParameterValues::set does.
 ParameterValues values_with(const ParameterSettings& settings);
 
-/// The value that a text on the command line or in a file means: a number, `auto` or one of the choices.
-/// Throws Error.
+/// The value of a text on the command line or in a file: a number, `auto` (nullopt), on or off, or the name
+/// of a choice. Throws Error if it is none of these.
 std::optional<float> parse_parameter(const Parameter& row, std::string_view text);
 
-/// The text that means a value: of a choice its name.
+/// The text of a value; for a choice, its name.
 std::string parameter_text(const Parameter& row, std::optional<float> value);
 
-/// The values that a row takes, for people: "a number from 0 to 1", "robust or textbook".
+/// The values that a row accepts, as text for people: "a number from 0 to 1", "robust or textbook".
 std::string parameter_values_text(const Parameter& row);
 
 }  // namespace momentscope

@@ -1,4 +1,4 @@
-// parse_number.hpp -- text that is a number from its first letter to its last.
+// parse_number.hpp -- reads a text that is a number as a whole.
 #pragma once
 #include <charconv>
 #include <cmath>
@@ -8,8 +8,8 @@
 
 namespace momentscope {
 
-/// In decimal notation without spaces or '+', and finite; nullopt for anything else, "inf" and "nan" among
-/// it, and for what T cannot hold.
+/// The number in a text. It must be finite and in decimal notation, without spaces or '+'. nullopt for
+/// anything else, also for "inf" and "nan", and for numbers that T cannot hold.
 template <typename T>
 std::optional<T> parse_number(std::string_view text) {
     T value{};

@@ -1,5 +1,5 @@
-// plain_text.hpp -- text from outside that is safe to show. Names of files and texts in them may hold codes
-// that a terminal obeys, and bytes that are no text.
+// plain_text.hpp -- makes text from outside safe to show. File names and texts in files may contain control
+// codes, which a terminal obeys, and bytes that are not text.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -13,19 +13,21 @@ struct CodePoint {
 };
 constexpr char32_t NO_CODE_POINT = 0xFFFFFFFF;
 
-/// The first code point of a text that is not empty; NO_CODE_POINT, of one byte, where it is no UTF-8.
+/// The first code point of a text that is not empty. NO_CODE_POINT, with a length of one byte, if it is not
+/// UTF-8.
 CodePoint first_code_point(std::string_view text);
 
 bool is_utf8(std::string_view text);
 
-/// Whether it moves what stands beside it: controls (C0, DEL and C1), line breaks of all kinds, marks that
-/// override the direction of text.
+/// True for code points that affect the text around them: controls (C0, DEL and C1), all kinds of line
+/// breaks, and marks that override the direction of text.
 bool is_control(char32_t code_point);
 
-/// With a space in place of every control, and U+FFFD where there is no UTF-8 or no character.
+/// The text with every control replaced by a space, and with U+FFFD instead of bytes that are not UTF-8 and
+/// code points that are not characters.
 std::string one_line(std::string_view text);
 
-/// The same, but '\n' stays.
+/// The same, but '\n' is kept.
 std::string plain_lines(std::string_view text);
 
 }  // namespace momentscope

@@ -1,18 +1,18 @@
-// reachable.hpp -- why a path leads nowhere, other than that nothing is there.
+// reachable.hpp -- why a path cannot be looked up, other than that nothing exists there.
 #pragma once
 #include <filesystem>
 #include <string>
 
 namespace momentscope {
 
-/// Throws Error when the system refuses to look a path up: a name that is too long, a folder that may not be
-/// entered, links in a circle. A missing file is no such reason.
+/// Throws Error if the system refuses to look up the path: a name is too long, a folder must not be entered,
+/// or links form a circle. A missing file is no error.
 void require_reachable(const std::filesystem::path& path);
 
-/// The path from the root on. Throws Error when it starts in a working folder that was deleted.
+/// The absolute path. Throws Error if the path is relative and the working folder was deleted.
 std::filesystem::path absolute_path(const std::filesystem::path& path);
 
-/// Do both name one file, by whatever names and links?
+/// True if both paths name the same file, whatever the names and links.
 bool same_file(const std::string& a, const std::string& b);
 
 }  // namespace momentscope

@@ -1,9 +1,9 @@
-// version.hpp -- which Momentscope this is.
+// version.hpp -- the version of Momentscope.
 #pragma once
 
 namespace momentscope {
 
-/// The version, and behind a plus sign the commit that was built where git knows it: "0.1.0+bc54233".
+/// The version and, if git knows it, the commit after a plus sign: "0.1.0+bc54233".
 extern const char* const PROGRAM_VERSION;
 
 }  // namespace momentscope

@@ -15,7 +15,7 @@ namespace momentscope {
 namespace {
 
 constexpr double NEVER = std::numeric_limits<double>::infinity();
-constexpr double CLEARLY_BETTER = 0.5;  // of the winner's error
+constexpr double CLEARLY_BETTER = 0.5;  // of the error of the winner
 
 using Indices = std::vector<std::size_t>;
 
@@ -37,7 +37,7 @@ bool fits(const ChartRow& row, const AdviceBounds& bounds, double error) {
            (!bounds.max_ms || time_of(row) <= *bounds.max_ms);
 }
 
-// Of medians and the halves of their spreads.
+// Compares medians. They count as equal if they differ by less than half the sum of their ranges.
 bool as_fast(const ChartRow& row, const ChartRow& fastest) {
     return time_of(row) - time_of(fastest) <= 0.5 * (row.numbers->total.range + fastest.numbers->total.range);
 }
@@ -53,7 +53,7 @@ std::optional<std::size_t> cheapest(std::span<const ChartRow> rows, const Indice
         equal, {}, [&](std::size_t i) { return std::tuple(bits_of(rows[i]), time_of(rows[i]), i); });
 }
 
-/// By which factor a row exceeds the bound that it misses most.
+/// The factor by which a row exceeds the bound that it misses most.
 double excess(const ChartRow& row, const AdviceBounds& bounds, double error) {
     double most = error / bounds.max_error;
     if (bounds.max_bits) most = std::max(most, bits_of(row) / *bounds.max_bits);
@@ -86,7 +86,7 @@ const Technique* technique_of(const ChartRow& row) {
 double worst_error(const ChartRow& row, Metric metric, const std::optional<double>& held_out) {
     assert(row.numbers);
     const double elsewhere = held_out.value_or(0);
-    if (std::isnan(elsewhere)) return elsewhere;  // which std::max would leave out
+    if (std::isnan(elsewhere)) return elsewhere;  // std::max would ignore NaN
     return std::max(error_of(*row.numbers, metric), elsewhere);
 }
 
@@ -94,12 +94,12 @@ Judgement classify(const ChartRow& row, const AdviceBounds& bounds, const std::o
     const Technique* technique = technique_of(row);
     if (technique == nullptr || !row.numbers) return Judgement::unavailable;
     if (technique->is_truth()) return Judgement::ground_truth;
-    // What blends in the order of submission as it comes is out whatever its row says.
+    // Techniques that blend in the order of submission are excluded, whatever their rows say.
     if (bounds.order_independent &&
         (technique->order_dependent || std::string_view(technique->id) == "unsorted"))
         return Judgement::order_dependent;
     if (held_out && !std::isfinite(*held_out)) return Judgement::infinite_elsewhere;
-    // Written so that an error that is no number meets nothing.
+    // Written so that NaN meets no bound.
     if (!(error_of(*row.numbers, bounds.metric) <= bounds.max_error)) return Judgement::inaccurate;
     if (!(worst_error(row, bounds.metric, held_out) <= bounds.max_error))
         return Judgement::inaccurate_elsewhere;
@@ -148,7 +148,7 @@ std::optional<std::size_t> unchecked(const Advice& advice, const HeldOutErrors& 
 std::optional<Advice> checked_advice(std::span<const ChartRow> rows, const AdviceBounds& bounds,
                                      HeldOutErrors& held_out,
                                      const std::function<std::optional<double>(std::size_t row)>& check) {
-    for (;;) {  // ends: every turn but the last one checks another row
+    for (;;) {  // ends, because each turn except the last checks another row
         const Advice advice = advise(rows, bounds, held_out);
         const std::optional<std::size_t> row = unchecked(advice, held_out);
         if (!row) return advice;

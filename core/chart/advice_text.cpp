@@ -17,7 +17,7 @@ const char* symbol_of(Metric metric) {
     return metrics()[static_cast<std::size_t>(metric)].symbol;
 }
 
-// Infinite where the picture has pixels that are infinite or NaN.
+// "infinite" if the picture has pixels that are infinite or NaN.
 std::string error_text(double error) {
     return std::isfinite(error) ? fmt::format("{:.3g}", error) : "infinite";
 }
@@ -33,7 +33,7 @@ std::string role_of(std::size_t row, const Advice& advice) {
     return {};
 }
 
-// The difference to the winner, or that there is none to be seen.
+// The difference to the winner, or that there is no visible one.
 std::string price_text(const ChartRow& row, const ChartRow& winner) {
     const double more = row.numbers->total.median - winner.numbers->total.median;
     const double noise = 0.5 * (row.numbers->total.range + winner.numbers->total.range);

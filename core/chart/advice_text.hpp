@@ -1,4 +1,4 @@
-// advice_text.hpp -- advice in sentences and as a small table.
+// advice_text.hpp -- writes advice as sentences and as a small table.
 #pragma once
 #include <span>
 #include <string>
@@ -7,27 +7,27 @@
 
 namespace momentscope {
 
-/// "RMSE at most 0.01, at most 256 bits per pixel".
+/// The bounds as text: "RMSE at most 0.01, at most 256 bits per pixel".
 std::string bounds_text(const AdviceBounds& bounds);
 
-/// "RMSE 0.0031, 12.3 ms, 160 bits per pixel": the greatest error that is known.
+/// The costs of a row, with the greatest known error: "RMSE 0.0031, 12.3 ms, 160 bits per pixel".
 std::string cost_text(const ChartRow& row, Metric metric, const std::optional<double>& held_out);
 
-/// "meets the bounds", "too many bits", …
+/// The judgement as text: "meets the bounds", "too many bits", …
 const char* judgement_text(Judgement judgement);
 
 /// Why there is no winner, as a sentence that names the nearest row and says what to do.
 std::string no_advice_text(std::span<const ChartRow> rows, const AdviceBounds& bounds,
                            const HeldOutErrors& held_out, const Advice& advice);
 
-/// Rows that show why the advice is as it is, by growing time: those that it names, those that failed at
-/// views that are held out alone, the fastest that missed a bound, and the fastest that met them; at most
-/// `most` beside those that are named.
+/// Rows that explain the advice, in order of time: those that the advice names, those that failed only at
+/// held-out views, the fastest that missed a bound, and the fastest that met the bounds. At most `most` in
+/// addition to those that are named.
 std::vector<std::size_t> evidence_of(std::span<const ChartRow> rows, const AdviceBounds& bounds,
                                      const HeldOutErrors& held_out, const Advice& advice, std::size_t most);
 
-/// Winner, runner-up and what is better as lines, then the evidence as a table in columns. There is a
-/// winner.
+/// The winner, the runner-up and what is better as lines, then the evidence as a table. The advice must have
+/// a winner.
 std::string advice_text(std::span<const ChartRow> rows, const AdviceBounds& bounds,
                         const HeldOutErrors& held_out, const Advice& advice);
 

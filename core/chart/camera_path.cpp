@@ -6,7 +6,7 @@ namespace momentscope {
 
 namespace {
 
-// As far as a camera turns in one frame when it turns once around in twelve seconds at 60 Hz.
+// The angle by which a camera turns in one frame at 60 Hz, if it turns once around in twelve seconds.
 constexpr float STEP_ANGLE = 0.5f * std::numbers::pi_v<float> / 180.0f;
 
 }  // namespace

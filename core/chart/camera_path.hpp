@@ -1,4 +1,4 @@
-// camera_path.hpp -- the recorded camera path along which a chart looks for popping.
+// camera_path.hpp -- the camera path along which a chart measures popping.
 #pragma once
 #include <vector>
 
@@ -9,10 +9,10 @@ namespace momentscope {
 constexpr int PATH_FRAMES = 8;
 constexpr const char* PATH_TEXT = "8 frames of an orbit by 0.5 degrees each, at a quarter of the size";
 
-/// A slow orbit about what the camera looks at, with the camera itself in its middle.
+/// A slow orbit about the target of the camera. The camera itself is in the middle of the path.
 std::vector<Camera> camera_path(const Camera& camera);
 
-/// The size of its pictures for a chart of that size.
+/// The size of the pictures of the path for a chart of this size.
 glm::ivec2 path_size(glm::ivec2 size);
 
 }  // namespace momentscope

@@ -1,4 +1,4 @@
-// chart.hpp -- a finished chart as tables and drawings see it.
+// chart.hpp -- a finished chart, as tables and drawings use it.
 #pragma once
 #include <span>
 #include <string>
@@ -15,7 +15,7 @@ struct Chart {
     std::vector<ChartRow> rows;  // scene by scene
 };
 
-/// Throws Error when the table is no chart; `name` is what it calls it.
+/// The chart in a table. Throws Error if the table is no chart; `name` is what the sentence calls it.
 Chart chart_of(const RunTable& table, std::string_view name);
 
 /// The rows of each scene, in order.
@@ -23,16 +23,17 @@ std::vector<std::span<const ChartRow>> scenes_of(const Chart& chart);
 
 double error_of(const ChartNumbers& numbers, Metric metric);
 
-/// Indices of the rows that no other one of the scene beats in total time and error, by growing time.
+/// Indices of the rows of the Pareto front: no other row of the scene is better in total time and error. In
+/// order of time.
 std::vector<std::size_t> front_of(std::span<const ChartRow> rows, Metric metric);
 
-/// How the numbers came about, in a few sentences.
+/// A few sentences on how the numbers were measured.
 std::string chart_method(const Chart& chart);
 
-/// A short name: "at nodes=8", "mt quarter theta16".
+/// A short name of a configuration: "at nodes=8", "mt quarter theta16".
 std::string short_name(const std::string& configuration);
 
-/// One table per scene as Markdown, with what is measured and how.
+/// The chart as Markdown: one table per scene, with what is measured and how.
 std::string chart_to_markdown(const Chart& chart, Metric metric);
 
 }  // namespace momentscope

@@ -14,13 +14,13 @@ namespace momentscope {
 namespace {
 
 constexpr std::size_t FIELDS = 20;
-constexpr double MOST = std::numeric_limits<float>::max();  // errors are floats, and no time is as long
+constexpr double MOST = std::numeric_limits<float>::max();  // errors are floats, and no time is that long
 constexpr const char* COLUMNS =
     "scene,configuration,moments_ms,moments_range_ms,color_ms,color_range_ms,composite_ms,composite_range_ms,"
     "total_ms,total_range_ms,differential_ms,differential_range_ms,stored_bits,bits_with_factor,geometry_passes,rmse,delta_e,"
     "flip,stability,unavailable";
 
-/// Reads one field after another; throws Error at the first that is none.
+/// Reads one field after another. Throws Error at the first field that is not valid.
 class Fields {
 public:
     Fields(std::string_view line, std::string_view name)
@@ -28,7 +28,7 @@ public:
         if (fields_.size() != FIELDS) refuse(line);
     }
     std::string text() { return fields_[next_++]; }
-    /// Finite, and within +-MOST.
+    /// A finite number within +-MOST.
     double number() {
         const std::string& field = fields_[next_++];
         const auto value = parse_number<double>(field);
@@ -60,7 +60,7 @@ public:
 
 private:
     [[noreturn]] void refuse(std::string_view what) const {
-        constexpr int SHORT = 60;  // letters of a record that lost a quote and goes on for long
+        constexpr int SHORT = 60;  // letters that are quoted; a record without its closing quote is long
         throw Error(
             fmt::format("'{}' is damaged at '{:.{}}'; remove it and make it again.", name_, what, SHORT));
     }

@@ -1,4 +1,4 @@
-// chart_csv.hpp -- rows of a chart as lines of a CSV file.
+// chart_csv.hpp -- writes and reads rows of a chart as lines of a CSV file.
 #pragma once
 #include <string>
 #include <string_view>
@@ -9,18 +9,19 @@
 
 namespace momentscope {
 
-constexpr int CHART_SCHEMA = 2;  // counts changes of the columns and of what they mean
+constexpr int CHART_SCHEMA = 2;  // increases when columns or their meaning change
 
 /// The names of the columns.
 std::string chart_columns();
 
-/// Six digits of every number; empty where there is none.
+/// A row as a line, with six digits of every number. Unknown numbers are empty.
 std::string chart_line(const ChartRow& row);
 
-/// Throws Error that calls the file `name` when the line is no such row.
+/// The row of a line. Throws Error, which calls the file `name`, if the line is not valid.
 ChartRow parse_chart_line(std::string_view line, std::string_view name);
 
-/// All rows of a table of the command chart. Throws Error when it is of another command or schema.
+/// All rows of a table that the command chart wrote. Throws Error if the table belongs to another command or
+/// schema.
 std::vector<ChartRow> chart_rows(const RunTable& table, std::string_view name);
 
 }  // namespace momentscope

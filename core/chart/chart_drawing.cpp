@@ -14,18 +14,18 @@ namespace momentscope {
 namespace {
 
 const glm::vec2 MIN_SIZE(300, 180);
-constexpr float LEFT = 76, RIGHT = 16, BOTTOM = 56;  // about the plot
+constexpr float LEFT = 76, RIGHT = 16, BOTTOM = 56;  // margins of the plot
 constexpr float CLOSE_BOTTOM = 42;                   // without a title
 constexpr float LEGEND_LINE = 20, LEGEND_TOP = 14;   // without a title
 constexpr float STRIP = 30;                          // at the bottom, for errors too small for the axis
 constexpr float RADIUS = 5;
 constexpr float FONT = 11, AXIS_FONT = 12, TITLE_FONT = 17;
-constexpr double MAX_ERROR = 1e30;  // of an axis, whose ticks go up to it
-constexpr double MIN_SHARE = 4e-3;  // of the greatest error, that still has a place of its own
+constexpr double MAX_ERROR = 1e30;  // greatest error of an axis and its ticks
+constexpr double MIN_SHARE = 4e-3;  // share of the greatest error; smaller errors go to the strip
 const glm::vec3 TEXT(0.13f, 0.15f, 0.18f), WEAK(0.42f, 0.45f, 0.50f), GRID(0.90f, 0.91f, 0.93f),
     AXIS(0.55f, 0.58f, 0.62f), FRONT(0.13f, 0.15f, 0.18f);
 
-/// From a value to a coordinate by its logarithm.
+/// Maps a value to a coordinate by its logarithm.
 struct LogAxis {
     double least, most;
     float from, to;
@@ -39,11 +39,11 @@ struct Point {
     std::size_t row;
     glm::vec2 at;
     const Family* family;
-    bool all_default;  // no parameter was changed
+    bool all_default;  // all parameters have their default values
 };
 
-/// 1, 2 and 5 times powers of ten within a range; of more than three decades powers alone. None where an end
-/// has no logarithm.
+/// 1, 2 and 5 times the powers of ten within a range; for more than three decades only the powers. None if an
+/// end of the range has no logarithm.
 std::vector<double> ticks_of(double least, double most) {
     std::vector<double> ticks;
     if (!(least > 0 && std::isfinite(least) && std::isfinite(most))) return ticks;
@@ -58,12 +58,12 @@ std::vector<double> ticks_of(double least, double most) {
     return ticks;
 }
 
-/// As far to the left as the logarithm goes.
+/// The time at which a row is drawn: at least 1e-3, so that it has a logarithm.
 double drawn_time(const ChartRow& row) {
     return std::max(row.numbers->total.median, 1e-3);
 }
 
-/// What has no place on an axis is left out.
+/// Rows without a place on the axes are not drawn.
 bool is_drawn(const ChartRow& row, Metric metric) {
     return row.numbers && std::isfinite(row.numbers->total.median) &&
            std::isfinite(error_of(*row.numbers, metric));
@@ -120,7 +120,7 @@ private:
     void add_point(std::size_t i) {
         if (!is_drawn(rows_[i], metric_)) return;
         const double error = error_of(*rows_[i].numbers, metric_);
-        const double shown = error < error_.most ? error : error_.most;  // infinite or NaN: at the top
+        const double shown = error < error_.most ? error : error_.most;  // at the top if infinite or NaN
         const float y = shown < error_.least ? plot_.high.y - 0.5f * STRIP : error_.at(shown);
         const std::string& text = rows_[i].configuration;
         points_.push_back({i,
@@ -182,7 +182,7 @@ private:
         taken_.push_back({{x - 1, plot_.low.y}, {x + 1, plot_.high.y}});
     }
 
-    // As a staircase, behind the marks: nothing that was measured lies to its lower left.
+    // Draws the Pareto front as a staircase behind the marks. No measured row lies to its lower left.
     void draw_front() {
         std::vector<glm::vec2> stairs;
         for (const std::size_t row : front_of(rows_, metric_)) {
@@ -198,7 +198,7 @@ private:
         if (!stairs.empty()) add_line(stairs, FRONT, 1.6f);
     }
 
-    // In lines as long as the drawing is wide; returns where the last one stands.
+    // Draws the legend in lines as wide as the drawing. Returns the height of the last line.
     float draw_legend() {
         glm::vec2 at(16, title_ ? 48 : LEGEND_TOP);
         const auto name = [&](const char* text) {
@@ -227,7 +227,7 @@ private:
         return at.y;
     }
 
-    // Those on the front first, then techniques as they are, then their variants.
+    // Labels rows of the front first, then techniques with default values, then their variants.
     void draw_labels() {
         const std::vector<std::size_t> front = front_of(rows_, metric_);
         std::vector<Label> labels;
@@ -249,7 +249,7 @@ private:
     Box plot_;
     LogAxis time_{}, error_{};
     std::vector<Point> points_;
-    std::vector<Box> taken_;  // where no label may stand
+    std::vector<Box> taken_;  // places without labels
     Drawing drawing_;
 };
 

@@ -69,7 +69,7 @@ json json_of(const Spread& spread) {
     return {spread.median, spread.range};
 }
 
-// The markup that embeds it must not end in a string.
+// Escapes JSON so that no string in it can end the surrounding script element.
 std::string script_text(const json& value) {
     std::string text;
     for (const char letter : json_text(value))
@@ -96,14 +96,14 @@ json json_of(const Chart& chart, const ChartRow& row) {
             {"stability", n.stability}};
 }
 
-// Of all rows of a page.
+// The titles of all rows of a page.
 std::vector<std::string> titles_of(const Chart& chart) {
     std::vector<std::string> titles;
     for (const ChartRow& row : chart.rows) titles.push_back(row.configuration);
     return titles;
 }
 
-// The rows of a scene begin at `first` of the page's.
+// The drawing of a scene as SVG. titles: those of all rows of the page.
 std::string scene_svg(const Chart& chart, std::span<const ChartRow> rows, Metric metric,
                       const std::vector<std::string>& titles) {
     Drawing drawing = chart_drawing(rows, metric, setting(chart.settings, "times"));

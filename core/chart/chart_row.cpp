@@ -7,7 +7,7 @@ namespace momentscope {
 
 namespace {
 
-// Linear between the two nearest.
+// The quantile, interpolated linearly between the two nearest values.
 double quantile(const std::vector<double>& sorted, double share) {
     const double place = share * static_cast<double>(sorted.size() - 1);
     const auto below = static_cast<std::size_t>(place);

@@ -16,10 +16,10 @@ namespace momentscope {
 
 namespace {
 
-// Configurations that are timed in turn. More of them would share their noise, and lose more when the run is
-// ended.
+// Configurations that are timed in turn. With more of them, more would share the same noise, and more would
+// be lost if the run is ended.
 constexpr std::size_t BLOCK = 6;
-constexpr const char* MESH_CONTENT = "mesh content";  // a setting, so that rows of another mesh are refused
+constexpr const char* MESH_CONTENT = "mesh content";  // a setting, so rows of another mesh are not accepted
 
 /// The rows of a run by their places in it.
 using Rows = std::map<std::size_t, std::string>;
@@ -53,7 +53,7 @@ Rows rows_of(const ChartPlan& plan, const RunTable& table) {
     return rows;
 }
 
-/// The places of a scene's rows that are still to be measured.
+/// The places of those rows of a scene that are not measured yet.
 std::vector<std::size_t> missing_places(const ChartPlan& plan, std::size_t scene, const Rows& rows) {
     std::vector<std::size_t> missing;
     for (std::size_t i = 0; i < plan.configurations.size(); ++i) {

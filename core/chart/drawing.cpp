@@ -12,9 +12,9 @@ namespace momentscope {
 
 namespace {
 
-// Widths of DejaVu Sans in ems, rounded up.
+// Widths of letters of DejaVu Sans in ems, rounded up.
 float letter_width(unsigned char letter) {
-    if ((letter & 0xC0) == 0x80) return 0;  // goes on with a letter of several bytes
+    if ((letter & 0xC0) == 0x80) return 0;  // continues a letter of several bytes
     if (std::string_view("ijl|.,:;'I ").find(static_cast<char>(letter)) != std::string_view::npos)
         return 0.34f;
     if (std::string_view("frt-()[]/").find(static_cast<char>(letter)) != std::string_view::npos) return 0.42f;

@@ -1,4 +1,4 @@
-// drawing.hpp -- a drawing as a value, which painters put on pages and on the screen.
+// drawing.hpp -- a drawing as a value, which is painted on pages and on the screen.
 #pragma once
 #include <glm/glm.hpp>
 #include <string>
@@ -9,7 +9,7 @@ namespace momentscope {
 
 enum class MarkShape { circle, square, diamond, triangle_up, triangle_down, bar, pillar, cross, ring };
 
-/// Places are in pixels from the upper left; colours are sRGB in [0, 1].
+/// A drawing. Places are in pixels from the upper left; colours are sRGB in [0, 1].
 struct Drawing {
     struct Line {
         std::vector<glm::vec2> points;
@@ -22,7 +22,7 @@ struct Drawing {
         MarkShape shape;
         glm::vec3 color;
         float radius;
-        std::size_t row;  // that it stands for, or NO_ROW
+        std::size_t row;  // row that it represents, or NO_ROW
     };
     struct Text {
         glm::vec2 at;  // its left end, at half the height of its letters
@@ -39,14 +39,14 @@ struct Drawing {
     std::vector<Text> texts;
 };
 
-/// The corners of a shape about a place, or of what a circle and a ring are closest to.
+/// The corners of the shape of a mark. Circles and rings are approximated.
 std::vector<glm::vec2> mark_outline(const Drawing::Mark& mark);
 
-/// About how wide a text is in DejaVu Sans, never less than it is.
+/// The approximate width of a text in DejaVu Sans, never less than the true width.
 float text_width(std::string_view text, float size);
 
-/// One <svg> element. Marks of rows are groups of the class `point` with the row in `data-row`, and
-/// titles[row] as what a pointer over them tells.
+/// The drawing as an <svg> element. Marks of rows are groups with the class `point` and the row in
+/// `data-row`. titles[row] is their tooltip.
 std::string drawing_to_svg(const Drawing& drawing, const std::vector<std::string>& titles);
 
 }  // namespace momentscope

@@ -1,4 +1,4 @@
-// family.hpp -- kinds of techniques, as a chart colours them.
+// family.hpp -- families of techniques, each with a colour and a shape in charts.
 #pragma once
 #include <glm/glm.hpp>
 #include <span>
@@ -8,8 +8,8 @@
 
 namespace momentscope {
 
-/// One row. Colours are Okabe and Ito's, darker where they would be pale on white; shapes tell families apart
-/// without them.
+/// One family. Colours are those of Okabe and Ito, darkened if they would be too pale on white. Shapes
+/// differ, too, so families can be told apart without colours.
 struct Family {
     const char* name;
     glm::vec3 color;
@@ -17,7 +17,7 @@ struct Family {
     bool (*holds)(const Technique&);
 };
 
-/// In the order of a legend. The last one holds every technique.
+/// All families, in the order of a legend. The last one holds every technique.
 std::span<const Family> families();
 
 /// The first family that holds the technique.

@@ -6,10 +6,10 @@ namespace momentscope {
 
 namespace {
 
-// Beside every technique at its standard. Moment-based techniques: what the robust bias makes of those that
-// Table 1 biases strongly, what the algorithms as published cost, and trigonometric moments without the room
-// that a stored factor takes. Moment Transparency: the ways to make it faster that its Table 1 times, and the
-// second pass of moments.
+// Configurations in addition to every technique with its default values. For moment-based techniques: the
+// effect of the robust bias for techniques with a strong bias in Table 1, the time of the algorithms as
+// published, and trigonometric moments without the memory of a stored factor. For Moment Transparency: the
+// ways to make it faster that are timed in its Table 1, and the second pass of moments.
 constexpr const char* VARIATIONS[] = {
     "power6-32:preset=robust",
     "power8-32:preset=robust",
@@ -60,7 +60,7 @@ std::vector<Configuration> chart_grid(const Technique& technique, const Paramete
         if (text.substr(0, text.find(':')) != technique.id) continue;
         const Configuration varied = parse_configuration(text, base);
         const std::string own = configuration_text(varied);
-        if (std::ranges::find(texts, own) != texts.end()) continue;  // `base` is there already
+        if (std::ranges::find(texts, own) != texts.end()) continue;  // already in the grid
         grid.push_back(varied);
         texts.push_back(own);
     }

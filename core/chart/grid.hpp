@@ -1,4 +1,4 @@
-// grid.hpp -- which configurations of which techniques a chart shows.
+// grid.hpp -- lists the configurations that a chart shows.
 #pragma once
 #include <span>
 #include <vector>
@@ -7,11 +7,11 @@
 
 namespace momentscope {
 
-/// The technique as `base` has it, and then with the values of its own parameters that make a difference to
-/// its time or its error.
+/// The technique with the values in `base`, and then with those values of its own parameters that change its
+/// time or its error.
 std::vector<Configuration> chart_grid(const Technique& technique, const ParameterValues& base = {});
 
-/// Those of all techniques, in the order of the registry.
+/// The configurations of all techniques, in the order of the registry.
 std::vector<Configuration> chart_grid(const ParameterValues& base = {});
 
 }  // namespace momentscope

@@ -52,7 +52,7 @@ double HeldOutViews::error(const Configuration& configuration, std::size_t view,
     if (stop.stop_requested()) return 0;
     renderer_.render({cameras_[view], size_, configuration.technique, configuration.values});
     const Image picture = renderer_.read_picture();
-    // Metrics that clamp colours would not see it.
+    // Metrics that clamp colours would not notice this.
     if (!non_finite_text(picture, "").empty()) return std::numeric_limits<double>::infinity();
     return mean_difference(*references_[view], picture, metric, stop);
 }

@@ -1,5 +1,4 @@
-// held_out.hpp -- views at which the rows of a chart were not measured, to see whether their errors hold
-// there.
+// held_out.hpp -- measures errors at views that a chart did not use, to see whether its errors hold there.
 #pragma once
 #include <memory>
 #include <optional>
@@ -12,23 +11,23 @@
 
 namespace momentscope {
 
-/// Both ends of the camera path, and the camera turned by 20 degrees to each side and lifted and lowered by
-/// 10, within what a camera can do.
+/// The held-out views: both ends of the camera path, and the camera turned by 20 degrees to each side, raised
+/// by 10 degrees and lowered by 10 degrees, as far as a camera can.
 std::vector<Camera> held_out_cameras(const Camera& camera);
 constexpr const char* HELD_OUT_TEXT = "1.75 and 20 degrees to each side and 10 degrees up and down";
 
-/// Errors at these views. Needs a current GL context as long as it lives.
+/// Measures errors at the held-out views. Needs a current GL context during its whole life.
 class HeldOutViews {
 public:
-    /// Pictures of that size; `values` are those of the picture, such as the order of submission. Throws
-    /// Error when the scene cannot be drawn.
+    /// Draws pictures of this size. values: parameters of all pictures, such as the order of submission.
+    /// Throws Error if the scene cannot be drawn.
     HeldOutViews(const Scene& scene, glm::ivec2 size, const ParameterValues& values);
 
     std::size_t count() const { return cameras_.size(); }
 
-    /// Of one view, against `sorted`; infinite when a pixel of the picture is infinite or NaN. Draws
-    /// one or two pictures. Means nothing when it was stopped. Throws Error when the GL fails, and when such
-    /// a pixel is in the picture by `sorted`.
+    /// The error at one view, compared with `sorted`; infinite if a pixel of the picture is infinite or NaN.
+    /// Draws one or two pictures. If stopped, the result means nothing. Throws Error if the GL fails, and if
+    /// the picture of `sorted` has such a pixel.
     double error(const Configuration& configuration, std::size_t view, Metric metric,
                  const std::stop_token& stop = {});
 

@@ -10,8 +10,8 @@ namespace momentscope {
 
 namespace {
 
-constexpr float GAP = 13;        // between a point and the label beside it
-constexpr float MARK_SIZE = 16;  // about a point, where its own mark may be
+constexpr float GAP = 13;        // between a point and its label
+constexpr float MARK_SIZE = 16;  // about a point; its own mark may be there
 constexpr std::array DISTANCES = {GAP, 20.0f, 30.0f, 44.0f, 62.0f, 84.0f, 110.0f};
 constexpr int DIRECTIONS = 16;
 const glm::vec3 LEADER(0.62f, 0.65f, 0.69f);
@@ -20,7 +20,7 @@ bool is_free(const Box& box, const std::vector<Box>& taken) {
     return std::ranges::none_of(taken, [&](const Box& other) { return box.overlaps(other); });
 }
 
-// Of a line from a point to its label; the point itself does not count.
+// True if a line from a point to its label crosses no box. The point itself does not count.
 bool is_free_line(glm::vec2 from, glm::vec2 to, const std::vector<Box>& taken) {
     const float length = glm::length(to - from);
     constexpr float STEP = 3;
@@ -32,7 +32,8 @@ bool is_free_line(glm::vec2 from, glm::vec2 to, const std::vector<Box>& taken) {
     return true;
 }
 
-// The label whose nearest edge is that far away in a direction: beside the point it begins or ends there.
+// The box of a label in a direction from a point; its nearest edge is at this distance. To the left or right,
+// the text ends or begins there.
 Box box_at(const glm::vec2& point, const glm::vec2& extent, float angle, float distance) {
     const glm::vec2 direction(std::cos(angle), std::sin(angle));
     const glm::vec2 anchor = point + distance * direction;
@@ -50,7 +51,7 @@ std::optional<Place> find_place(const Label& label, const glm::vec2& extent, con
                                 const Box& bounds) {
     for (const float distance : DISTANCES)
         for (int i = 0; i < DIRECTIONS; ++i) {
-            // To the right first, then above and below in turn.
+            // To the right first, then alternately above and below.
             const int step = (i + 1) / 2 * (i % 2 == 0 ? 1 : -1);
             const float angle =
                 2 * std::numbers::pi_v<float> * static_cast<float>(step) / static_cast<float>(DIRECTIONS);

@@ -1,4 +1,4 @@
-// labels.hpp -- names beside the points of a drawing, where there is room for them.
+// labels.hpp -- writes names beside the points of a drawing, where there is room for them.
 #pragma once
 #include <string>
 #include <vector>
@@ -8,13 +8,13 @@
 namespace momentscope {
 
 struct Label {
-    glm::vec2 at;  // of its point
+    glm::vec2 at;  // the point that it names
     std::string text;
     glm::vec3 color;
     bool bold = false;
 };
 
-/// Rectangles that nothing may overlap.
+/// A rectangle that labels must not overlap.
 struct Box {
     glm::vec2 low, high;
     bool overlaps(const Box& other) const {
@@ -22,9 +22,9 @@ struct Box {
     }
 };
 
-/// Writes labels beside their points, the first ones first, each where it overlaps no `taken` box and no
-/// other label and lies within `bounds`; with a line to its point where that is not next to it. Leaves out
-/// those for which there is no such place.
+/// Writes labels beside their points, in order of importance. A label must not overlap a `taken` box or
+/// another label, and must lie within `bounds`. If it is not next to its point, a line connects them. A label
+/// without such a place is left out.
 void place_labels(Drawing& drawing, const std::vector<Label>& labels, std::vector<Box> taken,
                   const Box& bounds, float size);
 

@@ -13,15 +13,15 @@
 
 namespace momentscope {
 
-/// A configuration while it is measured, with a renderer of its own, so that no round links programs.
+/// A configuration that is being measured. It has its own renderer, so no round links programs.
 struct ChartBench::Candidate {
     Configuration configuration;
-    std::unique_ptr<Renderer> renderer;  // null when this GL cannot draw it
+    std::unique_ptr<Renderer> renderer;  // null if this GL cannot draw it
     std::string unavailable;
     ChartNumbers numbers;
-    std::vector<double> moments, color, composite, total, differential;  // of each round
+    std::vector<double> moments, color, composite, total, differential;  // one value per round
 
-    /// Takes its numbers from it, and what it needs to have any.
+    /// Discards its numbers and its renderer, and says why.
     void refuse(const std::string& why) {
         unavailable = why + "; so it has no error.";
         renderer.reset();
@@ -119,7 +119,7 @@ void ChartBench::prepare(Candidate& candidate, const std::stop_token& stop) {
         why_unavailable(*candidate.configuration.technique, baseline_renderer_->ordered_access());
     if (!candidate.unavailable.empty()) return;
     candidate.renderer = new_renderer();
-    compare(candidate, stop);  // which also compiles its shaders
+    compare(candidate, stop);  // this also compiles its shaders
 }
 
 void ChartBench::time(std::size_t place) {

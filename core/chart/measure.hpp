@@ -1,4 +1,4 @@
-// measure.hpp -- what configurations cost on a scene, and how wrong their pictures are.
+// measure.hpp -- measures the time and the error of configurations on a scene.
 #pragma once
 #include <array>
 #include <functional>
@@ -13,38 +13,38 @@
 
 namespace momentscope {
 
-/// Those that change the pictures of all techniques; the others stand in the configurations.
+/// Parameters that change the pictures of all techniques. All others belong to the configurations.
 inline constexpr std::array CHART_PARAMETERS = {ParameterId::order, ParameterId::order_seed,
                                                 ParameterId::opacity};
 
 struct ChartSettings {
     glm::ivec2 size{640, 360};
-    int repeat = 3;          // rounds in which every configuration of a block is timed once
-    ParameterValues values;  // those of the picture: the order of submission
+    int repeat = 3;          // rounds; each times every configuration of a block once
+    ParameterValues values;  // parameters of all pictures: the order of submission
 };
 
-/// In how many steps so many configurations are measured.
+/// The number of steps in which this number of configurations is measured.
 std::size_t chart_steps(std::size_t configurations, const ChartSettings& settings);
 
-/// Measures one scene. Needs a current GL context as long as it lives.
+/// Measures configurations on one scene. Needs a current GL context during its whole life.
 class ChartBench {
 public:
-    /// Throws Error when the scene cannot be drawn.
+    /// Throws Error if the scene cannot be drawn.
     ChartBench(Scene scene, const ChartSettings& settings);
     ~ChartBench();
 
-    /// Begins with a block of configurations, of which one picture at a time is drawn: advance() makes one of
-    /// the chart_steps steps, of which the first of a scene takes the longest, since it draws the references.
-    /// The rows are there once it is finished. Throws Error when the GL fails.
+    /// Begins with a block of configurations. advance() then makes one of the chart_steps steps. The first
+    /// step of a scene takes longest, because it draws the references. rows() are valid when finished() is
+    /// true. Throws Error if the GL fails.
     void begin(std::span<const Configuration> block);
     bool finished() const { return done_ == chart_steps(block_size_, settings_); }
-    /// After a stop, which is looked for between pictures, the bench must not go on.
+    /// Makes the next step. A stop is checked between pictures; after a stop, do not use the bench any more.
     void advance(const std::stop_token& stop = {});
     std::vector<ChartRow> rows() const;
 
-    /// All steps of a block: a row per configuration, in their order. They are timed in rounds, one after the
-    /// other and after `unsorted`, so that noise hits all alike. `step` is called after every one of
-    /// chart_steps steps. Empty when it was stopped. Throws Error when the GL fails.
+    /// Makes all steps of a block and returns one row per configuration, in their order. Configurations are
+    /// timed in rounds, one after another and after `unsorted`, so that noise affects all alike. `step` is
+    /// called after each of the chart_steps steps. Empty if stopped. Throws Error if the GL fails.
     std::vector<ChartRow> measure(std::span<const Configuration> block, const std::stop_token& stop,
                                   const std::function<void()>& step);
 
@@ -67,11 +67,11 @@ private:
     std::unique_ptr<Renderer> baseline_renderer_;  // `unsorted`
     Image reference_;
     std::vector<Image> path_references_;
-    std::string no_reference_;           // why pictures cannot be compared with the references
-    std::vector<Candidate> candidates_;  // the block
+    std::string no_reference_;           // why the references cannot be used
+    std::vector<Candidate> candidates_;  // of the current block
     std::size_t block_size_ = 0;
     std::size_t done_ = 0;  // steps
-    double unsorted_ = 0;   // milliseconds in this round
+    double unsorted_ = 0;   // milliseconds of `unsorted` in this round
 };
 
 }  // namespace momentscope

@@ -14,7 +14,7 @@ namespace momentscope {
 
 namespace {
 
-constexpr const char* VIEWED_BY = "power6-32";  // as in the paper, in floats
+constexpr const char* VIEWED_BY = "power6-32";  // the technique of the eye, as in the paper, in floats
 
 ParameterValues values_of(const ShadowChartSettings& settings, const std::string& technique, int map_size) {
     ParameterValues values = settings.values;
@@ -29,19 +29,19 @@ double shade_time(const PassTimes& times) {
     return times.opaque + times.color + times.composite;
 }
 
-/// Times of all rounds of one row.
+/// The times of all rounds of one row.
 struct Rounds {
     std::vector<double> render, filter, shade, differential;
 };
 
-/// A scene at one map size.
+/// Measures a scene at one map size.
 class ShadowBench {
 public:
     ShadowBench(Renderer& renderer, const Scene& scene, const ShadowChartSettings& settings, int map_size)
         : renderer_(renderer), scene_(scene), settings_(settings), map_size_(map_size) {}
 
     void round(std::vector<Rounds>& all, bool counts) {
-        // Opaque casters alone: their map stays, and transparent ones are left out.
+        // Only opaque casters. Their map stays, and transparent casters are left out.
         show(values_of(settings_, "none", map_size_));
         const double alone = shade_time(renderer_.pass_times());
         for (std::size_t i = 0; i < settings_.techniques.size(); ++i) {

@@ -1,5 +1,5 @@
-// shadow_chart.hpp -- what shadows of transparent casters cost, by technique and map size: the paper's
-// Table 2.
+// shadow_chart.hpp -- measures the time of shadows of transparent casters, by technique and map size, as in
+// Table 2 of the paper.
 #pragma once
 #include <functional>
 #include <optional>
@@ -12,19 +12,18 @@
 
 namespace momentscope {
 
-/// One technique of the transparent casters' map on one scene at one map size. Milliseconds of a round each.
+/// One technique of the map of transparent casters, on one scene, at one map size. Times are in milliseconds.
 struct ShadowRow {
     std::string scene;
     std::string technique;  // a choice of ParameterId::shadow_technique
     int map_size = 0;
     int bits_per_texel = 0;
-    Spread render;        // the map of transparent casters
-    Spread filter;        // of that map
-    Spread shade;         // the picture: opaque surfaces, and the second pass and composite of its technique
-    Spread differential;  // render, filter and shade, less what shade takes without shadows of transparent
-                          // casters
-    std::optional<double>
-        rmse;  // against a deep shadow map of that size; nullopt where there is too much to hold
+    Spread render;               // drawing the map of transparent casters
+    Spread filter;               // filtering this map
+    Spread shade;                // the picture: opaque surfaces, second pass and composite
+    Spread differential;         // render + filter + shade, minus the time of shade without shadows of
+                                 // transparent casters
+    std::optional<double> rmse;  // compared with a deep shadow map of this size; nullopt if that is too large
 };
 
 struct ShadowChartSettings {
@@ -35,17 +34,17 @@ struct ShadowChartSettings {
     ParameterValues values;
 };
 
-/// All rows of a scene, technique by technique in interleaved rounds, so that noise hits all alike; a round
-/// that links shaders comes before. progress(done, all) counts rounds. Empty when stopped. Throws Error where
-/// a map cannot be drawn.
+/// All rows of a scene. Techniques take turns in each round, so that noise affects all alike. An additional
+/// first round links shaders. progress(done, all) counts rounds. Empty if stopped. Throws Error if a map
+/// cannot be drawn.
 std::vector<ShadowRow> measure_shadows(const Scene& scene, const ShadowChartSettings& settings,
                                        std::stop_token stop,
                                        const std::function<void(std::size_t, std::size_t)>& progress);
 
-/// One line per row, with a header.
+/// CSV with one line per row and a header.
 std::string shadow_rows_to_csv(const std::vector<ShadowRow>& rows);
 
-/// The form of the paper's Table 2, with the ratio of differential times to that of fourier-7, where it was
+/// A table like Table 2 of the paper, with the ratio of differential times to that of fourier-7, if it was
 /// measured.
 std::string shadow_rows_to_markdown(const std::vector<ShadowRow>& rows);
 

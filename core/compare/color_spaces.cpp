@@ -6,7 +6,8 @@ namespace momentscope {
 
 namespace {
 
-// Columns are the XYZ of the primaries of sRGB, from their chromaticities and the white point D65.
+// The columns are the XYZ colours of the primaries of sRGB, from their chromaticities and the white point
+// D65.
 const glm::dmat3 XYZ_OF_LINEAR = [] {
     const auto primary = [](double x, double y) { return glm::dvec3(x / y, 1, (1 - x - y) / y); };
     const glm::dmat3 primaries(primary(0.64, 0.33), primary(0.30, 0.60), primary(0.15, 0.06));

@@ -1,4 +1,4 @@
-// false_color.hpp -- numbers per pixel as a picture.
+// false_color.hpp -- shows one number per pixel as a picture.
 #pragma once
 #include <span>
 
@@ -6,7 +6,8 @@
 
 namespace momentscope {
 
-/// The colour map magma, from 0 to full_scale; what is beyond has the brightest colour. values row by row.
+/// The values in the colour map magma, from 0 to full_scale. Greater values have the brightest colour. Values
+/// are given row by row.
 Image false_color(std::span<const float> values, int width, int height, float full_scale);
 
 }  // namespace momentscope

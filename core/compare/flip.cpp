@@ -12,7 +12,7 @@ namespace momentscope {
 
 namespace {
 
-using Kernel = std::vector<double>;  // odd number of weights, the middle one at 0
+using Kernel = std::vector<double>;  // odd number of weights; the middle one is at 0
 
 /// One number per pixel.
 struct Plane {
@@ -27,10 +27,10 @@ struct Plane {
     const double& at(int x, int y) const { return values[static_cast<std::size_t>(y * width + x)]; }
 };
 
-/// Thrown through everything when the result is not wanted any more.
+/// Thrown to leave all functions if the result is not needed any more.
 struct Stopped {};
 
-// So many neighbouring sums are formed at once; the compiler keeps them in registers.
+// The number of neighbouring sums that are computed together. The compiler keeps them in registers.
 constexpr int BLOCK = 16;
 
 // sums[x] = sum of kernel[k] * source(k)[x].
@@ -49,8 +49,8 @@ void weighted_rows(double* sums, int width, const Kernel& kernel, const Source& 
         for (std::size_t k = 0; k < kernel.size(); ++k) sums[x] += kernel[k] * source(k)[x];
 }
 
-/// Convolves a plane along both axes and returns it row by row. Only the rows that the next one needs are
-/// kept, so they stay in the cache. Pixels beyond the edge repeat those at the edge.
+/// Convolves a plane along both axes and returns it row by row. It keeps only the rows that the next one
+/// needs, so these stay in the cache. Pixels beyond the edge repeat those at the edge.
 class Convolution {
 public:
     Convolution(const Plane& plane, Kernel along_x, Kernel along_y)
@@ -89,7 +89,7 @@ private:
     const Plane& plane_;
     Kernel along_x_, along_y_;
     std::vector<double> padded_;
-    std::vector<std::vector<double>> rows_;  // convolved along x, as many as along_y_ needs, in turn
+    std::vector<std::vector<double>> rows_;  // convolved along x; a ring of as many as along_y_ needs
     std::vector<double> sums_;
     int known_ = 0, row_ = 0;
 };
@@ -117,7 +117,7 @@ class Filter {
 public:
     Filter(const Plane& plane, std::initializer_list<Sensitivity> gaussians) {
         constexpr double PI = std::numbers::pi;
-        // Three standard deviations of the widest of all channels.
+        // Three standard deviations of the widest Gaussian of all channels.
         const int radius =
             static_cast<int>(std::ceil(3 * std::sqrt(0.04 / (2 * PI * PI)) * PIXELS_PER_DEGREE));
         for (const Sensitivity& one : gaussians) {
@@ -167,7 +167,7 @@ Opponent opponent_planes(const Image& image) {
     return planes;
 }
 
-// CIELAB with chroma that fades in the dark, as Hunt found.
+// CIELAB with chroma that decreases in dark colours (Hunt effect).
 glm::dvec3 hunt_lab(const glm::dvec3& linear) {
     const glm::dvec3 lab = lab_of_linear(linear);
     return {lab.x, 0.01 * lab.x * lab.y, 0.01 * lab.x * lab.z};
@@ -178,7 +178,7 @@ double color_distance(const glm::dvec3& a, const glm::dvec3& b) {
     return std::pow(hyab, 0.7);
 }
 
-// Blurred as by the eye at that distance.
+// The colours, blurred like the eye sees them at this distance.
 std::vector<glm::dvec3> seen_colors(const Opponent& planes, const std::stop_token& stop) {
     Filter y(planes.y, {{1, 0.0047}}), cx(planes.cx, {{1, 0.0053}}),
         cz(planes.cz, {{34.1, 0.04}, {13.5, 0.025}});
@@ -200,7 +200,7 @@ struct Features {
     std::vector<double> edge, point;
 };
 
-// Positive and negative weights each sum to 1 in magnitude.
+// Scales positive and negative weights, so that each sum to 1 in magnitude.
 Kernel balanced(Kernel kernel) {
     double positive = 0, negative = 0;
     for (const double weight : kernel) (weight > 0 ? positive : negative) += weight;
@@ -234,7 +234,7 @@ Features features_of(const Plane& y, const std::stop_token& stop) {
     return {lengths(first), lengths(second)};
 }
 
-/// What FLIP compares of a picture.
+/// The properties of a picture that FLIP compares.
 struct Seen {
     std::vector<glm::dvec3> colors;
     Features features;

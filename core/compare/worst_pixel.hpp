@@ -1,4 +1,4 @@
-// worst_pixel.hpp -- where pictures differ most, one place after another.
+// worst_pixel.hpp -- finds the places where pictures differ most, one after another.
 #pragma once
 #include <optional>
 #include <span>
@@ -7,11 +7,12 @@
 
 namespace momentscope {
 
-/// Pixels nearer to one that was visited belong to the same place.
+/// Pixels closer than this to a visited pixel belong to the same place.
 constexpr int WORST_PIXEL_SPACING = 16;
 
-/// The pixel of the greatest value of a map of that width, within the region, and at least the spacing away
-/// from all that were visited; of several the first. nullopt when only zeros are left.
+/// The pixel with the greatest value of a map of this width, within the region, and at least
+/// WORST_PIXEL_SPACING away from all visited pixels. If several have this value, the first. nullopt if only
+/// zeros are left.
 std::optional<glm::ivec2> next_worst_pixel(std::span<const float> map, int width, const PixelRegion& region,
                                            std::span<const glm::ivec2> visited);
 

@@ -37,7 +37,7 @@ namespace {
 
 constexpr std::size_t DEPTHS = 512;
 
-// Mean distance of T from the truth, over the depth range.
+// The mean distance of T from the truth, over the depth range.
 double curve_error(const ViewRay& ray, const char* technique, const ParameterSettings& settings) {
     const Curve curve =
         sample_curve(ray, require_technique(technique), values_with(settings), even_depths(DEPTHS));
@@ -52,7 +52,7 @@ struct Ranked {
     double value;
 };
 
-// Do the values fall from each to the next?
+// Checks that each value is less than the previous one.
 ClaimResult falling(std::string claim, const std::vector<Ranked>& values, std::string remark = "") {
     ClaimResult result = {std::move(claim), true, "", std::move(remark)};
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -149,7 +149,7 @@ std::vector<ClaimResult> measure_teapots(RenderSource& setups) {
 
 namespace {
 
-// Mean of the picture minus that of the truth.
+// The mean of the picture minus the mean of the truth.
 double brightness(RenderSource& setups, const RenderSetup& setup) {
     const Image truth = setups.picture({setup.scene, "sorted"});
     const Image& shown = setups.picture(setup);
@@ -236,7 +236,7 @@ std::vector<ClaimResult> measure_smoke(RenderSource& setups) {
 
 namespace {
 
-// Mean error of T at the fragments' own depths over random rays of n fragments.
+// The mean error of T at the depths of the fragments, over random rays of n fragments.
 double mean_error(int fragments, const ParameterSettings& settings) {
     const Technique& technique = require_technique("mt");
     const PixelStateSettings pixel_state = technique.pixel_states().settings(values_with(settings));

@@ -1,4 +1,4 @@
-// claims.hpp -- what the papers say of their figures, measured of ours.
+// claims.hpp -- the claims of the papers about their figures, measured with our figures.
 #pragma once
 #include <vector>
 
@@ -8,16 +8,17 @@ namespace momentscope {
 
 constexpr float TWO_PASSES = 1;  // of ParameterId::moment_passes
 
-/// Sheets of opacity one half, evenly over the depth range but off its ends. count >= 2.
+/// Sheets with an opacity of one half, spread evenly over the depth range, but not at its ends. count >= 2.
 ViewRay even_sheets(int count);
 
 /// Five sheets of different opacities, two of them close together.
 ViewRay uneven_sheets();
 
-/// The cloud with shadows of transparent casters: a choice of ParameterId::shadow_technique, with that beta.
+/// The cloud with shadows of transparent casters. casters: a choice of ParameterId::shadow_technique.
+/// shadow_weight: the beta of the light.
 RenderSetup shadow_setup(const char* casters, float shadow_weight);
 
-// One for each figure.
+// One function for each figure.
 std::vector<ClaimResult> measure_overestimation(RenderSource& setups);
 std::vector<ClaimResult> measure_ideal(RenderSource& setups);
 std::vector<ClaimResult> measure_wrapping(RenderSource& setups);

@@ -1,5 +1,5 @@
-// figure.hpp -- figures of the papers as settings that can be replayed, with what the papers claim about them
-// and functions that measure whether ours agree.
+// figure.hpp -- the figures of the papers as settings that can be drawn again, with the claims of the papers
+// about them and functions that measure whether our figures agree.
 #pragma once
 #include <optional>
 #include <span>
@@ -14,50 +14,51 @@
 
 namespace momentscope {
 
-/// A technique with parameters, on a scene.
+/// A technique with parameters, and a scene.
 struct RenderSetup {
     const char* scene;
     const char* technique;
     ParameterSettings settings = {};
 };
 
-/// One part of a figure: a picture, or the functions along a ray.
+/// One part of a figure: a picture, or a plot of the functions along a ray.
 struct FigurePanel {
     std::string caption;
     RenderSetup setup;
-    std::optional<ViewRay> ray = {};  // of a plot; nullopt: of the setup's scene at its picked pixel
+    std::optional<ViewRay> ray = {};  // for a plot; nullopt: the ray of the picked pixel of the scene
     bool plot = false;
-    bool transmittance = false;              // what a plot shows instead of absorbance
-    glm::vec4 part = glm::vec4(0, 0, 1, 1);  // of a picture, as fractions from its upper left corner
+    bool transmittance = false;              // does a plot show T instead of absorbance?
+    glm::vec4 part = glm::vec4(0, 0, 1, 1);  // part of a picture, as fractions from its upper left corner
 };
 
-/// What lies between the light and a caster that stands out, with the draw call of that caster.
+/// A ray from the light through a caster that is clearly visible, with the draw call of this caster.
 struct CasterRay {
     ViewRay ray;
     std::uint32_t draw = 0;
 };
 
-/// Pictures and pixels of setups. Whoever has a GL implements it.
+/// The source of pictures and pixels of setups. Code that has a GL implements it.
 class RenderSource {
 public:
     virtual ~RenderSource() = default;
     virtual const Image& picture(const RenderSetup& setup) = 0;
     virtual ViewRay picked_ray(const RenderSetup& setup) = 0;
 
-    /// Around the scene's picked pixel, the light's rays through fragments of at least half opacity. Never
-    /// empty. The setup has shadows.
+    /// The rays from the light through fragments of at least half opacity, around the picked pixel of the
+    /// scene. Never empty. The setup must have shadows.
     virtual std::vector<CasterRay> caster_rays(const RenderSetup& setup) = 0;
 
-    /// Against `sorted`, of the picture or a part of it given by fractions from its upper left corner.
+    /// The error compared with `sorted`, for the picture or for a part of it, given as fractions from its
+    /// upper left corner.
     double error(const RenderSetup& setup, Metric metric = Metric::rmse, glm::vec4 part = {0, 0, 1, 1});
 };
 
-/// What was measured of a claim.
+/// The result of measuring a claim.
 struct ClaimResult {
-    std::string claim;    // of the paper, in our words
-    bool agrees = false;  // do ours show it?
+    std::string claim;    // the claim of the paper, in our words
+    bool agrees = false;  // do our figures show it?
     std::string numbers;
-    std::string remark = "";  // why ours differ, or what else is worth knowing
+    std::string remark = "";  // why ours differ, or other notes
 };
 
 struct Figure {
@@ -68,13 +69,13 @@ struct Figure {
     std::vector<ClaimResult> (*measure)(RenderSource&);
 };
 
-/// All figures, in the order of the papers; ids are unique.
+/// All figures, in the order of the papers. Their ids are unique.
 std::span<const Figure> figures();
 
-/// Throws Error that lists the ids.
+/// The figure with this id. Throws Error, with a list of all ids, if there is none.
 const Figure& require_figure(std::string_view id);
 
-/// A figure's section of docs/figures.md. picture: the file beside it.
+/// The section about a figure in docs/figures.md. picture: the file name of its picture.
 std::string figure_section(const Figure& figure, const std::vector<ClaimResult>& results,
                            const std::string& picture);
 

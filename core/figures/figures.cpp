@@ -1,5 +1,5 @@
-// figures.cpp -- the registry of figures. Pictures show our scenes, which are not copies of the papers'
-// assets: what can be compared is the order of techniques, not their numbers.
+// figures.cpp -- the registry of figures. Pictures show our own scenes and not copies of the assets of the
+// papers. So the order of techniques can be compared, but not the numbers.
 #include <numbers>
 
 #include "core/figures/claims.hpp"

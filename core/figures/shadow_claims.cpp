@@ -1,4 +1,5 @@
-// shadow_claims.cpp -- what the paper says of shadows in a cloud (Section 7.2), measured of ours.
+// shadow_claims.cpp -- the claims of the paper about shadows in a cloud (Section 7.2), measured with our
+// figures.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,8 +18,8 @@ constexpr const char* VIEWED_BY = "power6-32";
 
 // Medians over light rays through the disk, in scene units.
 struct MedianOnset {
-    double begins = 0;  // behind the disk; negative: before it
-    double length = 0;  // from a tenth to nine tenths
+    double begins = 0;  // behind the disk; negative: in front of it
+    double length = 0;  // from a tenth to nine tenths of the shadow
 };
 
 double median(std::vector<double> values) {

@@ -60,7 +60,7 @@ GlInfo gl_info() {
             {"64-bit atomics in shaders", "methods that sort fragments by atomics cannot run"});
     GLint64 block = 0;
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &block);
-    constexpr GLint64 WHOLE_PICTURE = 120'000'000;  // the list that sorted asks for
+    constexpr GLint64 WHOLE_PICTURE = 120'000'000;  // bytes of the list that `sorted` needs
     if (block < WHOLE_PICTURE)
         info.missing.push_back({fmt::format("shader buffers beyond {} MB", block / 1'000'000),
                                 "sorted draws large pictures in more bands, which takes longer"});

@@ -1,4 +1,4 @@
-// gl_info.hpp -- what this machine's OpenGL is, and what it lacks.
+// gl_info.hpp -- the OpenGL of this machine, and the features that it lacks.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,27 +7,28 @@ namespace momentscope {
 
 struct MissingFeature {
     std::string feature;
-    std::string consequence;  // what is not possible therefore
+    std::string consequence;  // what is therefore not possible
 };
 
-/// How fragments of a pixel can be read, changed and written one after another, in submission order.
+/// How the fragments of a pixel can read, change and write it one after another, in submission order.
 enum class OrderedAccess { none, interlock, framebuffer_fetch };
 
-/// Of the current context: fragment shader interlock, where there is none coherent framebuffer fetch.
+/// The access in the current context: fragment shader interlock; if there is none, coherent framebuffer
+/// fetch.
 OrderedAccess ordered_access();
 
-/// Why techniques that need ordered access cannot run without it, as a sentence.
+/// A sentence that says why techniques which need ordered access are not available.
 constexpr const char* NO_ORDERED_ACCESS =
     "This GL has neither GL_ARB_fragment_shader_interlock nor GL_EXT_shader_framebuffer_fetch, so fragments cannot be added "
     "in order.";
 
 struct GlInfo {
     std::string renderer, version;
-    bool software = false;  // rasterised by the CPU
+    bool software = false;  // does the CPU rasterise?
     std::vector<MissingFeature> missing;
 };
 
-/// Of the current context.
+/// The information about the current context.
 GlInfo gl_info();
 
 }  // namespace momentscope

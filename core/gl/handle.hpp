@@ -1,4 +1,4 @@
-// handle.hpp -- GL object names that delete themselves.
+// handle.hpp -- owners of GL object names, which delete the objects.
 #pragma once
 #include <glad/gl.h>
 
@@ -6,7 +6,7 @@
 
 namespace momentscope {
 
-/// Owns one GL name; 0 is none. Must die while its context is current.
+/// Owns one GL name; 0 means none. Must be destroyed while its context is current.
 template <void (*destroy)(GLuint)>
 class GlHandle {
 public:

@@ -14,9 +14,9 @@ namespace {
 using Kind = ShaderToken::Kind;
 using Tokens = std::vector<ShaderToken>;
 
-constexpr int MAX_TURNS = 256;  // of one loop; more are a loop for a reason
+constexpr int MAX_TURNS = 256;  // of one loop; loops with more turns are kept
 
-/// Places in the tokens: [begin, end).
+/// A range of tokens: [begin, end).
 struct Part {
     std::size_t begin = 0, end = 0;
 };
@@ -47,7 +47,7 @@ private:
         return at < tokens_.size() && tokens_[at].is(text);
     }
 
-    // Behind the bracket that closes the one at `at`.
+    // The place after the bracket that closes the one at `at`.
     std::size_t after_brackets(std::size_t at) const {
         int depth = 0;
         for (; at < tokens_.size(); ++at) {
@@ -65,7 +65,7 @@ private:
         return std::min(at + 1, tokens_.size());
     }
 
-    // Behind the statement that begins at `at`.
+    // The place after the statement that begins at `at`.
     std::size_t after_statement(std::size_t at) const {
         at = after_spaces(at);
         if (is(at, "UNROLL")) return after_statement(at + 1);
@@ -104,7 +104,7 @@ private:
         return std::span(tokens_).subspan(part.begin, part.end - part.begin);
     }
 
-    // +1 or -1 for ++i, i++, --i and i--.
+    // +1 or -1 for ++i, i++, --i and i--; otherwise nullopt.
     std::optional<int> step_of(const Loop& loop) const {
         std::vector<std::string_view> words;
         for (const ShaderToken& token : part(loop.step))
@@ -115,7 +115,7 @@ private:
         return sign == "--" ? std::optional(-1) : std::nullopt;
     }
 
-    // nullopt when the count is not known here, or is none for writing out.
+    // The values of the variable; nullopt if they are not known here, or if there are too many to write out.
     std::optional<std::vector<int>> turns_of(const Loop& loop) {
         const auto first = constants_.value_of(part(loop.first));
         const auto step = step_of(loop);
@@ -132,7 +132,7 @@ private:
         return std::nullopt;
     }
 
-    // Statements of the body, without its braces.
+    // The statements of the body, without its braces.
     std::vector<Part> statements_of(const Loop& loop) const {
         Part inner = loop.body;
         const std::size_t begin = after_spaces(inner.begin);
@@ -147,7 +147,7 @@ private:
         return statements;
     }
 
-    // The condition of `if (...) continue;`, or nullopt where a statement is something else.
+    // The condition of a statement `if (...) continue;`; nullopt for other statements.
     std::optional<Part> skips(const Part& statement) const {
         const std::size_t at = after_spaces(statement.begin);
         if (at >= statement.end || !is(at, "if")) return std::nullopt;
@@ -156,19 +156,19 @@ private:
         const std::size_t word = after_spaces(close);
         const std::size_t end = after_spaces(word + 1);
         if (!is(word, "continue") || !is(end, ";")) return std::nullopt;
-        if (after_spaces(end + 1) < statement.end) return std::nullopt;  // an else
+        if (after_spaces(end + 1) < statement.end) return std::nullopt;  // there is an else
         return Part{open, close};
     }
 
-    // Does a part leave the loop or the turn other than by a statement of its own, or does it change the
-    // variable or declare another one of that name? What this does not see, such as an `out` argument, no
-    // driver compiles with a number in its place, and the loop stays.
+    // True if a statement may leave the loop or its turn, changes the variable, or declares another variable
+    // with this name. Other ways to change the variable, such as an `out` argument, are not seen here. But
+    // with a number in its place no driver compiles them, and then the loop is kept.
     bool leaves(const Part& statement, std::string_view variable) const {
         for (std::size_t at = statement.begin; at < statement.end; ++at)
             if (is(at, "int") && is(after_spaces(at + 1), variable)) return true;
         for (std::size_t at = statement.begin; at < statement.end; ++at) {
             if (is(at, "for") || is(at, "while")) {
-                at = after_statement(at) - 1;  // what leaves an inner loop is its own business
+                at = after_statement(at) - 1;  // statements that leave an inner loop do not matter here
                 continue;
             }
             if (is(at, "break") || is(at, "continue")) return true;
@@ -209,7 +209,7 @@ private:
         }
     }
 
-    // `const int NAME = value;` outside of functions.
+    // Reads `const int NAME = value;` outside of functions.
     void learn_constant(std::size_t at) {
         std::vector<std::size_t> words;
         for (std::size_t i = at; i < tokens_.size() && words.size() < 4; i = after_spaces(i + 1))
@@ -258,7 +258,7 @@ private:
 
     Tokens tokens_;
     ShaderConstants constants_;
-    std::vector<std::pair<std::string_view, int>> values_;  // of the loops that are being written out
+    std::vector<std::pair<std::string_view, int>> values_;  // of the loops that are being written out now
     WrittenOut result_;
     int depth_ = 0;  // of braces
 };

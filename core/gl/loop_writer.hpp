@@ -1,5 +1,5 @@
-// loop_writer.hpp -- loops of fixed count written out, for drivers that do not unroll them: llvmpipe keeps
-// arrays that a loop indexes in memory, which makes a fragment 3 to 7 times dearer.
+// loop_writer.hpp -- writes out loops of fixed count, for drivers that do not unroll them. llvmpipe keeps
+// arrays in memory if a loop indexes them, which makes a fragment 3 to 7 times slower.
 #pragma once
 #include <string>
 #include <string_view>
@@ -8,14 +8,14 @@ namespace momentscope {
 
 struct WrittenOut {
     std::string text;
-    int loops = 0;  // that were written out, those inside others once for each copy
-    int left = 0;   // loops marked UNROLL that stay: their count is not a constant, or they break out
+    int loops = 0;  // that were written out; inner loops count once per copy
+    int left = 0;   // loops marked UNROLL that are kept: no constant count, or a break
 };
 
-/// The text of a shader (all #includes joined) with every loop that is marked UNROLL as its bodies one after
-/// another, in braces, the variable replaced by its value. Bounds may be macros, `const int`s and the
-/// variables of outer loops; `if (...) continue;` in the body becomes a branch around the rest. Branches of
-/// the preprocessor are followed, and stay.
+/// The text of a shader (with all #includes joined) in which every loop marked UNROLL is replaced by its
+/// bodies, one after another and in braces, with the variable replaced by its value. Bounds may be macros,
+/// `const int`s and variables of outer loops. `if (...) continue;` in the body becomes a branch around the
+/// rest. Branches of the preprocessor are evaluated, and stay in the text.
 WrittenOut with_loops_written_out(std::string_view text);
 
 }  // namespace momentscope

@@ -1,4 +1,4 @@
-// picture_texture.hpp -- pictures that were computed on the CPU, for the screen.
+// picture_texture.hpp -- textures for pictures that the CPU computed.
 #pragma once
 #include <glm/glm.hpp>
 #include <span>
@@ -7,8 +7,8 @@
 
 namespace momentscope {
 
-/// A texture of sRGB RGBA bytes that are given row by row from the top; like the renderer's, its first row is
-/// the lowest.
+/// A texture of sRGB RGBA bytes. They are given row by row from the top. Like in textures of the renderer,
+/// the first row of the texture is the lowest.
 GlTexture make_picture_texture(std::span<const unsigned char> rgba, glm::ivec2 size);
 
 }  // namespace momentscope

@@ -24,15 +24,15 @@ std::string_view source_of(std::string_view path) {
     return found->second;
 }
 
-/// What "technique" means in a part of a shader.
+/// The meaning of `#include "technique"` in a part of a shader.
 struct Scope {
     const ShaderVariant& variant;
     const std::string& technique;
     const std::string& constants;
 };
 
-// The path that an #include line names: "technique" is the scope's (nothing if it has none), any other is
-// relative to the including file's folder or to shaders/.
+// The path of an #include line. "technique" means that of the scope, or an empty path if it has none. All
+// other names are relative to the folder of the including file, or to shaders/.
 std::string included_path(std::string_view line, std::string_view includer, const Scope& scope) {
     const std::size_t open = line.find('"');
     const std::size_t close = line.rfind('"');
@@ -51,7 +51,7 @@ std::string defines_text(const std::map<std::string, std::string>& defines) {
 void append_file(std::string& text, std::string_view path, const Scope& scope,
                  std::vector<std::string>& files);
 
-// The lines of a file up to its end, or to that of the namespace in which they stand.
+// Appends the lines of a file up to its end, or to the end of the namespace.
 void append_lines(std::string& text, std::istringstream& lines, int& at, std::string_view path,
                   std::size_t number, const Scope& scope, std::vector<std::string>& files) {
     for (std::string line; std::getline(lines, line); ++at) {
@@ -96,8 +96,8 @@ bool compiles(const GlShader& shader, const std::string& text) {
     return compiled != 0;
 }
 
-// With its loops written out; with loops, and a note, if that is too large or if the driver does not compile
-// it.
+// Compiles a shader with its loops written out. If the text is too large or the driver does not compile it,
+// loops are kept and a note says so.
 GlShader compile(GLenum kind, std::string_view path, const ShaderVariant& variant,
                  std::vector<std::string>& notes) {
     std::vector<std::string> files;

@@ -1,4 +1,4 @@
-// program.hpp -- GL programs from the files of shaders/.
+// program.hpp -- makes GL programs from the files of shaders/.
 #pragma once
 #include <compare>
 #include <glm/glm.hpp>
@@ -14,9 +14,8 @@
 
 namespace momentscope {
 
-/// A technique in a namespace of its own: what `#include "technique"` stands for between `#namespace name`
-/// and
-/// `#endnamespace`, and #defines that are seen there alone.
+/// A technique in a namespace of its own: what `#include "technique"` means between `#namespace name` and
+/// `#endnamespace`, and #defines that are only seen there.
 struct ShaderNamespace {
     std::map<std::string, std::string> defines;
     std::string technique = {};
@@ -24,33 +23,34 @@ struct ShaderNamespace {
     friend auto operator<=>(const ShaderNamespace&, const ShaderNamespace&) = default;
 };
 
-/// Which variant of a shader: #defines, and what `#include "technique"` stands for.
+/// A variant of a shader: #defines, and what `#include "technique"` means.
 struct ShaderVariant {
     std::map<std::string, std::string> defines;
     std::string technique = {};                              // a path in shaders/, or empty
-    std::string constants = {};                              // declarations put before it
-    std::map<std::string, ShaderNamespace> namespaces = {};  // by name; one that is not there is left out
+    std::string constants = {};                              // declarations before the technique
+    std::map<std::string, ShaderNamespace> namespaces = {};  // by name; text in others is left out
 
     friend auto operator<=>(const ShaderVariant&, const ShaderVariant&) = default;
 };
 
-/// The whole text of a shader: version, defines, prelude, and the file with its #includes joined, each with a
-/// #line that names its number in `files`. Throws Error for an unknown file.
+/// The whole text of a shader: version, defines, prelude, and the file with its #includes joined. #line
+/// directives give each file its number in `files`. Throws Error for an unknown file.
 std::string expand_shader(std::string_view path, const ShaderVariant& variant,
                           std::vector<std::string>* files = nullptr);
 
 /// Compiles and links, with the loops of shaders written out (loop_writer.hpp). Throws Error with the first
-/// line of the driver's log. `notes` gets a sentence for each shader that keeps its loops, and why.
+/// line of the log of the driver. `notes` gets a sentence for each shader that keeps its loops, which says
+/// why.
 GlProgram link_program(std::string_view vertex, std::string_view fragment, const ShaderVariant& variant = {},
                        std::vector<std::string>* notes = nullptr);
 GlProgram link_compute_program(std::string_view compute, const ShaderVariant& variant = {});
 
-/// Programs of a few files and many variants, linked when they are first asked for.
+/// A cache of programs with few files and many variants. Each is linked at first use.
 class ProgramCache {
 public:
     GLuint get(const char* vertex, const char* fragment, const ShaderVariant& variant = {});
 
-    /// What was noted since it was asked last, for a log.
+    /// Returns the notes since the last call, for a log.
     std::vector<std::string> take_notes() { return std::exchange(notes_, {}); }
 
 private:

@@ -6,9 +6,10 @@ namespace momentscope {
 
 namespace {
 
-constexpr int MAX_EXPANSIONS = 32;  // of macros in macros
+constexpr int MAX_EXPANSIONS = 32;  // of nested macros
 
-/// Whole numbers, names, ( ), + - ! and the binary operators of C, of which a lower level binds less.
+/// An expression of whole numbers, names, ( ), + - ! and the binary operators of C. A lower level binds less
+/// tightly.
 class Expression {
 public:
     using Lookup = std::function<std::optional<int>(std::string_view name, int expansions)>;
@@ -112,7 +113,8 @@ std::optional<int> ShaderConstants::value_of(std::span<const ShaderToken> expres
     return Expression(expression, lookup, 0).value();
 }
 
-// Names that are not macros count as 0, and `defined(NAME)` and `defined NAME` are words of their own.
+// Evaluates a condition of the preprocessor. Names that are not macros count as 0. `defined(NAME)` and
+// `defined NAME` are operators.
 bool ShaderConstants::condition(std::string_view text) const {
     const std::vector<ShaderToken> words = without_spaces(text);
     std::vector<ShaderToken> known;

@@ -1,5 +1,5 @@
-// shader_constants.hpp -- what is known of a shader before it is compiled: macros, branches of the
-// preprocessor and whole constants.
+// shader_constants.hpp -- what is known about a shader before it is compiled: macros, branches of the
+// preprocessor and integer constants.
 #pragma once
 #include <functional>
 #include <map>
@@ -12,28 +12,31 @@
 
 namespace momentscope {
 
-/// What a driver defines by itself (`__VERSION__`, `GL_...`) is not known: shaders do not ask for it.
+/// The macros and constants at one place in a shader. Macros that a driver defines (`__VERSION__`, `GL_...`)
+/// are not known; shaders do not use them.
 class ShaderConstants {
 public:
-    /// Takes part in a #define, #undef or branch; other directives say nothing.
+    /// Evaluates a #define, #undef or branch. Other directives have no effect.
     void read_directive(std::string_view line);
 
-    /// Is the text here compiled? Unknown conditions count as false, as undefined names do in the
+    /// True if the text here is compiled. Unknown conditions count as false, like undefined names in the
     /// preprocessor.
     bool active() const;
 
-    /// A name for a whole number, such as a `const int` or the variable of a loop that is written out.
+    /// Defines a name for a whole number, such as a `const int` or the variable of a loop that is written
+    /// out.
     void set(std::string_view name, int value) { values_[std::string(name)] = value; }
     void forget(std::string_view name) { values_.erase(std::string(name)); }
 
-    /// The value of an expression of whole numbers; nullopt when it depends on what is not known here.
+    /// The value of an expression of whole numbers; nullopt if it depends on something that is not known
+    /// here.
     std::optional<int> value_of(std::span<const ShaderToken> expression) const;
 
 private:
     struct Branch {
-        bool outer;  // is the text around it compiled?
-        bool taken;  // was one of its parts?
-        bool now;    // is this one?
+        bool outer;  // is the surrounding text compiled?
+        bool taken;  // has one of its parts been compiled?
+        bool now;    // is the current part compiled?
     };
     bool condition(std::string_view text) const;
 

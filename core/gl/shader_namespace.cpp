@@ -9,14 +9,14 @@ namespace momentscope {
 
 namespace {
 
-// The words of prelude.glsl, which mean the same everywhere.
+// The words of prelude.glsl, which mean the same in all namespaces.
 const std::set<std::string_view, std::less<>> PRELUDE = {"FN", "IN", "PRECISE", "UNROLL"};
 
 bool in_word(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-// Calls word(text) and between(text) in turn.
+// Calls word(text) for words and between(text) for the text between them, in order.
 template <typename Word, typename Between>
 void for_each_word(std::string_view text, const Word& word, const Between& between) {
     for (std::size_t begin = 0; begin < text.size();) {
@@ -40,7 +40,7 @@ bool is_macro_name(std::string_view word) {
     return upper && !PRELUDE.contains(word) && !word.starts_with("GL_");
 }
 
-// Code before a comment, as words.
+// The words of the code in a line, without its comment.
 std::vector<std::string_view> words_of(std::string_view line) {
     std::vector<std::string_view> words;
     for_each_word(

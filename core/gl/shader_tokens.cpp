@@ -15,7 +15,7 @@ bool is_space(char c) {
     return std::isspace(static_cast<unsigned char>(c)) != 0;
 }
 
-// To the end of the line, with its line break.
+// The end of the line, after its line break.
 std::size_t end_of_line(std::string_view text, std::size_t from) {
     const std::size_t end = text.find('\n', from);
     return end == text.npos ? text.size() : end + 1;
@@ -39,7 +39,7 @@ std::size_t end_of_space(std::string_view text, std::size_t from) {
     return at;
 }
 
-// Digits, a point, an exponent and a suffix: 1, 0x1fu, 1.0e-30f.
+// The end of a number, which has digits, a point, an exponent and a suffix: 1, 0x1fu, 1.0e-30f.
 std::size_t end_of_number(std::string_view text, std::size_t from) {
     std::size_t at = from;
     while (at < text.size()) {

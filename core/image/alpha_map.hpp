@@ -1,4 +1,4 @@
-// alpha_map.hpp -- opacity that varies over a surface.
+// alpha_map.hpp -- a map of opacities that vary over a surface.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -6,7 +6,7 @@
 
 namespace momentscope {
 
-/// Opacities from 0 to 255, row by row from the lower left corner, as texture coordinates count.
+/// Opacities from 0 to 255, row by row from the lower left corner, like texture coordinates.
 struct AlphaMap {
     int width = 0;
     int height = 0;
@@ -15,8 +15,8 @@ struct AlphaMap {
 
 constexpr int MAX_ALPHA_MAP_SIDE = 8192;
 
-/// The alpha channel of any picture that OpenImageIO knows; of a picture without one its first channel.
-/// Throws Error that names the file.
+/// The alpha channel of a picture in any format that OpenImageIO reads; if it has none, its first channel.
+/// Throws Error, which names the file, if it cannot be read.
 AlphaMap read_alpha_map(const std::filesystem::path& path);
 
 }  // namespace momentscope

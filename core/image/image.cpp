@@ -18,7 +18,7 @@ namespace momentscope {
 
 namespace {
 
-// Four channels.
+// Writes a picture with four channels.
 void write_pixels(const std::filesystem::path& path, int width, int height, PictureNumbers numbers,
                   const void* pixels) {
     std::string reason;
@@ -30,14 +30,14 @@ void write_pixels(const std::filesystem::path& path, int width, int height, Pict
     write_file({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path);
 }
 
-/// Where a pixel's values hold red, green and blue (the same place in a grey picture), and alpha.
+/// The indices of red, green and blue in the values of a pixel (equal for a grey picture), and that of alpha.
 struct Channels {
     std::array<std::size_t, 3> color;
     std::optional<std::size_t> alpha;
 };
 
-// Channels are found by their names, because files may also hold depths and normals; unnamed ones go by their
-// order.
+// Channels are found by their names, because files may also hold depths and normals. Unnamed channels are
+// taken in order.
 Channels channels_of(const PictureHeader& header) {
     const auto named = [&](std::string_view name) {
         const auto found = std::ranges::find(header.channels, name);
@@ -84,7 +84,7 @@ Image read_image(const std::filesystem::path& path) {
     PictureFile file(path, "picture", true);
     const PictureHeader& header = file.header();
     const Channels where = channels_of(header);
-    // Files may have hundreds of channels; those between the first and the last that are needed are read.
+    // Files may have hundreds of channels. Only those from the first to the last that are needed are read.
     const auto [least, most] = std::ranges::minmax(where.color);
     const std::size_t first = std::min(least, where.alpha.value_or(least));
     const std::size_t channels = std::max(most, where.alpha.value_or(most)) - first + 1;

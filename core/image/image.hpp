@@ -30,19 +30,20 @@ private:
     }
 };
 
-/// sRGB value in [0, 1] of a linear one (IEC 61966-2-1); clamps.
+/// The sRGB value in [0, 1] of a linear value (IEC 61966-2-1). Clamps.
 float srgb_from_linear(float linear);
 
-/// Linear value of an sRGB one in [0, 1].
+/// The linear value of an sRGB value in [0, 1].
 float linear_from_srgb(float srgb);
 
-/// Reads any picture that OpenImageIO knows: whole numbers as sRGB, floats as linear. Colours come as the
-/// file holds them, not multiplied by alpha, which is 1 where the file has none. Throws Error, also for a
-/// picture of more than 67 million pixels or a side of more than 16384, and for what is not an ordinary file.
+/// Reads a picture in any format that OpenImageIO reads: integers as sRGB, floats as linear. Colours are
+/// those of the file, not multiplied by alpha; alpha is 1 if the file has none. Throws Error if the file is
+/// not an ordinary file or cannot be read, or if the picture has more than 67 million pixels or a side of
+/// more than 16384.
 Image read_image(const std::filesystem::path& path);
 
-/// Writes .exr (linear floats) or .png (8-bit sRGB of what the tone map makes of them), to a temporary file
-/// that is then renamed. Throws Error.
+/// Writes .exr (linear floats) or .png (8-bit sRGB, after the tone map) to a temporary file, which is then
+/// renamed. Throws Error if this fails.
 void write_image(const Image& image, const std::filesystem::path& path, ToneMap tone_map = ToneMap::none);
 
 /// Writes 8-bit sRGB RGBA bytes, row by row from the top, as .png.

@@ -16,7 +16,7 @@ const PictureCodec& load_codec() {
     std::error_code code;
     const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", code);
     const std::filesystem::path module = program.parent_path() / "momentscope_pictures.so";
-    void* const handle = ::dlopen(module.c_str(), RTLD_NOW | RTLD_LOCAL);  // until the process ends
+    void* const handle = ::dlopen(module.c_str(), RTLD_NOW | RTLD_LOCAL);  // loaded until the process ends
     void* const function = handle != nullptr ? ::dlsym(handle, PICTURE_CODEC_NAME) : nullptr;
     if (function == nullptr)
         throw Error(fmt::format(

@@ -1,4 +1,4 @@
-// canonical.hpp -- the canonical representation at a query depth, as the plot draws it.
+// canonical.hpp -- the canonical representation at a query depth, in the form that the plot draws.
 #pragma once
 #include <vector>
 
@@ -6,29 +6,32 @@
 
 namespace momentscope {
 
-/// One mass of the distribution that has the biased moments and a mass at the query depth.
+/// One mass of the canonical representation: the distribution with the biased moments and a mass at the query
+/// depth.
 struct PointMass {
-    float depth;  // power moments: anywhere, +-infinity included. Trigonometric moments: [-1, end of circle)
+    float depth;       // on the line anywhere, also +-infinity; on the circle in [-1, end_of_circle)
     float absorbance;  // >= 0
-    float value;       // v_l in [0, 1]: the share that counts as in front of the query depth
+    float value;       // v_l in [0, 1]: the share in front of the query depth
 };
 
 struct CanonicalRepresentation {
     float query = 0;               // depth
-    float query_absorbance = 0;    // w_0 b0: the gap between the bounds, of which beta counts
-    float in_front = 0;            // absorbance of the others that counts as in front
-    std::vector<PointMass> nodes;  // without the query; ascending depth
-    int floored_pivots = 0;        // how often the matrix was singular in floats
+    float query_absorbance = 0;    // w_0 b0: the gap between the bounds
+    float in_front = 0;            // absorbance of the nodes that counts as in front
+    std::vector<PointMass> nodes;  // without the query; in ascending depth
+    int floored_pivots = 0;        // number of pivots raised to the floor
 };
 
-/// Empty nodes for an empty ray or a technique without moments. query in [-1, 1].
+/// The canonical representation at a query depth in [-1, 1]. No nodes if the ray is empty or the technique
+/// has no moments.
 CanonicalRepresentation canonical_representation(const Curve& curve, float query);
 
-/// The depth of a node whose place is t in the variable in which the curve's basis finds its roots
-/// (shaders/shared/<basis>_moments.glsl). On the circle from -1 to end_of_circle.
+/// The depth of a node at t, the variable in which the basis finds its roots
+/// (shaders/shared/<basis>_moments.glsl). On the circle it lies in [-1, end_of_circle).
 float node_depth(float t, float query, const Curve& curve);
 
-/// The depth at which the circle of trigonometric moments ends: beyond 1 lies the wrapping zone (Eq. 5).
+/// The depth at which the circle of trigonometric moments ends. The wrapping zone lies between depth 1 and
+/// this depth (paper, Eq. 5).
 float end_of_circle(float wrapping_zone_angle);
 
 }  // namespace momentscope

@@ -12,16 +12,17 @@ namespace {
 using Vector = Eigen::Vector<long double, Eigen::Dynamic>;
 using Matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 
-// A polynomial whose norm falls below this share in one step is rounding noise: all masses are its zeros.
+// If the norm of a polynomial falls below this share in one step, it is rounding noise: all masses lie at its
+// zeros.
 constexpr long double VANISHED = 1e-12L;
 
-// A mass that lies at most so far beyond the depth range counts as one at its end.
+// A mass that lies at most this far beyond the depth range counts as a mass at its end.
 constexpr long double AT_THE_END = 1e-9L;
 
-// A mass that lies farther out counts as one at infinity.
+// A mass that lies farther out than this counts as a mass at infinity.
 constexpr long double FAR_AWAY = 1e6L;
 
-// The Lanczos process; vectors are made orthogonal again after each step. nullopt if there are too few
+// The Lanczos process. Vectors are made orthogonal again after each step. nullopt if there are too few
 // masses.
 std::optional<JacobiMatrix> jacobi_matrix(const std::vector<DepthMass>& masses, int degree) {
     const auto count = static_cast<Eigen::Index>(masses.size());
@@ -46,8 +47,8 @@ std::optional<JacobiMatrix> jacobi_matrix(const std::vector<DepthMass>& masses, 
     return result;
 }
 
-// Gauss-Radau quadrature (Golub 1973): n + 1 masses with the moments of the measure, one of them at `depth`.
-// Empty if one of them is at infinity.
+// Gauss-Radau quadrature (Golub 1973): n + 1 masses that have the moments of the measure, one of them at
+// `depth`. Empty if one of the masses lies at infinity.
 std::vector<DepthMass> masses_with(const JacobiMatrix& matrix, long double depth) {
     const std::size_t n = matrix.diagonal.size();
     long double previous = 0, p = 1;  // p_k(depth), not normalised
@@ -71,7 +72,7 @@ std::vector<DepthMass> masses_with(const JacobiMatrix& matrix, long double depth
         const long double first = solver.eigenvectors()(0, k);
         masses.push_back({solver.eigenvalues()[k], matrix.total * first * first});
     }
-    // By construction one of them is at `depth` up to rounding.
+    // By construction one of the masses lies at `depth`, up to rounding.
     std::ranges::min_element(masses, {}, [&](const DepthMass& mass) {
         return std::abs(mass.depth - depth);
     })->depth = depth;

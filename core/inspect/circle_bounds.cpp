@@ -13,22 +13,21 @@ namespace momentscope {
 
 namespace {
 
-constexpr int GRID = 2049;      // depths at which masses may lie, beside those of the fragments
-constexpr int FIRST_STEP = 32;  // a program begins with every 32nd of them
-constexpr std::size_t MAX_EXACT_FRAGMENTS = 500;  // more fragments are moved to the nearest point of the grid
-constexpr double TOLERANCE = 1e-9;  // of moments in [-1, 1]; CLP's own 1e-7 would act like a bias
-constexpr double MIN_IMPROVEMENT =
-    1e-7;  // by how much a mass at another depth must improve the bound to be tried
+constexpr int GRID = 2049;      // possible depths of masses, in addition to those of the fragments
+constexpr int FIRST_STEP = 32;  // a program begins with every 32nd of these depths
+constexpr std::size_t MAX_EXACT_FRAGMENTS = 500;  // if there are more, they are moved to the grid
+constexpr double TOLERANCE = 1e-9;        // of moments in [-1, 1]; the default of CLP, 1e-7, acts like a bias
+constexpr double MIN_IMPROVEMENT = 1e-7;  // a depth is tried if a mass there improves the bound by this much
 constexpr int MAX_ROUNDS = 20;
-constexpr int MAX_PIVOTS = 500;  // tens are usual; CLP may cycle where moments leave almost no freedom
-constexpr double MIN_SEPARATION = 1e-5;  // masses that are closer are one: their columns would be the same
-constexpr std::size_t QUERIES = 16;      // of one program, which grows with each of them
+constexpr int MAX_PIVOTS = 500;  // tens are usual; CLP may cycle if moments almost determine the truth
+constexpr double MIN_SEPARATION = 1e-5;  // closer masses count as one: their columns would be equal
+constexpr std::size_t QUERIES = 16;      // per program, because it grows with each query
 
 double grid_depth(int k) {
     return -1 + 2.0 * k / (GRID - 1);
 }
 
-// The moment-generating function at a depth.
+// The moments of a mass of 1 at a depth.
 Eigen::VectorXd moments_at(double depth, int count, double theta) {
     Eigen::VectorXd moments(2 * count + 1);
     const double angle = (std::numbers::pi - 0.5 * theta) * (depth + 1);
@@ -47,10 +46,10 @@ void add_column(ClpSimplex& solver, const Eigen::VectorXd& column, double cost) 
                      std::numeric_limits<double>::max(), cost);
 }
 
-/// Adds one constraint for each moment, before there are columns.
+/// Adds one constraint for each moment. Call it before any columns are added.
 void demand(ClpSimplex& solver, const Eigen::VectorXd& moments) {
     solver.setLogLevel(0);
-    solver.scaling(0);  // it magnifies the tolerance of small masses until truths are infeasible
+    solver.scaling(0);  // scaling magnifies the tolerance of small masses; then truths are infeasible
     solver.resize(static_cast<int>(moments.size()), 0);
     for (int i = 0; i < static_cast<int>(moments.size()); ++i) solver.setRowBounds(i, moments[i], moments[i]);
     solver.setPrimalTolerance(TOLERANCE);
@@ -58,19 +57,19 @@ void demand(ClpSimplex& solver, const Eigen::VectorXd& moments) {
     solver.setMaximumIterations(MAX_PIVOTS);
 }
 
-/// What all programs of a ray share.
+/// What all linear programs of a ray have in common.
 struct Candidates {
     int count;
     double theta;
-    std::vector<double> depths;   // at which masses may lie, ascending: the grid and the fragments
-    Eigen::MatrixXd moments;      // a row for each of them
-    std::vector<double> support;  // some of them that have the ray's moments
-    Eigen::VectorXd of_ray;       // moments, those of a mass of 1
+    std::vector<double> depths;   // possible depths of masses, ascending: grid and fragments
+    Eigen::MatrixXd moments;      // one row for each of these depths
+    std::vector<double> support;  // some depths at which masses have the moments of the ray
+    Eigen::VectorXd of_ray;       // moments of the ray, divided by b0
     double total = 0;             // b0
 };
 
-// A few of the fragments' depths are enough for the moments of all (Carathéodory). Returns all of them if CLP
-// finds no solution.
+// Masses at a few of the depths of the fragments have the moments of all fragments (Carathéodory). Returns
+// these depths, or all if CLP finds no solution.
 std::vector<double> support_of(const std::vector<double>& own, const Candidates& candidates) {
     ClpSimplex solver;
     demand(solver, candidates.of_ray);
@@ -111,20 +110,21 @@ Candidates candidates_of(const ViewRay& ray, int count, double theta) {
     return result;
 }
 
-/// The least mass at some depths, all masses together having the ray's moments. Masses are tried where the
-/// dual solution says that they would help, which finds the best of all candidates without a variable for
-/// each of them.
+/// Finds the least mass at some depths among all distributions with the moments of the ray. Only some
+/// candidate depths are variables of the program. A depth is added if the dual solution says that a mass
+/// there would help. This finds the best of all candidates.
 class MassProgram {
 public:
     explicit MassProgram(const Candidates& candidates) : candidates_(candidates) {
         demand(solver_, candidates.of_ray);
         for (int k = 0; k < GRID; k += FIRST_STEP) add(grid_depth(k));
-        for (const double depth : candidates.support)  // each, or moments would have no solution
+        for (const double depth : candidates.support)  // all, or the program would have no solution
             if (std::ranges::find(depths_, depth) == depths_.end()) add(depth);
     }
 
-    /// min of the sum of cost(depth) * mass, the masses summing to 1. Starts where the last query ended:
-    /// neighbouring ones differ in few pivots. `at` is a depth where cost jumps. nullopt if CLP fails.
+    /// The minimum of the sum of cost(depth) * mass, over masses with sum 1. Starts where the last query
+    /// ended, because neighbouring queries differ in few pivots. `at`: a depth where the cost jumps. nullopt
+    /// if CLP fails.
     template <typename Cost>
     std::optional<double> least(double at, const Cost& cost) {
         if (is_new(at)) add(at);
@@ -138,7 +138,8 @@ public:
     }
 
 private:
-    // Where moments leave almost no freedom, the last basis may lead nowhere; no basis at all may then do.
+    // If the moments almost determine the truth, CLP may not find a way from the last basis. It may still
+    // find one without a basis.
     bool solve() {
         solver_.primal();
         if (solver_.isProvenOptimal()) return true;
@@ -160,7 +161,7 @@ private:
         depths_.push_back(depth);
     }
 
-    // Adds the candidates whose reduced cost is negative and least among their neighbours.
+    // Adds those candidates whose reduced cost is negative and less than that of their neighbours.
     template <typename Cost>
     bool add_what_helps(const Cost& cost) {
         const Eigen::Map<const Eigen::VectorXd> dual(solver_.dualRowSolution(), candidates_.moments.cols());
@@ -183,7 +184,7 @@ private:
     }
 
     const Candidates& candidates_;
-    std::vector<double> depths_;  // of the masses tried so far; a column of the program each
+    std::vector<double> depths_;  // of the masses tried so far; each is a column of the program
     ClpSimplex solver_;
 };
 

@@ -17,7 +17,7 @@ std::vector<float> even_depths(std::size_t samples) {
 
 double shown_absorbance(double t, double total) {
     const auto opaque = static_cast<double>(fragment_absorbance(1.0f));
-    return t > 0 ? 0 - std::log(t) : std::max(opaque, total);  // of T = 1 it is 0, not -0
+    return t > 0 ? 0 - std::log(t) : std::max(opaque, total);  // for T = 1 this is 0, not -0
 }
 
 MomentVector sum_moments(const ViewRay& ray, const Technique& technique,
@@ -41,8 +41,8 @@ Curve sample_curve(const ViewRay& ray, const Technique& technique, const Paramet
     if (technique.has_pixel_states()) {
         if (!technique.pixel_state_kernel().has_depths() || why_refused(technique, values) != nullptr)
             return curve;
-        // A pixel of a scene without its neighbours' fragments: captured for a technique without low
-        // resolution.
+        // This pixel was captured from a scene with a technique without low resolution, so the fragments of
+        // its neighbours are missing.
         if (resolution_divisor(curve.parameters.pixel_state) > 1 && ray.low_resolution_sources.empty() &&
             ray.far_plane > 0)
             return curve;

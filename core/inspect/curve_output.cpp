@@ -68,7 +68,7 @@ bool have_sharp_bounds(const std::vector<Curve>& curves) {
     return std::ranges::any_of(curves, [](const Curve& curve) { return !curve.sharp_lower.empty(); });
 }
 
-// Two more cells, empty where a technique has no such values.
+// Adds two cells, which are empty if the technique has no such values.
 void add_pair(std::string& text, const std::vector<float>& low, const std::vector<float>& high,
               std::size_t i) {
     if (low.empty())

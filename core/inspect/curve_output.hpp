@@ -7,17 +7,17 @@
 
 namespace momentscope {
 
-/// The id of a curve's technique, or the text of its configuration where another curve has the same
-/// technique.
+/// The id of the technique of a curve. If several curves have this technique: the text of the configuration.
 std::string curve_name(const Curve& curve, const std::vector<Curve>& curves);
 
-/// The form of `inspect --format json`: ray and curves; null where a technique has no such value, never NaN.
+/// Ray and curves as JSON, the output of `inspect --format json`. Values that a technique does not define are
+/// null. There is no NaN.
 std::string curves_to_json(const ViewRay& ray, const std::vector<Curve>& curves);
 
 /// One row per technique and depth, with a header row.
 std::string curves_to_csv(const std::vector<Curve>& curves);
 
-/// For reading: aligned columns.
+/// A table with aligned columns, for people.
 std::string curves_to_table(const ViewRay& ray, const std::vector<Curve>& curves);
 
 }  // namespace momentscope

@@ -15,17 +15,17 @@ namespace momentscope {
 
 namespace {
 
-constexpr double MIN_ERROR_TO_EXPLAIN = 1e-3;  // an error that needs no cause
+constexpr double MIN_ERROR_TO_EXPLAIN = 1e-3;  // smaller errors need no explanation
 
-constexpr std::size_t MAX_FRAGMENTS = 1000;  // exact arithmetic takes its time
+constexpr std::size_t MAX_FRAGMENTS = 1000;  // exact arithmetic is slow
 
-/// A colour on the way from the truth to the technique, and what the step to it adds.
+/// One step of the chain from the truth to the technique: its cause, and the colour after it.
 struct Step {
     std::string cause;
     glm::dvec3 color;
 };
 
-// Colours weighted by opacity and these transmittances, over what lies behind (Equation 2).
+// The sum of colours times opacity times these transmittances, over what lies behind (paper, Equation 2).
 glm::dvec3 weighted_color(const ViewRay& ray, const std::vector<double>& t, bool renormalized,
                           const glm::vec3& behind) {
     glm::dvec4 sum(0);
@@ -42,8 +42,8 @@ std::vector<double> transmittances(const std::vector<double>& absorbances) {
     return t;
 }
 
-// No function of depth tells which of two surfaces at one depth lies in front, so that they see each other
-// alike.
+// No function of depth can tell which of two surfaces at the same depth lies in front. Neither occludes the
+// other.
 void add_step_of_ties(std::vector<Step>& steps, const ViewRay& ray, bool renormalized,
                       const glm::vec3& behind) {
     if (!has_ties(ray)) return;
@@ -51,7 +51,8 @@ void add_step_of_ties(std::vector<Step>& steps, const ViewRay& ray, bool renorma
     steps.push_back({"surfaces at the same depth", weighted_color(ray, t, renormalized, behind)});
 }
 
-// All bases on the line hold the information of as many power moments.
+// The technique whose exact function is used. All bases on the line hold the same information as the same
+// number of power moments.
 const Technique& with_reference(const Technique& technique) {
     if (technique.on_circle() || technique.moments().basis->id == BasisId::power) return technique;
     return require_technique(fmt::format("power{}-32", technique.moments().moment_count));
@@ -92,8 +93,8 @@ std::vector<Step> moment_steps(const ViewRay& ray, const Technique& technique, c
     return steps;
 }
 
-// As a technique would like it best: front to back where it merges what comes late, back to front where the
-// last lies on top.
+// The ray in the order of submission that suits a technique best: front to back if it merges fragments that
+// come late, back to front if the last fragment lies on top.
 ViewRay best_ordered(const ViewRay& ray, Accumulation accumulation) {
     ViewRay sorted = ray;
     std::vector<std::size_t> places = front_to_back(ray);
@@ -146,7 +147,7 @@ ErrorBreakdown breakdown_of_truth(const ViewRay& ray, const Technique& technique
                 error, lost, fragment_count_text(ray.fragments.size()))};
 }
 
-// What a half float loses of the total, or nothing.
+// A sentence on what a half float loses of b0, or an empty text.
 std::string drift_text(const ViewRay& ray, const Technique& technique, const ParameterValues& values) {
     constexpr double DRIFT = 0.01;
     if (!technique.has_moments() || technique.moment_kernel().bits != 16) return {};
@@ -177,8 +178,8 @@ PixelColors colors_of(const ViewRay& ray, const Technique& technique, const Para
     return pixel_colors(ray, rows, technique, resolve(values, technique), behind);
 }
 
-// Is the pixel worse with renormalisation than without? Else it is no cause: what it leaves is that of
-// others.
+// True if the pixel is worse with renormalisation than without. Only then is renormalisation a cause;
+// otherwise the remaining error has other causes.
 bool harmful_renormalization(const ViewRay& ray, const Technique& technique, const ParameterValues& values,
                              const glm::vec3& behind, double error) {
     if (!technique.uses(ParameterId::renormalize) || !values.is_on(ParameterId::renormalize)) return false;
@@ -208,7 +209,7 @@ ErrorBreakdown pixel_error_breakdown(const ViewRay& ray, const Technique& techni
     breakdown.error = glm::length(shown - truth);
     ParameterValues chained = values;
     if (harmful_renormalization(ray, technique, values, behind, breakdown.error))
-        chained.turn(ParameterId::renormalize, false);  // and it is the last step
+        chained.turn(ParameterId::renormalize, false);  // renormalisation becomes the last step
     std::vector<Step> steps = technique.has_pixel_states()
                                   ? pixel_state_steps(ray, technique, chained, behind)
                                   : moment_steps(ray, technique, chained, behind);

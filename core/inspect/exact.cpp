@@ -14,7 +14,7 @@ namespace {
 using Masses = std::span<const reference::PointMass<Real>>;
 
 std::vector<reference::PointMass<Real>> exact_masses(const ViewRay& ray) {
-    constexpr Real MOST = 10;  // the opacity cap, as in shaders/shared/fragment.glsl
+    constexpr Real MOST = 10;  // as OPACITY_CAP in shaders/shared/fragment.glsl
     std::vector<reference::PointMass<Real>> masses;
     for (const Fragment& fragment : ray.fragments)
         if (fragment.opacity > 0)
@@ -23,7 +23,7 @@ std::vector<reference::PointMass<Real>> exact_masses(const ViewRay& ray) {
     return masses;
 }
 
-// Table 1 of the supplementary; typed here once more, so that a slip in shaders/ shows.
+// Table 1 of the supplementary. It is typed again here, so that a mistake in shaders/ shows.
 template <std::size_t M>
 reference::PowerMoments<M, Real> power_bias(int bits) {
     if constexpr (M == 4) {
@@ -38,7 +38,8 @@ reference::PowerMoments<M, Real> power_bias(int bits) {
     }
 }
 
-// The arcsine distribution, towards which Chebyshev moments are biased: (2k)! / (4^k k!^2).
+// The power moments (2k)! / (4^k k!^2) of the arcsine distribution, towards which Chebyshev moments are
+// biased.
 template <std::size_t M>
 reference::PowerMoments<M, Real> arcsine_moments() {
     reference::PowerMoments<M, Real> moments{};
@@ -48,7 +49,7 @@ reference::PowerMoments<M, Real> arcsine_moments() {
     return moments;
 }
 
-/// Chebyshev moments to power moments, exactly: z^k as a sum of T_j, by z T_j = (T_{j+1} + T_{|j-1|}) / 2.
+/// Converts Chebyshev moments to power moments. z^k is expanded in T_j by z T_j = (T_{j+1} + T_{|j-1|}) / 2.
 template <std::size_t M>
 reference::PowerMoments<M, Real> power_of_chebyshev(const std::array<Real, M + 1>& chebyshev) {
     reference::PowerMoments<M, Real> power{};
@@ -66,7 +67,8 @@ reference::PowerMoments<M, Real> power_of_chebyshev(const std::array<Real, M + 1
     return power;
 }
 
-// What 16-bit numbers in [0, 1] stand for, times b0. Power moments undo Theta*_m, the others b/2 + 1/2.
+// The moments that 16-bit numbers in [0, 1] represent, times b0. The transform is Theta*_m for power moments
+// and b/2 + 1/2 for others; this is its inverse.
 template <std::size_t M>
 std::array<Real, M + 1> unquantised(const MomentVector& stored, bool theta_transform) {
     std::array<Real, M + 1> moments{};
@@ -135,7 +137,7 @@ std::optional<reference::PowerFactor<M, Real>> first_moments(const reference::Po
         reference::normalise_and_bias(first, arcsine_moments<M>(), alpha));
 }
 
-// As nested orders choose theirs, in real numbers.
+// The choice of nested orders (shaders/shared/nested_orders.glsl), in real numbers.
 std::optional<ExactFunction> with_nested_orders(const reference::PowerMoments<8, Real>& moments, Real alpha,
                                                 Real tolerance) {
     const auto of_4 = first_moments<4>(moments, alpha);
@@ -153,7 +155,7 @@ std::optional<ExactFunction> with_nested_orders(const reference::PowerMoments<8,
     };
 }
 
-// Those that core/reference has. Rows of other bases compile, too.
+// True for bases that core/reference has. Rows of other bases compile, too.
 constexpr bool has_reference(BasisId id) {
     return id == BasisId::power || id == BasisId::chebyshev || id == BasisId::nested ||
            id == BasisId::trigonometric;
@@ -199,8 +201,7 @@ struct Exact {
     }
 };
 
-// Calls `use` with the Exact of a technique; returns what it returns, or nothing for techniques without
-// moments.
+// Calls `use` with the Exact of a technique and returns the result; nullopt for techniques without moments.
 template <typename Use>
 std::optional<ExactFunction> with_exact(const Technique& technique, const Use& use) {
 #define MOMENT_TECHNIQUE(row, basis, count, bits, text, ...) \

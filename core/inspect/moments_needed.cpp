@@ -19,7 +19,7 @@ std::vector<float> depths_that_absorb(const ViewRay& ray) {
     return depths;
 }
 
-// Fragments at one depth count as one: no moments tell them apart.
+// The absorbance at one depth. Fragments there count as one, because no moments tell them apart.
 double absorbance_at(const ViewRay& ray, float depth) {
     double sum = 0;
     for (const Fragment& fragment : ray.fragments)
@@ -99,7 +99,7 @@ NeedHistogram count_needs(std::span<const PixelNeed> pixels) {
 }
 
 double tiled_memory(std::span<const PixelNeed> pixels, int width, int tile) {
-    constexpr std::array NUMBERS = {0, 5, 7, 9, 9};  // with b_0
+    constexpr std::array NUMBERS = {0, 5, 7, 9, 9};  // by Needed; includes b_0
     const int height = static_cast<int>(pixels.size()) / width;
     long stored = 0;
     for (int top = 0; top < height; top += tile)

@@ -1,5 +1,5 @@
-// moments_needed.hpp -- the fewest moments that a pixel needs: told by the bounds alone, without the truth,
-// and by the error that is really made.
+// moments_needed.hpp -- the fewest moments that a pixel needs: as the bounds say, without the truth, and as
+// the actual error says.
 #pragma once
 #include <array>
 #include <span>
@@ -12,24 +12,27 @@
 
 namespace momentscope {
 
-/// Techniques of one basis with bounds, in 32 bits, from the fewest moments to the most: four, six, eight.
+/// Techniques of one basis with bounds, with 32 bits per moment, in ascending order of moments: four, six,
+/// eight.
 constexpr std::size_t ORDER_COUNT = 3;
 using MomentOrders = std::array<const Technique*, ORDER_COUNT>;
 
-/// basis: power or chebyshev. Throws Error for others: on the circle beta = 0 and beta = 1 are not bounds.
+/// The techniques of a basis: power or chebyshev. Throws Error for all others, because on the circle beta = 0
+/// and beta = 1 are not bounds.
 MomentOrders moment_orders(std::string_view basis);
 
-/// How far T is uncertain at the fragments' own depths, at most: the difference of its bounds, less what the
-/// absorbance at that depth itself makes of it, which is no uncertainty. In [0, 1], never negative where
-/// rounding or bias put bounds closer than they can be. It needs the fragments, but not what lies in front.
+/// How uncertain T is at the depths of the fragments, at most. This is the difference between its bounds,
+/// less the part that the absorbance at the depth itself causes, which is not uncertain. In [0, 1], also if
+/// rounding or bias puts the bounds closer together than they can be. The fragments must be known, but not
+/// what lies in front of them.
 double certified_gap(const ViewRay& ray, const Technique& technique, const ParameterValues& values);
 
-/// How far T is off at the fragments' own depths, at most. Of a fragment's own absorbance beta counts as in
-/// front of it in the truth, too: self-occlusion is a choice, which renormalisation makes up for, and no lack
-/// of moments.
+/// The greatest error of T at the depths of the fragments. The truth includes beta times the absorbance at
+/// the depth itself: self-occlusion is a choice, which renormalisation compensates for, and not a lack of
+/// moments.
 double greatest_error(const ViewRay& ray, const Technique& technique, const ParameterValues& values);
 
-/// Of a pixel: nothing for a pixel without fragments, `more` where not even eight moments are enough.
+/// What a pixel needs. nothing: it has no fragments. more: not even eight moments are enough.
 enum class Needed : unsigned char { nothing, four, six, eight, more };
 constexpr std::size_t NEEDED_COUNT = 5;
 std::string needed_text(Needed needed);
@@ -40,19 +43,19 @@ struct PixelNeed {
     friend bool operator==(const PixelNeed&, const PixelNeed&) = default;
 };
 
-/// The first of the orders whose gap, or error, is at most the tolerance epsilon of `values`.
+/// The first of the orders with a certified gap, or an error, of at most the tolerance epsilon in `values`.
 PixelNeed pixel_need(const ViewRay& ray, const MomentOrders& orders, const ParameterValues& values);
 
-/// How many pixels need what.
+/// The number of pixels by what they need.
 struct NeedHistogram {
     std::array<long, NEEDED_COUNT> by_certificate{}, by_error{};
-    long cautious = 0;    // pixels for which the certificate asks for more than the error
-    long overlooked = 0;  // for less: what bias and rounding add to the error is in no bound
+    long cautious = 0;    // pixels with by_certificate > by_error
+    long overlooked = 0;  // pixels with by_certificate < by_error: no bound includes bias and rounding
 };
 NeedHistogram count_needs(std::span<const PixelNeed> pixels);
 
-/// The share of the memory of eight moments that a picture would need if every square tile of pixels stored
-/// no more than the most that one of its pixels needs by the certificate, and nothing where there are no
+/// The memory that a picture would need, relative to eight moments in every pixel, if each square tile of
+/// pixels stored only as many moments as its most demanding pixel needs by the certificate, and none without
 /// fragments. In [0, 1].
 double tiled_memory(std::span<const PixelNeed> pixels, int width, int tile);
 

@@ -9,7 +9,7 @@ namespace momentscope {
 
 namespace {
 
-// Front to back, so that ties are composited one after the other.
+// Front to back, so that fragments at the same depth are composited one after the other.
 glm::vec3 sorted_color(const ViewRay& ray, const glm::vec3& background) {
     glm::vec3 color(0);
     float transmittance = 1;

@@ -1,4 +1,4 @@
-// pixel_color.hpp -- what a pixel looks like: composited truly, and as a technique weighs its fragments.
+// pixel_color.hpp -- the colour of a pixel: the true one, and the one that a technique computes.
 #pragma once
 #include <vector>
 
@@ -8,10 +8,10 @@ namespace momentscope {
 
 struct PixelColors {
     glm::vec3 truth{0};      // linear RGB over the background
-    glm::vec3 technique{0};  // the same with the technique's T, renormalised if asked for (Equation 2)
+    glm::vec3 technique{0};  // with T of the technique, renormalised if chosen (paper, Equation 2)
 };
 
-/// From a ray and its history with that technique, rows from front to back.
+/// The colours for a ray. rows: the history of the pixel with this technique, from front to back.
 PixelColors pixel_colors(const ViewRay& ray, const std::vector<PixelHistoryRow>& rows,
                          const Technique& technique, const ResolvedParameters& parameters,
                          const glm::vec3& background);

@@ -1,4 +1,4 @@
-// pixel_history.hpp -- what each fragment did to a pixel: the rows of the window's table.
+// pixel_history.hpp -- what each fragment contributed to a pixel: the rows of the table in the window.
 #pragma once
 #include <optional>
 #include <span>
@@ -12,17 +12,18 @@ namespace momentscope {
 struct PixelHistoryRow {
     std::size_t fragment;                   // index into ViewRay::fragments
     float absorbance;                       // -ln(1 - alpha_l), as the shaders compute it
-    double true_transmittance;              // of all that lies strictly in front
-    float transmittance;                    // reconstructed in C++; the truth for techniques without moments
-    std::optional<float> gl_transmittance;  // by the GL's second pass, where there is one
-    glm::vec4 source;                       // what blending adds: T alpha_l (colour, 1); 0 if it is not drawn
-    glm::vec4 sum;                          // what stood there before, with all submitted earlier
+    double true_transmittance;              // of everything strictly in front
+    float transmittance;                    // computed in C++; for a ground truth, the truth
+    std::optional<float> gl_transmittance;  // by the second pass of the GL, if there is one
+    glm::vec4 source;                       // what blending adds: T alpha_l (colour, 1); 0 if not drawn
+    glm::vec4 sum;                          // the sum before it, of all submitted earlier
 
-    /// Reconstructed minus true: positive where the fragment shines through too much.
+    /// Computed minus true. Positive if the fragment is too visible.
     double error() const { return static_cast<double>(transmittance) - true_transmittance; }
 };
 
-/// One row per fragment, from front to back. gl_transmittance runs parallel to the fragments or is empty.
+/// One row per fragment, from front to back. gl_transmittance is empty or has one value per fragment, in
+/// submission order.
 std::vector<PixelHistoryRow> pixel_history(const ViewRay& ray, std::span<const float> gl_transmittance,
                                            const Technique& technique, const ParameterValues& values);
 

@@ -13,7 +13,7 @@ namespace glsl::pixel_state_curve {
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 #include "shaders/shared/portable_math.glsl"
-// portable_math first: pixel_state.glsl builds on it
+// pixel_state.glsl needs portable_math.glsl before it.
 #include "shaders/shared/pixel_state.glsl"
 #pragma GCC diagnostic pop
 #undef MAX_STATE_FLOATS
@@ -39,7 +39,7 @@ PixelStateFragment pixel_state_fragment(const ViewRay& ray, const Fragment& frag
 
 namespace {
 
-// What the passes store for the fragments of one pixel, as later passes read it.
+// The state that the passes store for the fragments of one pixel, as later passes read it.
 PixelState state_of(const std::vector<Fragment>& fragments, const ViewRay& ray,
                     const PixelStateKernel& kernel, const PixelStateSettings& settings) {
     PixelState state = kernel.empty_state(settings);
@@ -81,7 +81,7 @@ std::vector<float> pixel_state_transmittance(const ViewRay& ray, const Technique
     Fragment mean;
     for (const Fragment& fragment : ray.fragments)
         mean.opacity += fragment.opacity / static_cast<float>(ray.fragments.size());
-    mean.threshold = 0;  // drawn where there is a test
+    mean.threshold = 0;  // hashed alpha testing draws it
     std::vector<float> t;
     t.reserve(depths.size());
     for (const float depth : depths) {

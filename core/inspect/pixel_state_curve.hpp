@@ -1,5 +1,5 @@
-// pixel_state_curve.hpp -- techniques without moments on one view ray: what the pixel stores, its colour, and
-// what is seen of each fragment.
+// pixel_state_curve.hpp -- evaluates techniques without moments on one view ray: the state of the pixel, its
+// colour, and how much of each fragment is seen.
 #pragma once
 #include <span>
 #include <vector>
@@ -9,25 +9,26 @@
 
 namespace momentscope {
 
-/// What math files know of a fragment. Rays without a depth warp count as 1 to 3 scene units deep.
+/// A fragment in the form that math files take. Rays without a depth warp count as 1 to 3 scene units deep.
 PixelStateFragment pixel_state_fragment(const ViewRay& ray, const Fragment& fragment);
 
-/// What the pixel stores after all fragments, in submission order, as the last pass reads it; at low
-/// resolution the mixture of the ray's low-resolution sources. Needs technique.pixel_state.
+/// The state of the pixel after all fragments, in submission order, as the last pass reads it. At low
+/// resolution it is the mixture of the low-resolution sources of the ray. The technique must have pixel
+/// states.
 PixelState pixel_state(const ViewRay& ray, const Technique& technique, const PixelStateSettings& settings);
 
-/// T at `depths` in [-1, 1], for techniques whose weight depends on opacity, too, that of a fragment of the
-/// ray's mean opacity. Needs technique.pixel_state_kernel().has_depths().
+/// T at `depths` in [-1, 1]. If the technique takes opacity into account, too, this is the T of a fragment
+/// with the mean opacity of the ray. Requires technique.pixel_state_kernel().has_depths().
 std::vector<float> pixel_state_transmittance(const ViewRay& ray, const Technique& technique,
                                              const PixelStateSettings& settings,
                                              std::span<const float> depths);
 
-/// What is seen of each fragment relative to its opacity, in submission order: T at its depth or, where
-/// fragments are put over each other, what those submitted later let through.
+/// How much of each fragment is seen, relative to its opacity, in submission order: T at its depth. If the
+/// technique blends fragments over each other, it is the transmittance of all fragments submitted later.
 std::vector<float> own_transmittance(const ViewRay& ray, const Technique& technique,
                                      const PixelStateSettings& settings);
 
-/// The pixel's colour over `background`, linear RGB. Needs technique.pixel_state.
+/// The colour of the pixel over `background`, in linear RGB. The technique must have pixel states.
 glm::vec3 pixel_state_color(const ViewRay& ray, const Technique& technique,
                             const ResolvedParameters& parameters, const glm::vec3& background);
 

@@ -10,10 +10,10 @@ namespace momentscope {
 
 namespace {
 
-// The linear program of the circle treats closer depths as one.
+// The linear program of the circle treats depths that are closer than this as one.
 constexpr float MIN_SEPARATION = 1e-5f;
 
-// No other distribution has the moments of so few surfaces (Section 4.1).
+// True if there are so few surfaces that no other distribution has their moments (paper, Section 4.1).
 bool determined_on_circle(const ViewRay& ray, int moment_count) {
     std::vector<float> surfaces;
     for (const Fragment& fragment : ray.fragments) {

@@ -1,4 +1,4 @@
-// sharp_bounds.hpp -- the least and the greatest absorbance that moments alone leave possible.
+// sharp_bounds.hpp -- the least and the greatest absorbance in front of a depth that the moments alone allow.
 #pragma once
 #include <optional>
 #include <span>
@@ -13,17 +13,21 @@ namespace momentscope {
 /// Absorbances at `depth`, in [0, b0].
 struct SharpBounds {
     std::vector<float> depth;
-    std::vector<float> lower;  // what lies in front, the depth itself excluded, at least
-    std::vector<float> upper;  // what lies in front, the depth itself included, at most
+    std::vector<float> lower;  // the least absorbance in front, without the depth itself
+    std::vector<float> upper;  // the greatest absorbance in front, with the depth itself
 };
 
-/// The infimum and the supremum of A(z) over all distributions of absorbance on the depth range that have
-/// the exact moments of the ray: without bias, without rounding. So the truth always lies between them.
-/// `depths` in [-1, 1]. Power and Chebyshev moments have the same bounds. They are exact up to rounding and
-/// take microseconds (canonical_masses.hpp). Trigonometric moments take a linear program for each depth
-/// (circle_bounds.hpp). If so few surfaces lie on the ray that moments determine it (Section 4.1), both
-/// bounds are the truth. Empty vectors where there is nothing to bound: no fragments, or a technique without
-/// moments. nullopt when stopped, or where the linear program finds no solution.
+/// The infimum and the supremum of A(z) among all distributions on the depth range that have the exact
+/// moments of the ray, without bias and rounding. The truth always lies between them. `depths` are in [-1,
+/// 1].
+///
+/// Power and Chebyshev moments have the same bounds. They are exact up to rounding and take microseconds
+/// (canonical_masses.hpp). Trigonometric moments take a linear program for each depth (circle_bounds.hpp). If
+/// the ray has so few surfaces that the moments determine the distribution (paper, Section 4.1), both bounds
+/// are the truth.
+///
+/// The vectors are empty without fragments, or if the technique has no moments. nullopt if stopped, or if the
+/// linear program finds no solution.
 std::optional<SharpBounds> sharp_bounds(const ViewRay& ray, const Technique& technique,
                                         const ResolvedParameters& parameters, std::span<const float> depths,
                                         std::stop_token stop = {});

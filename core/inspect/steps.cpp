@@ -12,7 +12,7 @@ namespace momentscope {
 
 namespace {
 
-// E[u_i conj(u_j)] for the functions u_k of the basis.
+// Entry E[u_i conj(u_j)] for the functions u_k of the basis.
 std::complex<double> matrix_entry(const Technique& technique, const MomentVector& normalised, int i, int j) {
     const auto moment = [&](int k) {
         return k == 0 ? 1.0 : static_cast<double>(normalised.b[static_cast<std::size_t>(k - 1)]);

@@ -9,7 +9,7 @@ namespace momentscope {
 
 Fragment plain_fragment(float depth, float opacity, std::size_t index) {
     static constexpr std::array<glm::vec3, 6> COLORS = {
-        // Okabe and Ito 2008, in linear RGB: told apart by the colour-blind too
+        // Okabe and Ito 2008, in linear RGB. Colour-blind people can tell them apart, too.
         glm::vec3(0.79f, 0.35f, 0.00f), glm::vec3(0.09f, 0.46f, 0.81f), glm::vec3(0.00f, 0.34f, 0.17f),
         glm::vec3(0.87f, 0.77f, 0.05f), glm::vec3(0.00f, 0.17f, 0.45f), glm::vec3(0.66f, 0.11f, 0.00f)};
     const std::uint32_t seed =

@@ -1,4 +1,4 @@
-// random_ray.hpp -- random view rays, the same on every machine for the same seed.
+// random_ray.hpp -- random view rays. The same seed gives the same rays on every machine.
 #pragma once
 #include <cstdint>
 #include <random>
@@ -7,19 +7,19 @@
 
 namespace momentscope {
 
-/// Uniform numbers from a Mersenne twister by exact arithmetic, which the standard's distributions do not
-/// promise.
+/// Uniform random numbers from a Mersenne twister. They are made by exact arithmetic, because the standard
+/// does not define the results of its distributions.
 class RandomNumbers {
 public:
     explicit RandomNumbers(std::uint32_t seed) : engine_(seed) {}
 
-    /// In [least, most).
+    /// A number in [least, most).
     float uniform(float least, float most) {
         const float unit = static_cast<float>(engine_() >> 8) * 0x1p-24f;
         return least + (most - least) * unit;
     }
 
-    /// In [least, most].
+    /// A whole number in [least, most].
     int whole(int least, int most) {
         return least + static_cast<int>(engine_() % static_cast<std::uint32_t>(most - least + 1));
     }
@@ -28,18 +28,19 @@ private:
     std::mt19937 engine_;
 };
 
-/// `count` fragments, depths uniform in [-1, 1], opacities uniform in [least_opacity, most_opacity): the
-/// distribution of the published trials for opacities from .05 to .95.
+/// `count` fragments with depths uniform in [-1, 1] and opacities uniform in [least_opacity, most_opacity).
+/// With opacities from 0.05 to 0.95 this is the distribution of the published trials.
 ViewRay random_ray(RandomNumbers& random, int count, float least_opacity = 0.05f, float most_opacity = 0.95f);
 
-/// `count` fragments at random depths, together about as opaque as a few surfaces, however many they are.
+/// `count` fragments at random depths. Whatever their number, together they are about as opaque as a few
+/// surfaces.
 ViewRay thin_ray(RandomNumbers& random, int count);
 
-/// The same in two layers of 1 % of the depth range, where the matrix of moments is nearly singular however
-/// many they are.
+/// The same, but all fragments lie in two layers, each 1 % of the depth range thick. The matrix of moments is
+/// then nearly singular, whatever the number of fragments.
 ViewRay layered_ray(RandomNumbers& random, int count);
 
-/// A fragment without a warp, in a colour that tells it from its neighbours by index.
+/// A fragment of a ray without a depth warp. Its colour depends on `index`, so neighbours differ.
 Fragment plain_fragment(float depth, float opacity, std::size_t index);
 
 }  // namespace momentscope

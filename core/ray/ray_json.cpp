@@ -33,7 +33,7 @@ float number(const json& object, const char* key, const std::string& where) {
     return static_cast<float>(value);
 }
 
-// A misspelt key would be left out in silence.
+// Without this check, a misspelt key would be ignored silently.
 void require_known_keys(const json& object, std::initializer_list<std::string_view> known,
                         const std::string& where) {
     for (const auto& [key, value] : object.items()) {
@@ -46,7 +46,7 @@ void require_known_keys(const json& object, std::initializer_list<std::string_vi
     }
 }
 
-// Closer together than 1.0001 the logarithms of depths are the same float.
+// If the ratio of the depths is less than 1.0001, their logarithms are the same float.
 bool is_depth_range(float low, float high) {
     return low >= 1e-30f && high >= 1.0001f * low;
 }
@@ -196,7 +196,7 @@ ViewRay ray_from_json(const std::string& text) {
 ViewRay ray_from_value(const json& root) {
     if (!root.is_object() || !root.contains("fragments") || !root["fragments"].is_array())
         throw Error("The view ray needs a list \"fragments\"; see the README for its form.");
-    // total_absorbance: what inspect adds to a ray that it prints.
+    // inspect adds total_absorbance to the rays that it prints.
     require_known_keys(root, {"fragments", "warp", "near", "far", "shares", "total_absorbance"}, "top level");
     ViewRay ray;
     ray.warp = warp_from(root);

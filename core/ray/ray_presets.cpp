@@ -16,7 +16,7 @@ ViewRay ray_of(std::initializer_list<std::pair<float, float>> fragments) {
     return ray;
 }
 
-// A cloud of thin fragments, denser in its middle, between a few surfaces.
+// A cloud of thin fragments, densest in its middle, between a few surfaces.
 ViewRay cloud_and_surfaces() {
     ViewRay ray = ray_of({{-0.75f, 0.35f}, {0.15f, 0.5f}, {0.8f, 0.6f}});
     RandomNumbers random(2);

@@ -1,4 +1,4 @@
-// ray_presets.hpp -- view rays to start an experiment from.
+// ray_presets.hpp -- ready-made view rays for experiments.
 #pragma once
 #include <span>
 
@@ -13,7 +13,7 @@ struct RayPreset {
     ViewRay (*make)();
 };
 
-/// All presets; ids are unique.
+/// All presets. Their ids are unique.
 std::span<const RayPreset> ray_presets();
 
 }  // namespace momentscope

@@ -5,7 +5,7 @@
 
 namespace momentscope {
 
-/// Values of ParameterId::order; the seed is that of a shuffled one.
+/// A value of ParameterId::order and, for a shuffled order, its seed.
 struct SubmissionOrder {
     OrderKind kind = OrderKind::submitted;
     std::uint32_t seed = 1;
@@ -13,10 +13,10 @@ struct SubmissionOrder {
 };
 SubmissionOrder submission_order(const ParameterValues& values);
 
-/// The numbers 0 to count - 1 in that order.
+/// The numbers 0 to count - 1 in this order.
 std::vector<std::uint32_t> ordered_numbers(std::size_t count, OrderKind kind, RandomNumbers& random);
 
-/// The ray with its fragments, and those of its low-resolution sources, submitted in that order.
+/// The ray with its fragments in this order, and those of its low-resolution sources, too.
 ViewRay submitted_in(ViewRay ray, const SubmissionOrder& order);
 
 }  // namespace momentscope

@@ -11,7 +11,7 @@ namespace momentscope {
 
 namespace glsl::fragment {
 #include "shaders/shared/portable_math.glsl"
-// portable_math first: fragment.glsl builds on it
+// fragment.glsl needs portable_math.glsl before it.
 #include "shaders/shared/fragment.glsl"
 #include "shaders/shared/random_bits.glsl"
 }  // namespace glsl::fragment
@@ -74,8 +74,8 @@ double total_absorbance(const ViewRay& ray) {
 
 std::vector<double> true_absorbance(const ViewRay& ray, std::span<const float> depths) {
     const std::vector<std::size_t> order = front_to_back(ray);
-    std::vector<float> steps;    // depths of the fragments, ascending
-    std::vector<double> before;  // absorbance in front of each, and in the end the total
+    std::vector<float> steps;    // depths of the fragments, in ascending order
+    std::vector<double> before;  // absorbance in front of each; then the total
     double sum = 0;
     for (const std::size_t i : order) {
         steps.push_back(ray.fragments[i].depth);

@@ -1,11 +1,12 @@
-// bracketed_root.hpp -- a root that theory puts into a known interval, to the last digits a function allows.
+// bracketed_root.hpp -- finds a root in an interval known from theory, to the last digits that the function
+// allows.
 #pragma once
 #include <cmath>
 #include <limits>
 
 namespace momentscope::reference {
 
-/// A function's value and slope, and the size of the rounding errors in `value`.
+/// The value and the slope of a function, and the size of the rounding errors in `value`.
 template <class Real>
 struct Sample {
     Real value;
@@ -13,14 +14,14 @@ struct Sample {
     Real noise;
 };
 
-/// Root of `sample` in [low, high] by Newton steps, bisection where they leave the bracket or are slow.
-/// The sign at `high` is passed, not evaluated: interlacing tells it, even where rounding hides it because
-/// the root and an end of its bracket all but coincide. Then that end is returned.
+/// The root of `sample` in [low, high]. Takes Newton steps, and bisects if they leave the bracket or are
+/// slow. The sign at `high` is an argument because it follows from interlacing, while rounding may hide it:
+/// the root may nearly coincide with an end of its bracket. Then this end is returned.
 template <class Real, class Function>
 Real bracketed_root(const Function& sample, Real low, Real high, bool positive_at_high) {
     using std::abs;
     const int step_limit =
-        4 * std::numeric_limits<Real>::digits;  // bisection alone would need about a quarter
+        4 * std::numeric_limits<Real>::digits;  // bisection alone would need about a quarter of these
     Real x = (low + high) / Real(2);
     Real previous_step = high - low;
     for (int i = 0; i < step_limit; ++i) {
@@ -37,8 +38,8 @@ Real bracketed_root(const Function& sample, Real low, Real high, bool positive_a
     return x;
 }
 
-/// Root of `sample` beyond `edge`: in [edge, infinity) for direction = +1, in (-infinity, edge] for -1.
-/// Returns +-infinity if there is no sign change within 2^100 of `edge`: such a root has a weight below
+/// The root of `sample` beyond `edge`: in [edge, infinity) for direction = +1, in (-infinity, edge] for -1.
+/// Returns +-infinity if the sign does not change within 2^100 of `edge`: such a root has a weight below
 /// 1e-60.
 template <class Real, class Function>
 Real outer_root(const Function& sample, const Real& edge, int direction, bool positive_outside) {

@@ -1,4 +1,4 @@
-// circle_kernel.hpp -- the kernel polynomial of Algorithm 2 as a real function on the circle, seen from x0.
+// circle_kernel.hpp -- the kernel polynomial of Algorithm 2 as a real function of the angle from x0.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -12,11 +12,11 @@
 
 namespace momentscope::reference {
 
-// Offsets o in [0, 2 pi] from x0 are searched as `place` p in [0, 2], the length along the diamond |x| + |y|
-// = 1, y >= 0, of the point in the direction of o / 2. It grows with o and costs a square root instead of a
-// sine and a cosine.
+// An offset o in [0, 2 pi] from x0 is represented by its `place` p in [0, 2]. Take the half |x| + |y| = 1,
+// y >= 0, of a diamond, and its point in the direction of o / 2: p is the length along the diamond to this
+// point. It grows with o, and computing it takes a square root instead of a sine and a cosine.
 
-/// exp(i o / 2) of a place, and `scale` = d(o / 2) / dp.
+/// exp(i o / 2) for the offset o of a place. Sets `scale` to d(o / 2) / dp.
 template <class Real>
 Complex<Real> half_of_place(const Real& place, Real& scale) {
     using std::abs;
@@ -27,8 +27,8 @@ Complex<Real> half_of_place(const Real& place, Real& scale) {
     return on_diamond * Real(sqrt(scale));
 }
 
-/// The inverse: half = exp(i o / 2), or its negative where rounding or a product took it to the lower half
-/// plane.
+/// The place of the offset o with half = exp(i o / 2). half may also be the negative of this, if rounding or
+/// a product moved it to the lower half plane.
 template <class Real>
 Real place_of_half(const Complex<Real>& half) {
     using std::abs;
@@ -37,7 +37,7 @@ Real place_of_half(const Complex<Real>& half) {
     return x >= Real(0) ? y / (x + y) : Real(1) - x / (y - x);
 }
 
-/// The place of an offset. Rounding may take offset / 2 just out of [0, pi]; it is clamped there, not
+/// The place of an offset. Rounding may move offset / 2 slightly out of [0, pi]; it is then clamped, not
 /// wrapped.
 template <class Real>
 Real place_of_offset(const Real& offset) {
@@ -46,14 +46,14 @@ Real place_of_offset(const Real& offset) {
     return place_of_half(half);
 }
 
-/// K(x) = v(x0)^H G^-1 v(x) = sum conj(q_j) x^j at x = x0 exp(i o), times exp(-i degree o / 2). That is a
+/// K(x) = v(x0)^H G^-1 v(x) = sum conj(q_j) x^j at x = x0 exp(i o), times exp(-i degree o / 2). This is a
 /// real function of o, because G is Toeplitz, and it is 1 / w0 > 0 at o = 0. So terms j and degree - j are
-/// conjugate, and half of them are enough: `middle` and the real part of the sum of pair[i] exp(i o /
-/// 2)^(degree - 2 i).
+/// conjugate, and half of them are enough: the value is `middle` plus the real part of the sum of
+/// pair[i] exp(i o / 2)^(degree - 2 i).
 template <std::size_t M, class Real>
 struct CircleKernel {
     std::array<Complex<Real>, M / 2 + 1> pair{};
-    Real middle{};  // of an even degree
+    Real middle{};  // only for even degrees
     std::size_t degree = M;
     Real noise{};
     Real inverse_weight{};
@@ -76,8 +76,8 @@ struct CircleKernel {
     }
 };
 
-/// The kernel through x0 for the first `degree` moments. Without the conjugate (lost in the paper's text) the
-/// roots are those of another distribution, and weights come out negative.
+/// The kernel through x0 for the first `degree` moments. The text of the paper lost the conjugate of q_j.
+/// Without it, the roots are those of another distribution, and weights are negative.
 template <std::size_t M, class Real>
 CircleKernel<M, Real> circle_kernel(const TriangularFactor<Real, Complex<Real>, M + 1>& toeplitz,
                                     const Complex<Real>& x0, std::size_t degree) {

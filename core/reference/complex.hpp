@@ -1,6 +1,5 @@
-// complex.hpp -- the few complex operations the references need, for any Real.
-// std::complex is not used: it is unspecified for Boost numbers, and its product checks for NaN by a library
-// call.
+// complex.hpp -- the few complex operations that the references need, for any Real. std::complex is not used:
+// its behaviour is unspecified for Boost numbers, and its product calls a library function to check for NaN.
 #pragma once
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
@@ -40,7 +39,7 @@ Complex<Real> operator/(const Complex<Real>& a, const Real& divisor) {
     return {a.re / divisor, a.im / divisor};
 }
 
-// The same words for real and complex scalars, so that one factorisation serves Algorithms 1 and 2.
+// The same functions for real and complex scalars, so that one factorisation serves Algorithms 1 and 2.
 template <class Real>
 Complex<Real> conjugate(const Complex<Real>& a) {
     return {a.re, -a.im};

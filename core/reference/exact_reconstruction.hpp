@@ -1,9 +1,10 @@
-// exact_reconstruction.hpp -- independent references for moment-based transmittance (Muenstermann et al.
+// exact_reconstruction.hpp -- independent references for moment-based transmittance (Münstermann et al.
 // 2018). Reading order: point_masses (the truth and its moments), triangular_factor, bracketed_root,
-// power_reference (Algorithm 1), circle_kernel and trigonometric_reference (Algorithm 2). Nothing here is
-// shared with shaders/, nor is the method: the product roots a kernel expanded about the query in 1/s; these
-// bracket each root between the nodes that theory says it interlaces with, and match the moments for the
-// weights. Use long double in bulk, and boost::multiprecision::cpp_bin_float_50 to judge long double.
+// power_reference (Algorithm 1), circle_kernel and trigonometric_reference (Algorithm 2). They share neither
+// code nor methods with shaders/. The shaders find the roots of a kernel that is expanded about the query in
+// 1/s. The references bracket each root between nodes with which it interlaces, as theory proves, and get the
+// weights by moment matching. Use long double for many queries, and boost::multiprecision::cpp_bin_float_50
+// to check long double.
 #pragma once
 #include "core/reference/point_masses.hpp"
 #include "core/reference/power_reference.hpp"

@@ -1,4 +1,5 @@
-// point_masses.hpp -- the truth along a ray: a list of point masses, its step function and its moments.
+// point_masses.hpp -- the truth along a ray as a list of point masses, with its step function and its
+// moments.
 #pragma once
 #include <array>
 #include <cmath>
@@ -9,20 +10,22 @@
 
 namespace momentscope::reference {
 
-/// One fragment. depth: warped, in [-1, 1]. absorbance: -ln(1 - opacity) >= 0.
+/// One fragment. depth: warped, in [-1, 1]. absorbance: -ln(1 - opacity), >= 0.
 template <class Real>
 struct PointMass {
     Real depth;
     Real absorbance;
 };
 
-/// b_0..b_M of power moments (Sec. 4.1), or of trigonometric moments (Sec. 5.1; b_0 has no imaginary part).
+/// The moments b_0 to b_M: power moments (paper, Section 4.1) or trigonometric moments (paper, Section 5.1;
+/// b_0 has no imaginary part).
 template <std::size_t M, class Real>
 using PowerMoments = std::array<Real, M + 1>;
 template <std::size_t M, class Real>
 using TrigonometricMoments = std::array<Complex<Real>, M + 1>;
 
-/// A(z) of Sec. 3.1: the absorbance strictly in front of `depth`, so a fragment never occludes itself.
+/// A(z): the absorbance strictly in front of `depth` (paper, Section 3.1). A fragment does not occlude
+/// itself.
 template <class Real>
 Real absorbance_in_front(std::span<const PointMass<Real>> masses, const Real& depth) {
     Real sum(0);
@@ -31,7 +34,7 @@ Real absorbance_in_front(std::span<const PointMass<Real>> masses, const Real& de
     return sum;
 }
 
-/// T(z) = exp(-A(z)) of Eq. 1 and Sec. 3.1.
+/// T(z) = exp(-A(z)) (paper, Eq. 1 and Section 3.1).
 template <class Real>
 Real transmittance(std::span<const PointMass<Real>> masses, const Real& depth) {
     using std::exp;
@@ -39,7 +42,7 @@ Real transmittance(std::span<const PointMass<Real>> masses, const Real& depth) {
     return exp(-absorbance);
 }
 
-/// b_j = sum of absorbance * depth^j. Not normalised.
+/// Power moments: b_j = sum of absorbance * depth^j. Not normalised.
 template <std::size_t M, class Real>
 PowerMoments<M, Real> power_moments(std::span<const PointMass<Real>> masses) {
     PowerMoments<M, Real> moments{};
@@ -53,13 +56,14 @@ PowerMoments<M, Real> power_moments(std::span<const PointMass<Real>> masses) {
     return moments;
 }
 
-/// The angle of x(z) in Eq. 5, in [0, 2 pi - theta] for depth in [-1, 1]. Radians.
+/// The angle of x(z) (paper, Eq. 5) in radians, in [0, 2 pi - theta] for depths in [-1, 1].
 template <class Real>
 Real phase_of_depth(const Real& depth, const Real& theta) {
     return (depth + Real(1)) * (pi<Real>() - theta / Real(2));
 }
 
-/// b_j = sum of absorbance * x(depth)^j with Eq. 5. theta in [0, 2 pi). Not normalised.
+/// Trigonometric moments: b_j = sum of absorbance * x(depth)^j (paper, Eq. 5). theta in [0, 2 pi). Not
+/// normalised.
 template <std::size_t M, class Real>
 TrigonometricMoments<M, Real> trigonometric_moments(std::span<const PointMass<Real>> masses,
                                                     const Real& theta) {
@@ -75,7 +79,7 @@ TrigonometricMoments<M, Real> trigonometric_moments(std::span<const PointMass<Re
     return moments;
 }
 
-/// (1 - alpha) b / b_0 + alpha b* (supplementary, Sec. 1). Needs b_0 > 0; bias_moments[0] is 1.
+/// (1 - alpha) b / b_0 + alpha b* (supplementary, Section 1). Requires b_0 > 0. bias_moments[0] is 1.
 template <class Real, class Scalar, std::size_t Count>
 std::array<Scalar, Count> normalise_and_bias(const std::array<Scalar, Count>& moments,
                                              const std::array<Scalar, Count>& bias_moments,
@@ -86,7 +90,7 @@ std::array<Scalar, Count> normalise_and_bias(const std::array<Scalar, Count>& mo
     return biased;
 }
 
-/// The trigonometric b* = (1, 0, ..., 0): the uniform distribution on the circle.
+/// b* = (1, 0, ..., 0) for trigonometric moments: the uniform distribution on the circle.
 template <std::size_t M, class Real>
 TrigonometricMoments<M, Real> uniform_bias() {
     TrigonometricMoments<M, Real> bias{};

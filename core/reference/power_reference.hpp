@@ -1,6 +1,7 @@
 // power_reference.hpp -- Algorithm 1: sharp bounds of the absorbance from power moments, in any precision.
-// One Hankel factorisation a moment vector; each depth then costs a triangular solve, m/2 bracketed roots and
-// the weights by moment matching. It divides by no leading coefficient, so a root may sit at infinity.
+// Each moment vector takes one Hankel factorisation. Each depth then takes a triangular solve, m/2 bracketed
+// roots and the weights by moment matching. Nothing is divided by a leading coefficient, so a root may lie at
+// infinity.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -15,7 +16,7 @@
 
 namespace momentscope::reference {
 
-/// What does not depend on the depth: the moments, the factor of their Hankel matrix, and the Gauss nodes.
+/// What does not depend on depth: the moments, the factor of their Hankel matrix, and the Gauss nodes.
 template <std::size_t M, class Real>
 struct PowerFactor {
     static_assert(M >= 2 && M % 2 == 0, "Algorithm 1 needs an even number of moments");
@@ -26,17 +27,18 @@ struct PowerFactor {
 };
 
 /// Bounds of the fraction of the absorbance in front of depth[0] = z0, and the distribution that attains
-/// them. depth[1..] ascend; one of them may be +-infinity, with weight 0.
+/// them. depth[1], depth[2], ... ascend. One of them may be +-infinity, with weight 0.
 template <std::size_t M, class Real>
 struct PowerBounds {
     Real lower{};  // sum of the weights in front of z0
     Real upper{};  // lower + w0
     Real w0{};     // 1 / (v^T H^-1 v)
     std::array<Real, M / 2 + 1> depth{};
-    std::array<Real, M / 2 + 1> weight{};  // weight[0] equals w0 up to rounding, but by moment matching
+    std::array<Real, M / 2 + 1> weight{};  // by moment matching; weight[0] equals w0 up to rounding
 };
 
-/// Horner's scheme for a polynomial of the given degree with its slope and the error of its value.
+/// Horner's scheme for a polynomial of the given degree. Returns the value, the slope and the error of the
+/// value.
 template <class Real, std::size_t Count>
 Sample<Real> sample_polynomial(const std::array<Real, Count>& coefficient, std::size_t degree,
                                const Real& z) {
@@ -52,7 +54,7 @@ Sample<Real> sample_polynomial(const std::array<Real, Count>& coefficient, std::
     return at;
 }
 
-/// Zeros of the orthogonal polynomial p_N. Those of p_k and p_{k+1} interlace, which brackets every one of
+/// The zeros of the orthogonal polynomial p_N. Those of p_k and p_{k+1} interlace, which brackets each of
 /// them.
 template <class Real, std::size_t Size>
 std::array<Real, Size - 1> gauss_nodes(const TriangularFactor<Real, Real, Size>& hankel) {
@@ -74,7 +76,7 @@ std::array<Real, Size - 1> gauss_nodes(const TriangularFactor<Real, Real, Size>&
     return node;
 }
 
-/// Prepares normalised, biased moments b_0..b_M (b_0 = 1) for queries; nothing if the Hankel matrix is not
+/// Prepares normalised, biased moments b_0 to b_M (b_0 = 1) for queries. nullopt if the Hankel matrix is not
 /// positive definite to working precision.
 template <std::size_t M, class Real>
 std::optional<PowerFactor<M, Real>> factor_power(const PowerMoments<M, Real>& moments) {
@@ -87,9 +89,9 @@ std::optional<PowerFactor<M, Real>> factor_power(const PowerMoments<M, Real>& mo
     return PowerFactor<M, Real>{moments, *factor, gauss_nodes(*factor)};
 }
 
-/// E[prod_{j != l} (z - z_j) / (z_l - z_j)]: the weight node l must have so that the moments match. This is
-/// row l of the inverse Vandermonde matrix of Algorithm 1 applied to b. For z_j = +-infinity the factor tends
-/// to 1.
+/// E[prod_{j != l} (z - z_j) / (z_l - z_j)]: the weight that node l must have so that the moments match. This
+/// is row l of the inverse Vandermonde matrix of Algorithm 1, applied to b. For z_j = +-infinity the factor
+/// of j tends to 1.
 template <std::size_t M, class Real>
 Real matched_weight(const PowerMoments<M, Real>& moments, const std::array<Real, M / 2 + 1>& node,
                     std::size_t l) {
@@ -111,9 +113,9 @@ Real matched_weight(const PowerMoments<M, Real>& moments, const std::array<Real,
     return sum;
 }
 
-/// The N roots of q. The Gauss nodes cut the line into N + 1 intervals, z0 lies in interval `home`, and each
-/// other interval holds one root. q(z0) = 1 / w0 > 0 and one change of sign a root give the sign at every
-/// node.
+/// The N roots of q. The Gauss nodes divide the line into N + 1 intervals. z0 lies in the interval `home`,
+/// and each other interval holds one root. The sign of q at every Gauss node follows from q(z0) = 1 / w0 > 0,
+/// because it changes once at every root.
 template <std::size_t M, class Real>
 void find_power_support(const PowerFactor<M, Real>& factor, const std::array<Real, M / 2 + 1>& q,
                         std::size_t home, std::array<Real, M / 2 + 1>& depth) {
@@ -124,7 +126,7 @@ void find_power_support(const PowerFactor<M, Real>& factor, const std::array<Rea
         if (interval == home) continue;
         const bool behind = interval > home;
         const std::size_t changes =
-            behind ? interval - home : home - interval - 1;  // between z0 and the high end
+            behind ? interval - home : home - interval - 1;  // of sign, between z0 and the high end
         const bool positive_at_high = changes % 2 == 0;
         const Real low = factor.gauss_node[interval > 0 ? interval - 1 : 0];
         const Real high = factor.gauss_node[std::min(interval, N - 1)];
@@ -137,8 +139,8 @@ void find_power_support(const PowerFactor<M, Real>& factor, const std::array<Rea
     }
 }
 
-/// Algorithm 1 (Sec. 4.1) for beta = 0 and beta = 1 at once. Results are in [0, 1] up to rounding, and not
-/// clamped.
+/// Algorithm 1 (paper, Section 4.1) for beta = 0 and for beta = 1. Results are in [0, 1] up to rounding. They
+/// are not clamped.
 template <std::size_t M, class Real>
 PowerBounds<M, Real> power_bounds(const PowerFactor<M, Real>& factor, const Real& z0) {
     constexpr std::size_t N = M / 2;
@@ -156,12 +158,12 @@ PowerBounds<M, Real> power_bounds(const PowerFactor<M, Real>& factor, const Real
     for (std::size_t l = 0; l <= N; ++l)
         bounds.weight[l] = matched_weight<M, Real>(factor.moments, bounds.depth, l);
     for (std::size_t l = 1; l <= home; ++l)
-        bounds.lower += bounds.weight[l];  // `home` roots are in front of z0
+        bounds.lower += bounds.weight[l];  // `home` roots lie in front of z0
     bounds.upper = bounds.lower + bounds.w0;
     return bounds;
 }
 
-/// The same for one depth only.
+/// The same for a single depth. nullopt if factor_power returns nullopt.
 template <std::size_t M, class Real>
 std::optional<PowerBounds<M, Real>> power_bounds(const PowerMoments<M, Real>& moments, const Real& z0) {
     const auto factor = factor_power<M, Real>(moments);

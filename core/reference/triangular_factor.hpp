@@ -1,4 +1,4 @@
-// triangular_factor.hpp -- inverse of a Hermitian positive definite moment matrix as L^-H D^-1 L^-1.
+// triangular_factor.hpp -- the inverse of a Hermitian positive definite moment matrix as L^-H D^-1 L^-1.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -12,18 +12,18 @@ namespace momentscope::reference {
 template <class Scalar, std::size_t Size>
 using SquareMatrix = std::array<std::array<Scalar, Size>, Size>;
 
-/// G = L D L^H with `inverse` = L^-1 (unit lower triangular) and `pivot` = diag(D) > 0.
-/// Row k of `inverse` holds the coefficients of the k-th monic orthogonal polynomial, pivot[k] its squared
-/// norm.
+/// The factor of G = L D L^H. `inverse` is L^-1, which is unit lower triangular. `pivot` is the diagonal of
+/// D, whose entries are positive. Row k of `inverse` holds the coefficients of the k-th monic orthogonal
+/// polynomial; pivot[k] is its squared norm.
 template <class Real, class Scalar, std::size_t Size>
 struct TriangularFactor {
     SquareMatrix<Scalar, Size> inverse{};
     std::array<Real, Size> pivot{};
 };
 
-/// L of G = L D L^H below its unit diagonal, and D. False if a pivot is not positive to working precision:
-/// the errors of pivot k are of the order epsilon G_kk, so less than a few of them says nothing about its
-/// sign.
+/// Computes L of G = L D L^H below its unit diagonal, and D. False if a pivot is not positive to working
+/// precision. The error of pivot k is about epsilon G_kk, so a value below a few times this does not even
+/// tell its sign.
 template <class Real, class Scalar, std::size_t Size>
 bool decompose(const SquareMatrix<Scalar, Size>& matrix, SquareMatrix<Scalar, Size>& lower,
                std::array<Real, Size>& pivot) {
@@ -38,12 +38,12 @@ bool decompose(const SquareMatrix<Scalar, Size>& matrix, SquareMatrix<Scalar, Si
             rest -= squared_modulus(lower[row][column]) * pivot[column];
         }
         pivot[row] = rest;
-        if (!(rest > floor * real_part(matrix[row][row]))) return false;  // also refuses NaN
+        if (!(rest > floor * real_part(matrix[row][row]))) return false;  // also false for NaN
     }
     return true;
 }
 
-/// The factor of a Hermitian matrix, or nothing if it is not positive definite to working precision.
+/// The factor of a Hermitian matrix. nullopt if the matrix is not positive definite to working precision.
 template <class Real, class Scalar, std::size_t Size>
 std::optional<TriangularFactor<Real, Scalar, Size>> triangular_factor(
     const SquareMatrix<Scalar, Size>& matrix) {
@@ -60,15 +60,15 @@ std::optional<TriangularFactor<Real, Scalar, Size>> triangular_factor(
     return factor;
 }
 
-/// q of G q = v, for the leading (degree + 1) rows and columns only, and `inverse_weight` = v^H G^-1 v = 1 /
-/// w0.
+/// The solution q of G q = v for the leading (degree + 1) rows and columns, and
+/// `inverse_weight` = v^H G^-1 v = 1 / w0.
 template <class Real, class Scalar, std::size_t Size>
 struct KernelSolution {
     std::array<Scalar, Size> q{};
     Real inverse_weight = Real(0);
 };
 
-/// Solves G q = v by the factor: the linear system of Algorithms 1 and 2. degree < Size.
+/// Solves G q = v, the linear system of Algorithms 1 and 2, with the factor of G. degree < Size.
 template <class Real, class Scalar, std::size_t Size>
 KernelSolution<Real, Scalar, Size> solve(const TriangularFactor<Real, Scalar, Size>& factor,
                                          const std::array<Scalar, Size>& v, std::size_t degree) {

@@ -1,6 +1,6 @@
-// trigonometric_reference.hpp -- Algorithm 2 with the wrapping zone of Eq. 6, in any precision.
-// One Toeplitz factorisation a moment vector; each depth then costs a triangular solve, m bracketed roots of
-// a real function of the angle, and the weights by moment matching.
+// trigonometric_reference.hpp -- Algorithm 2 with the wrapping zone (paper, Eq. 6), in any precision. Each
+// moment vector takes one Toeplitz factorisation. Each depth then takes a triangular solve, m bracketed roots
+// of a real function of the angle, and the weights by moment matching.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -15,9 +15,9 @@
 
 namespace momentscope::reference {
 
-/// What does not depend on the depth. reference_half: exp(i angle / 2) for the support of the canonical
-/// distribution through one arbitrary fixed angle. The support through any other angle interlaces with it,
-/// which brackets its roots.
+/// What does not depend on depth. reference_half: exp(i angle / 2) for the nodes of the canonical
+/// representation through one arbitrary fixed angle. The nodes through any other angle interlace with these,
+/// which brackets them.
 template <std::size_t M, class Real>
 struct TrigonometricFactor {
     static_assert(M >= 1, "Algorithm 2 needs at least one moment");
@@ -26,25 +26,25 @@ struct TrigonometricFactor {
     std::array<Complex<Real>, M + 1> reference_half{};
 };
 
-/// Results of Algorithm 2 as fractions of the absorbance, not clamped, and NOT bounds (Sec. 5.1).
-/// node[0] = x0; the others follow in the order of growing angle, starting from x0.
+/// Results of Algorithm 2 as fractions of the absorbance, not clamped. These are NOT bounds (paper, Section
+/// 5.1). node[0] = x0. The others follow in the order of growing angle, starting from x0.
 template <std::size_t M, class Real>
 struct TrigonometricValues {
     Real beta0{};
     Real beta1{};  // beta0 + w0
     Real w0{};     // 1 / (v^H G^-1 v)
     std::array<Complex<Real>, M + 1> node{};
-    std::array<Real, M + 1> weight{};  // weight[0] equals w0 up to rounding, but by moment matching
+    std::array<Real, M + 1> weight{};  // by moment matching; weight[0] equals w0 up to rounding
 };
 
-/// The support through a fixed angle, as half angles. Roots of the kernels of degree k and k + 1 interlace
-/// within (0, 2 pi): the phase of the Blaschke product of k + 1 is that of k, moved forward by less than one
-/// turn.
+/// The nodes through a fixed angle, as half angles. The roots of the kernels of degree k and k + 1 interlace
+/// within (0, 2 pi): the phase of the Blaschke product of degree k + 1 is that of degree k, moved forward by
+/// less than one turn.
 template <std::size_t M, class Real>
 std::array<Complex<Real>, M + 1> reference_support(
     const TriangularFactor<Real, Complex<Real>, M + 1>& toeplitz) {
-    const Complex<Real> start = unit<Real>(Real(1) / Real(2));  // any angle but 0, where queries are frequent
-    std::array<Real, M + 2> end{};                              // places: x0 itself, the roots so far, 2
+    const Complex<Real> start = unit<Real>(Real(1) / Real(2));  // any but 0, where queries are frequent
+    std::array<Real, M + 2> end{};                              // places: x0, the roots so far, 2
     end[1] = Real(2);
     for (std::size_t degree = 1; degree <= M; ++degree) {
         const CircleKernel<M, Real> kernel = circle_kernel<M, Real>(toeplitz, start * start, degree);
@@ -59,7 +59,7 @@ std::array<Complex<Real>, M + 1> reference_support(
     return half;
 }
 
-/// Prepares normalised, biased moments b_0..b_M (b_0 = 1) for queries; nothing if the Toeplitz matrix
+/// Prepares normalised, biased moments b_0 to b_M (b_0 = 1) for queries. nullopt if the Toeplitz matrix
 /// G_ij = b_{i-j} = E[x^i conj(x^j)] is not positive definite to working precision.
 template <std::size_t M, class Real>
 std::optional<TrigonometricFactor<M, Real>> factor_trigonometric(
@@ -73,8 +73,8 @@ std::optional<TrigonometricFactor<M, Real>> factor_trigonometric(
     return TrigonometricFactor<M, Real>{moments, *factor, reference_support<M, Real>(*factor)};
 }
 
-/// Places of the M roots of the kernel, relative to x0 = half0^2: one in each of the M arcs between
-/// neighbours of the reference support that does not hold x0 itself. place[0] = 0 is x0.
+/// Places of the M roots of the kernel, relative to x0 = half0^2. The nodes of reference_half divide the
+/// circle into arcs. One arc holds x0, and each of the M others holds one root. place[0] = 0 is x0.
 template <std::size_t M, class Real>
 std::array<Real, M + 1> trigonometric_places(const TrigonometricFactor<M, Real>& factor,
                                              const CircleKernel<M, Real>& kernel,
@@ -87,8 +87,8 @@ std::array<Real, M + 1> trigonometric_places(const TrigonometricFactor<M, Real>&
     return place;
 }
 
-/// E[prod_{j != l} (x - x_j) / (x_l - x_j)]: row l of the inverse Vandermonde matrix of Algorithm 2 applied
-/// to b.
+/// E[prod_{j != l} (x - x_j) / (x_l - x_j)], the weight of node l: row l of the inverse Vandermonde matrix of
+/// Algorithm 2, applied to b.
 template <std::size_t M, class Real>
 Real matched_weight(const TrigonometricMoments<M, Real>& moments,
                     const std::array<Complex<Real>, M + 1>& node, std::size_t l) {
@@ -108,8 +108,8 @@ Real matched_weight(const TrigonometricMoments<M, Real>& moments,
     return sum;
 }
 
-/// psi of Sec. 5.2 on the unit circle, in [-1, 7): grows with the angle in [0, 2 pi), without inverse
-/// functions.
+/// psi on the unit circle (paper, Section 5.2), in [-1, 7). It grows with the angle in [0, 2 pi), without
+/// inverse functions.
 template <class Real>
 Real psi(const Complex<Real>& x) {
     using std::abs;
@@ -119,12 +119,12 @@ Real psi(const Complex<Real>& x) {
     return r;
 }
 
-/// v(x_l, x0) of Eq. 6. psi grows with the angle, so its comparisons are made on places, where rounding
-/// cannot confuse neighbours; only the ramp needs psi. theta <= 0: no ramp (Eq. 4).
+/// v(x_l, x0) of Eq. 6. psi grows with the angle, so comparisons of psi are made with places, where rounding
+/// cannot confuse neighbours. Only the ramp needs psi. theta <= 0: no ramp (Eq. 4).
 template <class Real>
 struct FrontFraction {
-    Real wrap;          // place of angle 2 pi: from here on roots have wrapped around, and are in front of x0
-    Real zone;          // place of x(1), where the wrapping zone starts
+    Real wrap;          // place of angle 2 pi; roots beyond it have wrapped around, in front of x0
+    Real zone;          // place of x(1), the start of the wrapping zone
     Real psi_of_far{};  // psi(x(1))
 
     FrontFraction(const Real& phase0, const Real& theta)
@@ -138,13 +138,13 @@ struct FrontFraction {
         if (place >= wrap) return Real(1);
         if (place <= zone) return Real(0);
         const Real order = psi(x);
-        if (order < Real(1)) return Real(1);  // at 2 pi, rounded beyond it: within the zone psi is at least 3
+        if (order < Real(1)) return Real(1);  // rounded beyond 2 pi; within the zone psi is at least 3
         return std::clamp(Real((order - psi_of_far) / (Real(7) - psi_of_far)), Real(0), Real(1));
     }
 };
 
-/// Algorithm 2 for beta = 0 and beta = 1 at once. theta in [0, 2 pi): the wrapping zone's angle, the same as
-/// the moments were made with.
+/// Algorithm 2 for beta = 0 and for beta = 1. theta in [0, 2 pi): the angle of the wrapping zone, the same as
+/// for the moments.
 template <std::size_t M, class Real>
 TrigonometricValues<M, Real> trigonometric_values(const TrigonometricFactor<M, Real>& factor, const Real& z0,
                                                   const Real& theta) {
@@ -168,7 +168,7 @@ TrigonometricValues<M, Real> trigonometric_values(const TrigonometricFactor<M, R
     return values;
 }
 
-/// The same for one depth only.
+/// The same for a single depth. nullopt if factor_trigonometric returns nullopt.
 template <std::size_t M, class Real>
 std::optional<TrigonometricValues<M, Real>> trigonometric_values(const TrigonometricMoments<M, Real>& moments,
                                                                  const Real& z0, const Real& theta) {

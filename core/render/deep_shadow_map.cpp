@@ -1,4 +1,4 @@
-// deep_shadow_map.cpp -- the light's map with all fragments of every texel: the ground truth of the others.
+// deep_shadow_map.cpp -- the map of the light with all fragments of every texel: the ground truth of shadows.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace momentscope {
 
-// Lists of the steps of T, sorted by the CPU: a ground truth, not a fast one.
+// Makes a list of the steps of T for each texel. The CPU sorts them; this is a ground truth and not fast.
 void ShadowMaps::draw_deep(const SceneBuffers& scene) {
     const int size = settings_->size;
     std::vector<glm::uvec2> lists(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
@@ -52,7 +52,7 @@ void ShadowMaps::draw_deep(const SceneBuffers& scene) {
     GLuint name = 0;
     glCreateBuffers(1, &name);
     deep_.steps = GlBuffer(name);
-    if (steps.empty()) steps.emplace_back(0.0f, 1.0f);  // GL refuses empty storage
+    if (steps.empty()) steps.emplace_back(0.0f, 1.0f);  // GL does not accept empty storage
     glNamedBufferStorage(deep_.steps, static_cast<GLsizeiptr>(steps.size() * sizeof(glm::vec2)), steps.data(),
                          0);
 }

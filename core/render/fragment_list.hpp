@@ -18,26 +18,28 @@ struct FragmentNode {
     std::uint32_t draw;
     std::uint32_t primitive;
     std::uint32_t next;
-    std::uint32_t pixel;  // x + 65536 y, in GL pixels
+    std::uint32_t pixel;  // x + 65536 y, counted from the lower left
     float threshold;
 };
 static_assert(sizeof(FragmentNode) == 48);
 
-constexpr std::size_t PIXEL_LIST_CAPACITY = 65'536;  // of a captured region
+constexpr std::size_t PIXEL_LIST_CAPACITY = 65'536;  // fragments in a captured region
 
-/// By draw call and triangle, which is not the order in which nodes were appended.
+/// The nodes, sorted by draw call and triangle. The append order is nondeterministic.
 std::vector<FragmentNode> in_submission_order(std::vector<FragmentNode> nodes);
 
+/// The fragment that a node holds, with its random seed.
 Fragment fragment_of(const FragmentNode& node, const SceneBuffers& scene);
 
 /// A bounded list of fragments on the GPU, with one list head per pixel.
 class FragmentList {
 public:
-    /// capacity: how many fragments fit; cut to what this GL allows in one buffer.
+    /// capacity: the number of fragments that fit, limited to what this GL allows in one buffer. depth: the
+    /// texture that fragments are tested against.
     FragmentList(glm::ivec2 size, std::size_t capacity, GLuint depth);
 
-    /// Captures the rows [y, y + height) from column x to x + width, in GL pixels, with `program`
-    /// (capture.frag). Returns how many fragments there are; only the first capacity() of them are stored.
+    /// Captures the fragments of a rectangle, in GL pixels, with `program` (capture.frag). Returns how many
+    /// fragments there are; only the first capacity() of them are stored.
     std::size_t capture(const PassInput& input, GLuint program, glm::ivec2 corner, glm::ivec2 extent);
 
     void bind() const;
@@ -48,7 +50,7 @@ private:
     std::size_t capacity_;
     GlTexture heads_;
     GlBuffer nodes_;
-    GlFramebuffer target_;  // tests depth, draws no colour
+    GlFramebuffer target_;  // depth test only, no colours
 };
 
 }  // namespace momentscope

@@ -1,4 +1,4 @@
-// geometry_pass.hpp -- the transparent surfaces in front of the opaque ones, drawn once.
+// geometry_pass.hpp -- draws the transparent surfaces in front of the opaque ones once.
 #pragma once
 #include "core/gl/gl_info.hpp"
 #include "core/gl/program.hpp"
@@ -6,25 +6,26 @@
 
 namespace momentscope {
 
-/// What becomes of a fragment's outputs: they take the place of what is there, are added to it, or put over
-/// it.
+/// How the output of a fragment is written: it replaces the stored value, is added to it, or is composited
+/// over it.
 enum class Blending { none, add, over };
 
-/// Draws with the program in use into `target`, whose depth is tested and not written. Leaves blending and
-/// depth test off.
+/// Draws into `target` with the program in use. Depth is tested, but not written. Afterwards blending and
+/// depth test are off.
 void draw_transparent(const SceneBuffers& scene, GLuint target, Blending blending);
 
-/// The same, but of all fragments of a pixel that with the least depth stays, and of such the latest; writes
-/// depth.
+/// Like draw_transparent, but keeps only the fragment with the least depth in each pixel; if several have it,
+/// the latest. Writes depth.
 void draw_nearest(const SceneBuffers& scene, GLuint target);
 
-/// Zeros in the first `color_count` colours of a framebuffer.
+/// Sets the first `color_count` colours of a framebuffer to 0.
 void clear_colors(GLuint target, int color_count);
 
-/// What draws next may put back what it found, which must then still exist.
+/// Unbinds program and framebuffer. Code that draws next may restore what it found bound, so this must not be
+/// something that was deleted.
 void leave_nothing_bound();
 
-/// Tells a shader by which access it reads and writes in order; by none it is blended.
+/// Defines the macro for the access by which a shader reads and writes in order; with none, it blends.
 void define_access(ShaderVariant& variant, OrderedAccess access);
 
 }  // namespace momentscope

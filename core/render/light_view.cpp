@@ -8,7 +8,7 @@ namespace momentscope {
 
 namespace {
 
-// The fragment with which a pixel is covered by half.
+// The fragment from front to back at which the transmittance falls to one half or less.
 std::optional<std::size_t> half_covering(const ViewRay& ray) {
     float transmittance = 1;
     for (const std::size_t i : front_to_back(ray)) {

@@ -8,7 +8,7 @@ namespace momentscope {
 
 namespace {
 
-constexpr int SET_TEXELS = 2;  // of each of two sets of moments
+constexpr int SET_TEXELS = 2;  // for each of the two sets of moments
 constexpr int TEXELS = 2 * SET_TEXELS;
 
 }  // namespace
@@ -53,7 +53,7 @@ void LowResolutionPasses::draw_low_depth(const PassInput& input) {
 
 void LowResolutionPasses::draw_set(const PassInput& input, bool second) {
     ShaderVariant variant = state_building_variant(technique_, settings_, OrderedAccess::none);
-    variant.defines.erase("LOW_RESOLUTION");  // what is read stands where it is written
+    variant.defines.erase("LOW_RESOLUTION");  // while states are built, they are read at their own pixel
     variant.defines["FIRST_TEXEL"] = second ? std::to_string(SET_TEXELS) : "0";
     variant.defines["WRITTEN_TEXELS"] = std::to_string(SET_TEXELS);
     if (second) {

@@ -1,5 +1,5 @@
-// low_resolution_passes.hpp -- states that are built at the picture's resolution or a lower one, twice if
-// wanted, and converted before they are read (Sharpe 2018, Section 4).
+// low_resolution_passes.hpp -- builds states at the resolution of the picture or a lower one, twice if there
+// are two sets of moments, and converts them before they are read (Sharpe 2018, Section 4).
 #pragma once
 #include "core/render/state_passes.hpp"
 
@@ -20,7 +20,7 @@ private:
 
     GLuint full_depth_;
     glm::ivec2 low_size_{0};
-    GlTexture low_depth_;  // none at the picture's resolution
+    GlTexture low_depth_;  // none at the resolution of the picture
     std::vector<GlTexture> sums_, converted_;
     GlFramebuffer depth_target_, first_target_, second_target_, converted_target_;
 };

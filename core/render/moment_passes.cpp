@@ -64,7 +64,7 @@ MomentPasses::MomentPasses(const Technique& technique, glm::ivec2 size, GLuint d
     moments_1_to_4_ = make_texture(formats.four_moments, size);
     if (floats > 4)
         moments_5_to_8_ = make_texture(floats > 6 ? formats.four_moments : formats.two_moments, size);
-    weighted_color_ = make_texture(GL_RGBA16F, size);  // half floats, as in the paper's evaluation
+    weighted_color_ = make_texture(GL_RGBA16F, size);  // half floats, as in the evaluation of the paper
     const GLuint targets[] = {total_absorbance_, moments_1_to_4_, moments_5_to_8_};
     moment_target_ = make_framebuffer(targets, floats > 4 ? 3 : 2, depth);
     depth_target_ = make_framebuffer({}, depth);
@@ -103,7 +103,7 @@ void MomentPasses::make_factors() {
     factor_target_ = make_framebuffer(targets.data(), static_cast<int>(targets.size()), 0);
 }
 
-// Neither beta nor theta changes them.
+// Factors depend on alpha, but not on beta or theta.
 void MomentPasses::draw_factors(const PassInput& input) {
     if (factored_bias_ == input.parameters.alpha) return;
     if (factors_.empty()) make_factors();
@@ -135,7 +135,7 @@ bool MomentPasses::draw_failures(const PassInput& input) {
     GLint target = 0;
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
     ResolvedParameters parameters = input.parameters;
-    parameters.factored_once = false;  // stored factors forget which pivots were raised
+    parameters.factored_once = false;  // stored factors do not say which pivots were raised
     glUseProgram(input.programs.get(SCENE, FAILURES, reconstruction_variant(technique_, parameters)));
     bind_stored();
     draw_transparent(input.scene, static_cast<GLuint>(target), Blending::add);

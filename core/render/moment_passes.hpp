@@ -1,22 +1,22 @@
-// moment_passes.hpp -- moment-based transparency: the paper's two geometry passes and its composite.
+// moment_passes.hpp -- moment-based transparency: the two geometry passes and the composite of the paper.
 #pragma once
 #include "core/gl/program.hpp"
 #include "core/render/transparency.hpp"
 
 namespace momentscope {
 
-/// The shader variant that knows a moment-based technique.
+/// The shader variant of a technique with moments.
 ShaderVariant moment_variant(const Technique& technique);
 
-/// The one that reconstructs with the parameters' solver, from moments or from factors.
+/// The variant that reconstructs, with the solver of the parameters, from moments or from factors.
 ShaderVariant reconstruction_variant(const Technique& technique, const ResolvedParameters& parameters);
 
-/// The one that adds up moments: by blending, or in order with an access that is not none.
+/// The variant that sums moments: by blending, or in order by an access other than none.
 ShaderVariant accumulation_variant(const Technique& technique, bool ordered, OrderedAccess access);
 
 class MomentPasses : public Transparency {
 public:
-    /// Throws Error when the technique needs ordered access and there is none.
+    /// Throws Error if the technique needs ordered access and there is none.
     MomentPasses(const Technique& technique, glm::ivec2 size, GLuint depth, OrderedAccess access);
     void draw_moments(const PassInput& input) override;
     void draw_color(const PassInput& input) override;
@@ -35,10 +35,10 @@ private:
     OrderedAccess access_;
     GlTexture total_absorbance_, moments_1_to_4_, moments_5_to_8_, weighted_color_;
     GlFramebuffer moment_target_, depth_target_, color_target_;
-    std::vector<GlTexture> factors_;  // made when they are first needed
+    std::vector<GlTexture> factors_;  // made at first use
     GlFramebuffer factor_target_;
     glm::ivec2 size_;
-    std::optional<float> factored_bias_;  // of what factors_ hold; nothing when moments are newer
+    std::optional<float> factored_bias_;  // alpha of factors_; nullopt if the moments are newer
 };
 
 }  // namespace momentscope

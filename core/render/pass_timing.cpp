@@ -19,7 +19,7 @@ PassTimer::PassTimer(PassTiming timing, GLuint query) : timing_(timing), query_(
     }
 }
 
-// After a failure the query must end all the same, or the next picture could not begin one.
+// The query must also end after a failure; otherwise the next picture could not begin one.
 PassTimer::~PassTimer() {
     if (running_ && timing_ == PassTiming::queries) glEndQuery(GL_TIME_ELAPSED);
 }

@@ -1,4 +1,4 @@
-// pass_timing.hpp -- how long the GL takes for what it is told to draw.
+// pass_timing.hpp -- measures how long the GL takes to draw.
 #pragma once
 #include <chrono>
 
@@ -7,26 +7,26 @@
 
 namespace momentscope {
 
-/// By the GL's own timer queries, or by a clock, waiting for the GL before and after.
+/// By timer queries of the GL, or by a clock, after waiting for the GL before and after drawing.
 enum class PassTiming { queries, finish };
 
-/// The one that tells the truth. Rasterisers on the CPU answer queries with the time in which they fill
-/// pixels and leave out what they do with vertices before (docs/benchmarking.md).
+/// The kind of timing that is right on this GL. Rasterisers on the CPU answer a query with the time in which
+/// they fill pixels, and leave out the time for vertices before that (docs/benchmarking.md).
 PassTiming reliable_timing(const GlInfo& gl);
 
 /// "GL timer queries" or "from glFinish to glFinish".
 const char* timing_text(PassTiming timing);
 
-/// Takes the time from its construction on. Only one may live at a time.
+/// Measures the time from its construction. Only one may exist at a time.
 class PassTimer {
 public:
-    /// query: of GL_TIME_ELAPSED.
+    /// query: a query object for GL_TIME_ELAPSED.
     PassTimer(PassTiming timing, GLuint query);
     ~PassTimer();
     PassTimer(const PassTimer&) = delete;
     PassTimer& operator=(const PassTimer&) = delete;
 
-    /// Ends it, waiting for the GL. Call once.
+    /// Waits for the GL, ends the measurement and returns its time. Call it once.
     double milliseconds();
 
 private:

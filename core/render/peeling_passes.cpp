@@ -9,8 +9,8 @@ namespace momentscope {
 
 namespace {
 
-// Ends the loop on a GL that stores depth with fewer digits than it compares: there a layer would come again
-// for ever.
+// Ends the loop on a GL that stores depth with fewer digits than it compares. There the same layer would come
+// again for ever.
 constexpr int MAX_LAYERS = 4096;
 
 }  // namespace
@@ -32,7 +32,7 @@ bool PeelingPasses::draw_layer(const PassInput& input, int layer) {
     const int now = layer % 2;
     const float zero[4] = {0, 0, 0, 0};
     if (layer == 0)
-        glClearNamedFramebufferfv(layer_targets_[1], GL_DEPTH, 0, zero);  // nothing lies before it
+        glClearNamedFramebufferfv(layer_targets_[1], GL_DEPTH, 0, zero);  // nothing lies before the first
     glCopyImageSubData(input.depth, GL_TEXTURE_2D, 0, 0, 0, 0, depths_[now], GL_TEXTURE_2D, 0, 0, 0, 0,
                        input.size.x, input.size.y, 1);
     glClearNamedFramebufferfv(layer_targets_[now], GL_COLOR, 0, zero);
@@ -49,7 +49,7 @@ bool PeelingPasses::draw_layer(const PassInput& input, int layer) {
     return any != 0;
 }
 
-// sum += T layer, T *= 1 - opacity, with T in the target's alpha.
+// sum += T layer and T *= 1 - opacity, where T is the alpha channel of the target.
 void PeelingPasses::add_layer(const PassInput& input) {
     glBindFramebuffer(GL_FRAMEBUFFER, sum_target_);
     glEnable(GL_BLEND);

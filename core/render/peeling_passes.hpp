@@ -10,16 +10,16 @@ public:
     PeelingPasses(glm::ivec2 size, GLuint depth);
     void draw_moments(const PassInput&) override {}
 
-    /// Peels layer after layer until one is empty everywhere. Each lies strictly behind the one before, so
-    /// there are at most as many as a pixel has fragments.
+    /// Peels one layer after another until one is empty everywhere. Each layer lies strictly behind the
+    /// previous one, so there are at most as many as a pixel has fragments.
     void draw_color(const PassInput& input) override;
     void draw_composite(const PassInput& input) override;
 
 private:
-    bool draw_layer(const PassInput& input, int layer);  // false when it is empty
+    bool draw_layer(const PassInput& input, int layer);  // false if the layer is empty
     void add_layer(const PassInput& input);
 
-    GlTexture depths_[2];  // of this layer and of the one before, in turn
+    GlTexture depths_[2];  // of this layer and of the previous one, in turn
     GlTexture layer_, sum_;
     GlFramebuffer layer_targets_[2], sum_target_;
     GlQuery any_fragment_;

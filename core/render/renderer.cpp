@@ -50,7 +50,7 @@ Renderer::Renderer(OrderedAccess access, std::shared_ptr<ProgramCache> programs)
 Renderer::~Renderer() = default;
 
 void Renderer::set_scene(const Scene& scene) {
-    buffers_ = std::make_unique<SceneBuffers>(scene);  // may fail; the last scene stays then
+    buffers_ = std::make_unique<SceneBuffers>(scene);  // may fail; then the last scene stays
     bounds_ = transparent_bounds(scene);
     casters_ = caster_bounds(scene);
     light_ = scene.light;
@@ -63,14 +63,14 @@ void Renderer::render(const View& view) {
     const Stage stage = first_stale_stage(view_, view);
     if (stage == Stage::nothing) return;
     if (const char* why = why_refused(*view.technique, view.parameters); why != nullptr) throw Error(why);
-    view_.technique = nullptr;  // until all went well
+    view_.technique = nullptr;  // nullptr until everything succeeded
     if (view.size != view_.size) {
-        view_.size = {0, 0};  // a failure halfway must not leave textures of one size beside the other
+        view_.size = {0, 0};  // after a failure halfway, sizes must not differ
         resize(view.size);
     }
     const bool technique_changed = transparency_of_ != view.technique;
     if (technique_changed || transparency_ == nullptr) {
-        transparency_.reset();  // free its memory before the next takes its own
+        transparency_.reset();  // frees its memory before the next one takes more
         transparency_ = make_transparency(*view.technique, view.size, depth_, access_);
         transparency_of_ = view.technique;
     }
@@ -161,7 +161,7 @@ void Renderer::draw_opaque() {
     glDisable(GL_DEPTH_TEST);
 }
 
-// Waits for the GL, as the capture that follows a picture does anyway.
+// Waits for the GL. The capture that follows a picture would wait anyway.
 template <typename Draw>
 void Renderer::timed(double& milliseconds, const Draw& draw) {
     PassTimer timer(timing_, timer_);

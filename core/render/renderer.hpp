@@ -1,4 +1,4 @@
-// renderer.hpp -- pictures of a scene by any technique, and the exact fragments of a pixel.
+// renderer.hpp -- draws pictures of a scene by any technique, and captures the exact fragments of a pixel.
 #pragma once
 #include <memory>
 #include <optional>
@@ -13,97 +13,97 @@
 
 namespace momentscope {
 
-/// How often each stage ran since the renderer was made.
+/// How often each stage has run since the renderer was made.
 struct PassCounts {
     int opaque = 0, moments = 0, color = 0, composite = 0;
 };
 
-/// Milliseconds that each stage took when it last ran; 0 when it never did.
+/// Milliseconds that each stage took when it last ran; 0 if it never ran.
 struct PassTimes {
     double opaque = 0, moments = 0, color = 0, composite = 0;
 };
 
-/// Where a picture cannot be trusted: how many of its pixels have a fragment whose matrix was singular, and
-/// how many others one whose sum left [0, 1] and was clamped.
+/// How many pixels cannot be trusted. failed: pixels with a fragment whose matrix was singular. clamped:
+/// other pixels with a fragment whose sum left [0, 1] and was clamped.
 struct FailureCounts {
     long failed = 0, clamped = 0;
 };
 
-/// A pixel as the GL computed it. Vectors run parallel to ray.fragments.
+/// A pixel as the GL computed it. `transmittance` is parallel to ray.fragments.
 struct PixelCapture {
     ViewRay ray;
-    std::vector<float>
-        transmittance;  // of the second pass at each fragment; empty when the technique has none
-    std::optional<MomentVector> stored;  // by the first pass, as the texture units give it
+    std::vector<float> transmittance;  // of the second pass at each fragment; empty if the technique has none
+    std::optional<MomentVector> stored;  // by the first pass, as read through the texture units
     glm::vec3 behind{0.2f};              // linear RGB of the opaque surface behind; grey without a scene
 };
 
-/// Draws into its own textures; needs a current OpenGL 4.5 context as long as it lives. Pixels count from the
-/// upper left corner.
+/// Draws pictures into its own textures. Needs a current OpenGL 4.5 context during its whole life. Pixels
+/// count from the upper left corner.
 class Renderer {
 public:
-    /// Renderers of one GL context may share their programs, which takes seconds to link. Throws Error when
+    /// Renderers of one GL context may share their programs, because linking takes seconds. Throws Error if
     /// the GL is older than 4.5.
     explicit Renderer(std::shared_ptr<ProgramCache> programs = std::make_shared<ProgramCache>());
 
-    /// The same as if the GL had that ordered access: to see what is said where there is none.
+    /// The same, but as if the GL had this ordered access. Used to see what is reported if there is none.
     explicit Renderer(OrderedAccess access,
                       std::shared_ptr<ProgramCache> programs = std::make_shared<ProgramCache>());
     ~Renderer();
 
     void set_scene(const Scene& scene);
 
-    /// Runs the stages that the change since the last picture made stale, and no others. Throws Error when GL
+    /// Runs only those stages that are stale after the change since the last picture. Throws Error if the GL
     /// fails; the next call starts afresh.
     void render(const View& view);
 
-    /// Runs all stages of the technique again as if nothing were known of the last picture, which must have
-    /// been drawn without an Error: to take their times.
+    /// Runs all stages of the technique again, to measure their times. The last picture must have been drawn
+    /// without an Error.
     void redraw();
 
-    /// The picture in sRGB, as a texture of the view's size with the first row at the bottom.
+    /// The picture in sRGB as a texture of the size of the view. Its first row is at the bottom.
     GLuint display_texture() const { return display_color_; }
 
     /// The picture in linear RGBA floats.
     Image read_picture() const;
 
-    /// All transparent fragments that cover a pixel of the last picture and are not behind opaque surfaces.
+    /// All transparent fragments that cover a pixel of the last picture and do not lie behind opaque
+    /// surfaces.
     PixelCapture capture_pixel(glm::ivec2 pixel);
 
-    /// Everything that lights a point which a pixel of the last picture shows, at a view depth. The picture
-    /// must have shadows.
+    /// The light that reaches a point: the one that a pixel of the last picture shows at this view depth. The
+    /// picture must have shadows.
     ShadowFilterSamples capture_light(glm::ivec2 pixel, float view_depth);
 
-    /// Where in the world the middle of a pixel of the last picture is at a view depth.
+    /// The place in the world that the middle of a pixel of the last picture shows at this view depth.
     glm::vec3 world_place(glm::ivec2 pixel, float view_depth) const;
 
-    /// Where the opaque surface of a pixel is and how it is lit; nullopt where there is none.
+    /// The depth of the opaque surface of a pixel and how it is lit; nullopt if there is none.
     struct LitSurface {
         float view_depth = 0;
-        float shadowed = 0;       // share of the filter region behind opaque casters
-        float transmittance = 1;  // of transparent casters
+        float shadowed = 0;       // share of the filter region with an opaque caster in front
+        float transmittance = 1;  // of the transparent casters in front
     };
     std::optional<LitSurface> lit_surface(glm::ivec2 pixel);
 
-    /// The share of light that reaches each transparent fragment of a pixel, as the GL computes it, parallel
-    /// to capture_pixel's fragments.
+    /// The share of the light that reaches each transparent fragment of a pixel, as the GL computes it.
+    /// Parallel to the fragments of capture_pixel.
     std::vector<float> fragment_lights(glm::ivec2 pixel);
 
-    /// Of the last picture; null where it has no shadows.
+    /// The shadow maps of the last picture; null if it has none.
     const ShadowMaps* shadow_maps() const { return lit() ? shadow_maps_.get() : nullptr; }
 
-    /// The same for a rectangle, row by row; corner is its upper left.
+    /// The same as capture_pixel for a rectangle, row by row. corner: its upper left.
     std::vector<PixelCapture> capture_region(glm::ivec2 corner, glm::ivec2 extent);
 
-    /// A rectangle of the picture in linear RGBA; corner is its upper left. Throws Error unless it lies
-    /// within.
+    /// A rectangle of the picture in linear RGBA. corner: its upper left. Throws Error if the rectangle does
+    /// not lie within the picture.
     Image read_region(glm::ivec2 corner, glm::ivec2 extent) const;
 
-    /// Counts failed and clamped reconstructions of the last picture, and draws where they are into
-    /// failure_texture(). nullopt, and no picture, for techniques that reconstruct nothing.
+    /// Counts failed and clamped reconstructions of the last picture, and draws their places into
+    /// failure_texture(). nullopt, and nothing is drawn, if the technique reconstructs nothing.
     std::optional<FailureCounts> draw_failures();
 
-    /// sRGB with alpha, to be laid over display_texture(); valid after draw_failures().
+    /// sRGB with alpha, to be drawn over display_texture(). Valid after draw_failures().
     GLuint failure_texture() const { return failure_color_; }
 
     const std::shared_ptr<ProgramCache>& programs() const { return programs_; }
@@ -152,12 +152,12 @@ private:
     std::unique_ptr<FragmentList> pixel_list_;
 
     GlQuery timer_;
-    std::unique_ptr<ShadowMaps> shadow_maps_;  // made when they are first needed
-    GlTexture probe_;                          // of light_probe.frag; made when it is first asked for
+    std::unique_ptr<ShadowMaps> shadow_maps_;  // made at first use
+    GlTexture probe_;                          // of light_probe.frag; made at first use
     GlFramebuffer probe_target_;
-    bool probed_ = false;  // does it belong to the last picture?
+    bool probed_ = false;  // does probe_ belong to the last picture?
 
-    GlTexture failure_counts_, failure_color_;  // made when they are first asked for
+    GlTexture failure_counts_, failure_color_;  // made at first use
     GlFramebuffer failure_target_, failure_color_target_;
 };
 

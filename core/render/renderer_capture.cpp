@@ -1,4 +1,4 @@
-// renderer_capture.cpp -- the exact fragments of pixels of the last picture.
+// renderer_capture.cpp -- captures the exact fragments of pixels of the last picture.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ std::vector<PixelCapture> Renderer::capture_region(glm::ivec2 corner, glm::ivec2
     if (lit()) shadow_maps_->bind(view_matrix(view_.camera));
     const glm::ivec2 lower_left(corner.x, view_.size.y - corner.y - extent.y);
     const std::size_t count = pixel_list_->capture(pass_input(), program, lower_left, extent);
-    if (count > pixel_list_->capacity() && extent.x * extent.y > 1) {  // in two halves
+    if (count > pixel_list_->capacity() && extent.x * extent.y > 1) {  // then capture two halves
         const bool rows = extent.y > 1;
         const glm::ivec2 half = rows ? glm::ivec2(extent.x, extent.y / 2) : glm::ivec2(extent.x / 2, 1);
         const glm::ivec2 step = rows ? glm::ivec2(0, half.y) : glm::ivec2(half.x, 0);
@@ -51,7 +51,7 @@ std::vector<PixelCapture> Renderer::capture_region(glm::ivec2 corner, glm::ivec2
     return captures;
 }
 
-// Low-resolution moments are made of the fragments of their own pixels, which are captured there.
+// Captures the fragments of low-resolution pixels, from which low-resolution moments are made.
 void Renderer::add_shares(std::vector<PixelCapture>& captures, const Transparency::LowTarget& low,
                           glm::ivec2 lower_left, glm::ivec2 extent) {
     const LowFootprint footprint(view_.size, low.size, lower_left, extent);
@@ -59,7 +59,7 @@ void Renderer::add_shares(std::vector<PixelCapture>& captures, const Transparenc
     glViewport(0, 0, low.size.x, low.size.y);
     const GLuint program = programs_->get("passes/scene.vert", "passes/capture.frag");
     std::vector<std::vector<Fragment>> of_pixel;
-    for (int y = 0; y < footprint.extent().y; ++y) {  // row by row, so that the list holds them
+    for (int y = 0; y < footprint.extent().y; ++y) {  // row by row, so that the fragments fit in the list
         const std::size_t count = list.capture(pass_input(), program, footprint.corner() + glm::ivec2(0, y),
                                                {footprint.extent().x, 1});
         if (count > list.capacity())
@@ -82,7 +82,7 @@ void Renderer::add_shares(std::vector<PixelCapture>& captures, const Transparenc
     }
 }
 
-// Gives every pixel its fragments.
+// Distributes fragments to their pixels.
 std::vector<PixelCapture> Renderer::sort_captures(std::vector<FragmentNode> nodes, glm::ivec2 lower_left,
                                                   glm::ivec2 extent, bool has_transmittance) const {
     PixelCapture empty;

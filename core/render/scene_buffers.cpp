@@ -17,13 +17,13 @@ GlBuffer make_buffer(const std::vector<T>& data, GLbitfield flags = 0) {
     GLuint name = 0;
     glCreateBuffers(1, &name);
     GlBuffer buffer(name);
-    // GL refuses empty storage; a scene without objects still has a buffer.
+    // GL does not accept empty storage, and a scene without objects has a buffer, too.
     const auto bytes = static_cast<GLsizeiptr>(data.size() * sizeof(T));
     glNamedBufferStorage(buffer, bytes > 0 ? bytes : 4, bytes > 0 ? data.data() : nullptr, flags);
     return buffer;
 }
 
-// transparent_fragment.glsl; techniques use the units from 0 on.
+// The unit in transparent_fragment.glsl. Techniques use the units from 0 on.
 constexpr GLuint ALPHA_MAP_UNIT = 15;
 
 GlTexture make_alpha_map(const AlphaMap& map) {

@@ -11,36 +11,36 @@ namespace momentscope {
 
 enum class Surfaces { opaque, transparent, opaque_casters };
 
-/// Vertex, index and uniform buffers and alpha maps of one scene; immutable.
+/// Vertex, index and uniform buffers and alpha maps of one scene. Only the order of submission can change.
 class SceneBuffers {
 public:
-    /// Throws Error when the scene is too large, before it takes memory, and when graphics memory runs out.
+    /// Throws Error if the scene is too large, before it takes memory, and if graphics memory runs out.
     explicit SceneBuffers(const Scene& scene);
 
-    /// The order of objects and of the triangles of each: as in the scene, backwards, or shuffled.
+    /// Sets the order of the objects and of the triangles of each: as in the scene, backwards, or shuffled.
     void set_order(const SubmissionOrder& order);
 
-    /// Which object, by its index in Scene::objects, is the draw call of that index.
+    /// The index in Scene::objects of the object that this draw call draws.
     std::uint32_t object_of_draw(std::uint32_t draw) const { return sequence_[draw]; }
 
     bool has_alpha_maps() const { return !alpha_maps_.empty(); }
 
-    /// Draws the opaque or the transparent objects, or of the former those that cast shadows, in submission
-    /// order with the program in use.
+    /// Draws the opaque objects, the transparent objects, or those opaque objects that cast shadows, in
+    /// submission order with the program in use.
     void draw(Surfaces surfaces) const;
 
 private:
     struct MeshBuffers {
         GlBuffer vertices, indices;
         GlVertexArray array;
-        std::vector<std::uint32_t> submitted;  // the indices as the scene has them
+        std::vector<std::uint32_t> submitted;  // indices in the order of the scene
     };
     static MeshBuffers upload(const Mesh& mesh);
     std::vector<ObjectBlock> object_blocks() const;
 
     std::vector<MeshBuffers> meshes_;
     std::vector<Object> objects_;
-    std::vector<std::uint32_t> sequence_;  // objects in the order of submission
+    std::vector<std::uint32_t> sequence_;  // objects in submission order
     SubmissionOrder order_;
     GlBuffer object_blocks_;
     std::vector<GlTexture> alpha_maps_;

@@ -51,7 +51,8 @@ void require_drawable(const SceneSize& size) {
                         "objects and {} texels, more than the limit of {:.0f} GiB; simplify it.",
                         gib(size.bytes()), size.vertices, size.indices / 3, size.objects, size.texels,
                         gib(MAX_SCENE_BYTES)));
-    // The GL of a CPU holds it in memory, and beside it lie the order of submission and what is uploaded.
+    // A GL on the CPU holds the scene in main memory. The order of submission and the uploaded data take more
+    // memory there.
     require_memory(size.bytes() + size.indices * sizeof(std::uint32_t) + size.vertices * sizeof(Vertex),
                    fmt::format("Drawing {} triangles", size.indices / 3), "simplify the scene");
 }

@@ -1,4 +1,4 @@
-// shadow_capture.cpp -- what the filter region of a receiver is made of.
+// shadow_capture.cpp -- captures the fragments and depths in the filter region of a receiver.
 #include <array>
 
 #include "core/error.hpp"
@@ -9,8 +9,8 @@
 
 namespace momentscope {
 
-// nullopt where there are more than can be captured at a time. frame_block_ holds the light's frame since the
-// maps were drawn.
+// nullopt if there are more fragments than can be captured at a time. frame_block_ still holds the light as
+// the eye, since the maps were drawn.
 std::optional<std::vector<FragmentNode>> ShadowMaps::capture_texels(const SceneBuffers& scene,
                                                                     glm::ivec2 corner, glm::ivec2 extent) {
     constexpr std::size_t CAPACITY = 1'000'000;
@@ -26,7 +26,7 @@ std::optional<std::vector<FragmentNode>> ShadowMaps::capture_texels(const SceneB
     return list_->read(count);
 }
 
-// What each texel of the region has.
+// Captures the fragments and the opaque depth of each texel of the region.
 void ShadowMaps::capture_region(const SceneBuffers& scene, ShadowFilterSamples& bundle) {
     const ShadowFootprint region = shadow_footprint(bundle.place.texel, settings_->size, settings_->radius);
     for (const float weight : region.weights) bundle.texels.push_back({weight, {}});
@@ -50,7 +50,7 @@ void ShadowMaps::capture_region(const SceneBuffers& scene, ShadowFilterSamples& 
     for (std::size_t i = 0; i < depths.size(); ++i) bundle.opaque.push_back({depths[i], region.weights[i]});
 }
 
-// What the map has: the four texels that are interpolated, as a filter of no radius reads them.
+// Reads the four filtered texels that are interpolated, which are those of a filter with radius 0.
 void ShadowMaps::read_filtered(ShadowFilterSamples& bundle) const {
     const ShadowFootprint corners = shadow_footprint(bundle.place.texel, settings_->size, 0);
     bundle.sums.assign(4 * filtered_targets_.size(), 0.0f);

@@ -35,7 +35,7 @@ GLenum opaque_format(const OpaqueShadow& row) {
     return row.numbers == 2 ? GL_RG32F : GL_RGBA32F;
 }
 
-// Throws what this GL cannot hold, before it takes memory.
+// Throws Error if this GL cannot hold the maps, before they take memory.
 void require_fitting(const ShadowSettings& settings) {
     GLint most = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
@@ -57,7 +57,7 @@ bool same_place(const ShadowSettings& a, const ShadowSettings& b) {
     return a.size == b.size && a.light == b.light && a.distance == b.distance;
 }
 
-// Does a texel add up the same of transparent casters?
+// True if the texels of transparent casters hold the same sums for both settings.
 bool same_sums(const ShadowSettings& a, const ShadowSettings& b) {
     const Technique& technique = *a.transparent.technique;
     if (&technique != b.transparent.technique || a.casters != b.casters) return false;
@@ -79,7 +79,7 @@ ShadowMaps::ShadowMaps(PassTiming timing, std::shared_ptr<ProgramCache> programs
     timer_ = GlQuery(name);
 }
 
-// Waits for the GL, as a picture does.
+// Waits for the GL, as drawing a picture does.
 template <typename Draw>
 void ShadowMaps::run(ShadowStage& stage, const Draw& draw) {
     glViewport(0, 0, settings_->size, settings_->size);
@@ -92,7 +92,7 @@ void ShadowMaps::run(ShadowStage& stage, const Draw& draw) {
 void ShadowMaps::update(const SceneBuffers& scene, const Sphere& casters, const ShadowSettings& settings) {
     const LightCamera frame = light_camera(settings, casters);
     require_fitting(settings);
-    const std::optional<ShadowSettings> last = std::exchange(settings_, std::nullopt);  // until all went well
+    const std::optional<ShadowSettings> last = std::exchange(settings_, std::nullopt);  // until all succeeded
     const bool size = !last || last->size != settings.size;
     const bool place = size || !same_place(*last, settings);
     const bool sums = place || !same_sums(*last, settings);
@@ -163,7 +163,7 @@ void ShadowMaps::make_sums() {
     check_gl(fmt::format("making shadow maps of {}x{} texels", size.x, size.y));
 }
 
-// The passes' eye is the light.
+// Writes the uniform blocks. In these passes the light is the eye.
 void ShadowMaps::write_blocks(const glm::mat4& eye_view) const {
     const glm::vec3 warp = depth_warp_factors(frame_.warp);
     const FrameBlock frame = {frame_.view,

@@ -1,4 +1,4 @@
-// shadow_maps.hpp -- the light's maps of opaque and of transparent casters, drawn and filtered.
+// shadow_maps.hpp -- draws and filters the maps of the light, one of opaque and one of transparent casters.
 #pragma once
 #include <memory>
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace momentscope {
 
-/// How often a stage ran, and how long it took when it last did.
+/// How often a stage has run, and how long it took when it last ran.
 struct ShadowStage {
     double milliseconds = 0;
     int runs = 0;
@@ -27,13 +27,13 @@ class ShadowMaps {
 public:
     ShadowMaps(PassTiming timing, std::shared_ptr<ProgramCache> programs);
 
-    /// Draws and filters what the change since the last call made stale: the light's place and the size both
-    /// maps, a technique its own, the radius their filtering, beta and alpha nothing. Scene and casters are
-    /// the same in every call. Throws Error when the light stands among the casters or the maps are too large
-    /// for this GL.
+    /// Draws and filters what is stale after the change since the last call. The place of the light and the
+    /// size make both maps stale, the kind of a map makes this map stale, the radius makes the filtering
+    /// stale, and beta and alpha make nothing stale. Scene and casters must be the same in every call. Throws
+    /// Error if the light stands among the casters, or if the maps are too large for this GL.
     void update(const SceneBuffers& scene, const Sphere& casters, const ShadowSettings& settings);
 
-    /// Binds what passes/light.glsl reads. eye_view: world to eye.
+    /// Binds what passes/light.glsl reads. eye_view: the transform from the world to the eye.
     void bind(const glm::mat4& eye_view) const;
 
     const ShaderLighting& lighting() const { return lighting_; }
@@ -41,12 +41,12 @@ public:
     const LightCamera& frame() const { return frame_; }
     const ShadowSettings& settings() const { return *settings_; }
 
-    /// What the filter region of a place is made of, and what the map holds of it.
+    /// The fragments and depths in the filter region of a place, and what the filtered maps hold there.
     ShadowFilterSamples capture(const SceneBuffers& scene, const ShadowMapPosition& place);
 
 private:
     struct DeepMap {
-        GlTexture lists;  // first step and how many, per texel
+        GlTexture lists;  // of each texel: index of its first step, number of steps
         GlBuffer steps;   // depth and T behind it
     };
 
@@ -70,18 +70,18 @@ private:
     PassTiming timing_;
     GlQuery timer_;
     GlBuffer frame_block_, light_block_;
-    std::optional<ShadowSettings> settings_;  // of what the maps hold
+    std::optional<ShadowSettings> settings_;  // of the current maps
     LightCamera frame_;
     ShaderLighting lighting_;
     ShadowStages stages_;
     std::shared_ptr<ProgramCache> programs_;
 
-    GlTexture nearest_, nearest_depth_;           // depths of opaque casters, and what tests them
-    GlTexture opaque_filtered_, opaque_halfway_;  // halfway: filtered in one direction
+    GlTexture nearest_, nearest_depth_;           // depths of opaque casters; their depth buffer
+    GlTexture opaque_filtered_, opaque_halfway_;  // halfway: filtered in one direction only
     GlTexture sums_, filtered_, halfway_;         // of transparent casters, in layers of four numbers
-    GlTexture no_depth_;                          // all at the far end
+    GlTexture no_depth_;                          // far everywhere, so every fragment passes
     GlFramebuffer nearest_target_, opaque_target_, opaque_halfway_target_, sums_target_, halfway_target_;
-    std::vector<GlFramebuffer> filtered_targets_;  // of each layer
+    std::vector<GlFramebuffer> filtered_targets_;  // one per layer
     std::unique_ptr<FragmentList> list_;
     DeepMap deep_;
 };

@@ -10,8 +10,8 @@ public:
     void draw_moments(const PassInput&) override {}
     void draw_color(const PassInput&) override {}
 
-    /// Captures and composites band by band, as many rows at a time as the list holds, so that memory is
-    /// bounded however many fragments there are.
+    /// Captures and composites the picture in bands of as many rows as the list can hold. So memory is
+    /// bounded, whatever the number of fragments.
     void draw_composite(const PassInput& input) override;
 
 private:

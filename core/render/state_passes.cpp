@@ -13,12 +13,12 @@ namespace momentscope {
 
 namespace {
 
-// passes/stored_state.glsl and state_composite.frag
+// Texture units, as in passes/stored_state.glsl and state_composite.frag.
 constexpr GLuint SAMPLES_UNIT = 3;
 constexpr GLuint EXACT_ABSORBANCE_UNIT = 10;
 constexpr GLuint OPAQUE_DEPTH_UNIT = 11;  // state.frag
 
-// Samples are taken beside the absorbance, which is blended.
+// Samples are written by atomic operations; only the absorbance is blended.
 Blending blending_of(Accumulation accumulation) {
     if (accumulation == Accumulation::ordered) return Blending::none;
     return accumulation == Accumulation::over ? Blending::over : Blending::add;
@@ -66,7 +66,7 @@ StatePasses::StatePasses(const Technique& technique, glm::ivec2 size, GLuint dep
     }
 }
 
-// How many numbers a pixel stores depends on parameters.
+// The number of numbers that a pixel stores depends on parameters.
 void StatePasses::make_states(const PixelStateSettings& settings) {
     const auto count = static_cast<std::size_t>(texel_count(technique_, settings));
     settings_ = settings;
@@ -133,7 +133,7 @@ void StatePasses::draw_states(const PassInput& input) const {
 }
 
 void StatePasses::draw_color(const PassInput& input) {
-    settings_ = input.parameters.pixel_state;  // an option may have changed that stores nothing
+    settings_ = input.parameters.pixel_state;  // parameters may have changed that do not change states
     if (technique_.pixel_state_kernel().holds_colors) return;
     clear_colors(color_target_, exact_absorbance_ != 0 ? 2 : 1);
     glUseProgram(input.programs.get("passes/scene.vert", "passes/state_color.frag",
@@ -143,7 +143,7 @@ void StatePasses::draw_color(const PassInput& input) {
 }
 
 void StatePasses::draw_composite(const PassInput& input) {
-    settings_ = input.parameters.pixel_state;  // or one that weighs nothing
+    settings_ = input.parameters.pixel_state;  // parameters may have changed that do not change weights
     glUseProgram(input.programs.get("passes/fullscreen.vert", "passes/state_composite.frag",
                                     state_variant(technique_, settings_)));
     glBindTextureUnit(0, input.opaque_color);

@@ -1,24 +1,24 @@
-// state_passes.hpp -- techniques that store something else than moments alone: what a pixel stores is built
-// in one geometry pass, by blending, atomically or in order, and holds the colour already or weighs it in a
-// second one.
+// state_passes.hpp -- techniques without moments. One geometry pass builds the state of each pixel by
+// blending, by atomic operations or in order. The state either holds the colour already, or weighs it in a
+// second pass.
 #pragma once
 #include "core/render/transparency.hpp"
 
 namespace momentscope {
 
-/// The shader variant that knows a technique with these settings, and reads what it stores.
+/// The shader variant of a technique with these settings, which reads its states.
 ShaderVariant state_variant(const Technique& technique, const PixelStateSettings& settings);
 
-/// The one that builds it. access: none for what blending can do.
+/// The variant that builds states. access: none if blending is enough.
 ShaderVariant state_building_variant(const Technique& technique, const PixelStateSettings& settings,
                                      OrderedAccess access);
 
-/// Groups of four numbers that a pixel stores.
+/// The number of groups of four numbers that a pixel stores.
 int texel_count(const Technique& technique, const PixelStateSettings& settings);
 
 class StatePasses : public Transparency {
 public:
-    /// Throws Error when the technique needs ordered access and there is none.
+    /// Throws Error if the technique needs ordered access and there is none.
     StatePasses(const Technique& technique, glm::ivec2 size, GLuint depth, OrderedAccess access);
     void draw_moments(const PassInput& input) override;
     void draw_color(const PassInput& input) override;
@@ -26,7 +26,7 @@ public:
     std::optional<ShaderVariant> bind_for_capture(const ResolvedParameters& parameters) const override;
 
 protected:
-    static constexpr unsigned FIRST_STATE_UNIT = 2;  // of textures: passes/stored_state.glsl
+    static constexpr unsigned FIRST_STATE_UNIT = 2;  // texture unit, as in passes/stored_state.glsl
 
     virtual void bind_states() const;
 
@@ -41,11 +41,11 @@ private:
     void draw_states(const PassInput& input) const;
 
     GLuint depth_;
-    OrderedAccess access_;           // none where blending does it
+    OrderedAccess access_;           // none if blending is enough
     std::vector<GlTexture> states_;  // of four floats each
     GlTexture samples_;              // depths as bits, one layer per sample
     int sample_count_ = 0;
-    GlTexture nearest_depth_;  // where the nearest fragment counts
+    GlTexture nearest_depth_;  // for techniques that keep the nearest fragment
     GlFramebuffer state_target_, depth_target_;
     GlTexture weighted_color_, exact_absorbance_;
     GlFramebuffer color_target_;

@@ -27,7 +27,7 @@ std::string why_unavailable(const Technique& technique, OrderedAccess access) {
 }
 
 void draw_fullscreen() {
-    // Core profile draws nothing without a vertex array, even where no attribute is read.
+    // The core profile draws nothing without a vertex array, even if no attribute is read.
     GLuint name = 0;
     glCreateVertexArrays(1, &name);
     const GlVertexArray empty(name);

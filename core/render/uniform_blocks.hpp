@@ -1,5 +1,5 @@
-// uniform_blocks.hpp -- what shaders read in C++: shaders/passes/blocks.glsl (std140), and the vertices of
-// scene.vert.
+// uniform_blocks.hpp -- in C++ what shaders read: the blocks of shaders/passes/blocks.glsl (std140), and the
+// vertices of scene.vert.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -27,8 +27,7 @@ struct LightBlock {
     std::array<glm::vec4, 5> weights;
 };
 
-struct alignas(256)
-    ObjectBlock {  // 256: the greatest offset alignment that OpenGL allows a driver to ask for
+struct alignas(256) ObjectBlock {  // 256: the largest offset alignment that OpenGL lets a driver require
     glm::mat4 model;
     glm::vec4 color_opacity;
     glm::uvec4 draw;

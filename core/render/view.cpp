@@ -10,7 +10,7 @@ namespace momentscope {
 bool light_changed(const View& before, const View& after) {
     if (!has_shadows(after.parameters)) return has_shadows(before.parameters);
     constexpr std::array OF_PLACE = {ParameterId::light_azimuth, ParameterId::light_elevation,
-                                     ParameterId::light_distance};  // automatic ones are the scene's
+                                     ParameterId::light_distance};  // `auto` means the place in the scene
     const auto differs = [&](ParameterId id) { return before.parameters[id] != after.parameters[id]; };
     return differs(ParameterId::shadows) || std::ranges::any_of(OF_PLACE, differs) ||
            !same_lookup(shadow_settings(before.parameters, {}), shadow_settings(after.parameters, {}));
@@ -23,7 +23,7 @@ Stage first_stale_of_technique(const View& before, const View& after) {
     Stage first = Stage::nothing;
     for (const ParameterId id : after.technique->parameters)
         if (before.parameters[id] != after.parameters[id]) first = std::min(first, parameter(id).invalidates);
-    // A second set of moments, and formats that hold biased moments, are made in the first passes.
+    // A second set of moments, and formats that hold biased moments, are made in the first pass.
     if (after.technique->uses(ParameterId::moment_passes))
         for (const ParameterId id : {ParameterId::beta, ParameterId::alpha})
             if (before.parameters[id] != after.parameters[id]) first = std::min(first, Stage::moments);
@@ -34,7 +34,7 @@ Stage first_stale_of_technique(const View& before, const View& after) {
 
 }  // namespace
 
-// A change of light alters colours alone; where a first pass stores colours, it is among what must run again.
+// A change of light alters only colours. If the first pass stores colours, it must run again, too.
 Stage first_stale_stage(const View& before, const View& after) {
     if (before.technique == nullptr || before.size != after.size || !(before.camera == after.camera))
         return Stage::opaque;

@@ -1,4 +1,4 @@
-// view.hpp -- a picture as a value: what it shows and how, and from which stage a change must be redone.
+// view.hpp -- a picture as a value, and the first stage that a change makes stale.
 #pragma once
 #include <glm/glm.hpp>
 
@@ -9,7 +9,7 @@
 
 namespace momentscope {
 
-/// Everything beside the scene that a picture depends on.
+/// Everything that a picture depends on, except the scene.
 struct View {
     Camera camera;
     glm::ivec2 size{0};
@@ -17,16 +17,16 @@ struct View {
     ParameterValues parameters;
 };
 
-/// The curve that every technique's picture is shown with.
+/// The tone map of the picture, which no technique reads.
 ToneMap tone_map_of(const ParameterValues& values);
 
 constexpr int MAX_PICTURE_SIDE = 8192;
 
-/// Does the change alter how surfaces are lit?
+/// True if the change alters how surfaces are lit.
 bool light_changed(const View& before, const View& after);
 
-/// The first stage that must run again for `after` when `before` was drawn last. Parameters that the
-/// technique does not read make nothing stale, but for the tone map, which is none of its business.
+/// The first stage that must run again for `after` if `before` was drawn last. Parameters that neither the
+/// technique nor the picture itself (PICTURE_PARAMETERS) reads make nothing stale.
 Stage first_stale_stage(const View& before, const View& after);
 
 }  // namespace momentscope

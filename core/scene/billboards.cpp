@@ -11,14 +11,14 @@ namespace {
 constexpr int PUFF_SIDE = 64;  // texels
 constexpr int LATTICE = 7;     // random values along a side
 
-/// Random values, and smooth ones between them.
+/// Random values on a lattice, interpolated smoothly.
 class SmoothNoise {
 public:
     explicit SmoothNoise(RandomNumbers& random) {
         for (float& value : values_) value = random.uniform(0, 1);
     }
 
-    /// x and y in [0, 1].
+    /// The value at x and y in [0, 1].
     float at(float x, float y) const {
         const glm::vec2 place = glm::vec2(x, y) * float(LATTICE - 1);
         const glm::ivec2 cell = glm::min(glm::ivec2(place), glm::ivec2(LATTICE - 2));
@@ -65,7 +65,7 @@ AlphaMap make_puff(std::uint32_t seed) {
     for (int y = 0; y < PUFF_SIDE; ++y) {
         for (int x = 0; x < PUFF_SIDE; ++x) {
             const glm::vec2 place = (glm::vec2(x, y) + 0.5f) / float(PUFF_SIDE);
-            // Reaches 0 within the polygon, whose sides cut off a little of the circle.
+            // Reaches 0 within the polygon, because its sides cut off a little of the circle.
             const float rim = std::min(2.2f * glm::distance(place, glm::vec2(0.5f)), 1.0f);
             const float dense = (1.0f - rim * rim) * (1.0f - rim * rim);
             const float opacity = dense * (0.4f + 0.6f * noise.at(place.x, place.y));

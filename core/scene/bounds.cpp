@@ -1,4 +1,4 @@
-// bounds.cpp -- how far the transparent things and the casters of shadows reach, for depth ranges.
+// bounds.cpp -- spheres around transparent objects and around shadow casters, from which depth ranges follow.
 #include "core/scene/scene.hpp"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace momentscope {
 namespace {
 
-/// Calls visit(world position) for every vertex of every object that counts.
+/// Calls visit(world position) for every vertex of every object for which `counts` is true.
 template <typename Counts, typename Visit>
 void for_each_vertex(const Scene& scene, const Counts& counts, Visit visit) {
     for (const Object& object : scene.objects) {
@@ -20,8 +20,8 @@ void for_each_vertex(const Scene& scene, const Counts& counts, Visit visit) {
     }
 }
 
-// The sphere sits in the middle of the bounding box and reaches to the farthest vertex, which is often
-// well inside the box's corners.
+// The sphere is centred in the bounding box and reaches to the farthest vertex. This vertex often lies well
+// inside the corners of the box.
 template <typename Counts>
 Sphere bounds_of(const Scene& scene, const Counts& counts) {
     glm::dvec3 low(std::numeric_limits<double>::infinity());
@@ -30,14 +30,14 @@ Sphere bounds_of(const Scene& scene, const Counts& counts) {
         low = glm::min(low, p);
         high = glm::max(high, p);
     });
-    if (low.x > high.x) return {};  // nothing counts
+    if (low.x > high.x) return {};  // no object counts
 
     const glm::vec3 center(0.5 * (low + high));
     double radius = 0.0;
     for_each_vertex(scene, counts, [&](const glm::dvec3& p) {
         radius = std::max(radius, glm::distance(p, glm::dvec3(center)));
     });
-    // A few float ulps wider, so that a vertex transformed in float still lies inside.
+    // A few float ulps larger, so that a vertex that is transformed in float still lies inside.
     return {center, static_cast<float>(radius * (1.0 + 1e-6))};
 }
 

@@ -8,7 +8,7 @@ namespace momentscope {
 
 namespace {
 
-constexpr float DESIGN_ASPECT = 16.0f / 9.0f;  // for which scenes choose their cameras
+constexpr float DESIGN_ASPECT = 16.0f / 9.0f;  // the aspect for which scenes choose their cameras
 
 float narrowing(float aspect) {
     return std::max(DESIGN_ASPECT / aspect, 1.0f);
@@ -43,7 +43,8 @@ glm::ivec2 picked_pixel(const Scene& scene, glm::ivec2 size) {
 DepthWarp depth_warp(const Camera& camera, const Sphere& bounds) {
     const float center = -(view_matrix(camera) * glm::vec4(bounds.center, 1)).z;
     const float z_min = std::max(center - bounds.radius, NEAR_PLANE);
-    // A range without extent would divide by zero; a thousandth of the depth is far below what can be seen.
+    // A range without extent would lead to a division by zero. A thousandth of the depth is far below what
+    // can be seen.
     const float z_max = std::max(center + bounds.radius, z_min * 1.001f);
     return {DepthWarp::Kind::logarithmic, z_min, z_max};
 }

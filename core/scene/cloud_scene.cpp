@@ -1,4 +1,4 @@
-// cloud_scene.cpp -- a cloud of particles with a dense disk in it: what the paper's Fig. 2 and 9 look at.
+// cloud_scene.cpp -- a cloud of particles with a dense disk in it, after Fig. 2 and 9 of the paper.
 #include "core/scene/billboards.hpp"
 #include "core/scene/builtin_scenes.hpp"
 
@@ -7,7 +7,7 @@ namespace momentscope {
 namespace {
 
 constexpr int PARTICLES = 600;
-constexpr int CORNERS = 10;  // of a particle's outline
+constexpr int CORNERS = 10;  // of the outline of a particle
 
 }  // namespace
 

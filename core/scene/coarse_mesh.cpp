@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t MIN_TRIANGLES = 2000;
 constexpr std::size_t TRIANGLES_PER_KEPT = 4;
-constexpr float MAX_MOVE = 0.01f;  // as a share of the extent
+constexpr float MAX_MOVE = 0.01f;  // as a share of the extent of the mesh
 
 template <typename Attribute>
 std::vector<Attribute> used(const std::vector<Attribute>& attributes,

@@ -1,4 +1,4 @@
-// folder_files.cpp -- where a name of a mesh file leads, and whether one may go there.
+// folder_files.cpp -- finds the path of a name in a mesh file, and whether it may be opened.
 #include "core/scene/folder_files.hpp"
 
 #include "core/scene/text_encoding.hpp"
@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "%20" becomes a blank; all other text stays as it is.
+/// Replaces "%20" by a blank and other codes alike; all other text stays as it is.
 std::string percent_decoded(std::string_view text) {
     std::string decoded;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -33,7 +33,7 @@ std::string percent_decoded(std::string_view text) {
     return decoded;
 }
 
-/// A copy of the text as a file, which owns the copy.
+/// A file that owns a copy of the text.
 Assimp::IOStream* file_of(const std::string& text) {
     auto* const bytes = new std::uint8_t[text.size()];
     std::copy(text.begin(), text.end(), bytes);
@@ -48,10 +48,10 @@ FolderFiles::FolderFiles(fs::path mesh, std::optional<std::string> text, bool ur
     folder_ = fs::canonical(mesh_.has_parent_path() ? mesh_.parent_path() : fs::path("."), code);
 }
 
-/// The path to open, if there is such an ordinary file and it may be opened.
+/// The path to open; nullopt if there is no such ordinary file or it must not be opened.
 std::optional<std::string> FolderFiles::found(const std::string& file) const {
     if (file == mesh_.string()) return file;
-    // Assimp puts the folder before every name.
+    // Assimp prefixes every name with the folder.
     const std::string parent = mesh_.has_parent_path() ? mesh_.parent_path().string() : "";
     std::string_view name = file;
     if (name.starts_with(parent)) name.remove_prefix(parent.size());
@@ -88,7 +88,7 @@ Assimp::IOStream* FolderFiles::Open(const char* file, const char* mode) {
     const std::optional<std::string> path = found(file);
     if (!path) return nullptr;
     if (*path == mesh_.string()) return text_ ? file_of(*text_) : DefaultIOSystem::Open(file, mode);
-    if (fs::path(*path).extension() == ".mtl") {  // the only text that belongs to another file
+    if (fs::path(*path).extension() == ".mtl") {  // the only text file beside the mesh itself
         std::ifstream stream(*path, std::ios::binary);
         const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
         if (const std::optional<std::string> text = as_utf8(bytes)) return file_of(*text);

@@ -1,4 +1,5 @@
-// foliage_scene.cpp -- a red teapot in front of alpha-mapped leaves: the failure case of the paper's Fig. 7.
+// foliage_scene.cpp -- a red teapot in front of alpha-mapped leaves, after the failure case in Fig. 7 of the
+// paper.
 #include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
@@ -17,12 +18,12 @@ namespace {
 
 constexpr int STEMS = 52;
 constexpr int LEAVES_PER_STEM = 48;
-constexpr float OPACITY = 0.92f;  // of a leaf where its map is white: some light shines through
+constexpr float OPACITY = 0.92f;  // of a leaf where its map is white; some light shines through
 
-// From light to dark, young to old.
+// From light to dark: from young to old leaves.
 constexpr std::array<std::uint32_t, 4> GREENS{0x9CB452, 0x6E9440, 0x4C7A38, 0x375F33};
 
-/// A leaf that hangs from `stalk` along `along`, folded a little along its middle.
+/// Adds a leaf that hangs from `stalk` in the direction `along`, folded a little along its middle.
 void add_leaf(Mesh& mesh, const glm::vec3& stalk, const glm::vec3& along, const glm::vec3& facing,
               float length) {
     const glm::vec3 aside = glm::normalize(glm::cross(along, facing));

@@ -1,4 +1,4 @@
-// gltf_file.cpp -- the JSON of a glTF file: extensions, accessors of positions, nodes in double.
+// gltf_file.cpp -- reads the JSON of a glTF file: extensions, accessors of positions, and nodes in double.
 #include "core/scene/gltf_file.hpp"
 
 #include "core/bounded_json.hpp"
@@ -19,8 +19,8 @@ namespace {
 
 using nlohmann::json;
 
-/// Extensions that leave the shape as it is: materials, textures, lights, descriptions. A star stands for any
-/// rest.
+/// Extensions that do not change the shape: materials, textures, lights, descriptions. A star stands for any
+/// ending.
 constexpr std::string_view HARMLESS_EXTENSIONS[] = {"KHR_materials_*",
                                                     "KHR_texture_*",
                                                     "EXT_texture_*",
@@ -39,11 +39,11 @@ constexpr std::string_view HARMLESS_EXTENSIONS[] = {"KHR_materials_*",
                                                     "CESIUM_primitive_outline"};
 
 constexpr std::size_t MAX_NAMED = 8;   // extensions in a sentence
-constexpr std::size_t MAX_NAME = 60;   // characters of each
+constexpr std::size_t MAX_NAME = 60;   // of each name
 constexpr int FLOAT_COMPONENT = 5126;  // the code of glTF
 
-/// Some ten values describe a node, of which there are fewer than triangles. Extensions nest deeper than glTF
-/// itself, whose 7 levels are the most.
+/// A node takes about ten values, and there are fewer nodes than triangles. Extensions nest deeper than glTF
+/// itself, which has at most 7 levels.
 constexpr JsonBounds BOUNDS = {.bytes = MAX_MESH_FILE_BYTES, .values = 10'000'000, .nesting = 64};
 
 bool is_harmless(std::string_view name) {
@@ -53,11 +53,11 @@ bool is_harmless(std::string_view name) {
     });
 }
 
-/// The JSON chunk of a binary file, a text file's all; nothing when it is neither.
+/// The JSON chunk of a binary file, or the whole text of a text file; nullopt if it is neither.
 std::optional<std::string> json_part(std::string_view bytes) {
     if (bytes.starts_with("glTF")) {
         const auto word = [&](std::size_t offset) {
-            std::uint32_t value = 0;  // little-endian, as are all machines with GL
+            std::uint32_t value = 0;  // little-endian, like all machines with GL
             std::memcpy(&value, bytes.data() + offset, sizeof value);
             return value;
         };
@@ -70,7 +70,7 @@ std::optional<std::string> json_part(std::string_view bytes) {
     return std::string(bytes);
 }
 
-/// The member, or null when there is none.
+/// The member with this key, or null if there is none.
 const json& member(const json& object, const char* key) {
     static const json NOTHING;
     if (!object.is_object()) return NOTHING;
@@ -78,7 +78,7 @@ const json& member(const json& object, const char* key) {
     return found == object.end() ? NOTHING : *found;
 }
 
-/// The element that the index says, or null.
+/// The element at this index, or null if there is none.
 const json& element(const json& array, const json& index) {
     static const json NOTHING;
     if (!array.is_array() || !index.is_number_unsigned()) return NOTHING;
@@ -101,11 +101,11 @@ std::set<std::string> strings(const json& array) {
     return names;
 }
 
-/// All extensions that are used, whether or not the file lists them.
+/// Collects all extensions that are used, whether or not the file lists them.
 void collect_extensions(const json& value, std::set<std::string>& names) {
     if (value.is_object()) {
         for (const auto& [key, child] : value.items()) {
-            if (key == "extras") continue;  // the application's own
+            if (key == "extras") continue;  // data of applications
             if (key == "extensions" && child.is_object())
                 for (const auto& [name, ignored] : child.items()) names.insert(name);
             collect_extensions(child, names);
@@ -115,7 +115,7 @@ void collect_extensions(const json& value, std::set<std::string>& names) {
     }
 }
 
-/// "the glTF extensions X, Y, which are not read"; empty when all of the names are harmless.
+/// "the glTF extensions X, Y, which are not read"; empty if all of the names are harmless.
 std::string unread(const std::set<std::string>& names) {
     std::vector<std::string> left;
     for (const std::string& name : names)
@@ -125,7 +125,8 @@ std::string unread(const std::set<std::string>& names) {
                        fmt::join(left, ", "), left.size() > 1 ? "are" : "is");
 }
 
-/// Assimp reads positions and normals as floats whatever their type is, and missing ones as zeros.
+/// Throws Error unless positions and normals are floats. Assimp reads them as floats whatever their type is,
+/// and reads missing ones as zeros.
 void require_floats(const json& file, const std::filesystem::path& path) {
     const auto check = [&](const json& attributes) {
         for (const char* name : {"POSITION", "NORMAL"}) {
@@ -165,7 +166,7 @@ glm::dmat4 local_transform(const json& node) {
     return local;
 }
 
-/// The indices in the array that are indices of nodes.
+/// Those elements of the array that are valid indices of nodes.
 std::vector<std::uint32_t> node_indices(const json& array, std::size_t node_count) {
     std::vector<std::uint32_t> indices;
     if (!array.is_array()) return indices;
@@ -180,7 +181,8 @@ std::vector<std::uint32_t> node_indices(const json& array, std::size_t node_coun
 std::optional<GltfFile> read_gltf(std::string_view bytes, const std::filesystem::path& path) {
     std::optional<std::string> text = json_part(bytes);
     if (!text) return std::nullopt;
-    // Names in Latin-1 are met with and do not matter here; as UTF-8 they would be refused.
+    // Some files have names in Latin-1. Names do not matter here, but the JSON reader would not accept such
+    // bytes as UTF-8.
     std::ranges::replace_if(
         *text, [](char c) { return static_cast<unsigned char>(c) >= 0x80; }, '?');
     json file;

@@ -1,9 +1,9 @@
-// isolated_read.cpp -- fork, read, send the mesh and its warnings home through a pipe.
+// isolated_read.cpp -- forks, reads, and sends the mesh and its warnings back through a pipe.
 //
-// The pipe carries messages, each of which begins with one byte: what is done now, as a text; in the end
-// either the text of an Error, or a Header, three arrays and the warnings, each of which ends in a line feed.
-// A text is its length and its bytes. Both ends are the same program, so that no byte order or padding needs
-// care.
+// The pipe carries messages. Each begins with one byte. A message is either a report of what is being done,
+// as a text; or, at the end, the text of an Error; or, at the end, a Header, three arrays and the warnings,
+// each of which ends in a line feed. A text is its length and its bytes. Both ends are the same program, so
+// byte order and padding need no care.
 #include "core/scene/isolated_read.hpp"
 
 #include "core/error.hpp"
@@ -30,7 +30,7 @@ constexpr char IS_REPORT = 'R';
 constexpr char IS_MESH = 'M';
 constexpr char IS_ERROR = 'E';
 constexpr std::uintmax_t MEMORY_LIMIT = std::uintmax_t{8} << 30;  // bytes; 20 million triangles fit
-constexpr std::size_t MAX_TEXT = std::size_t{1} << 20;            // bytes of a text, of all warnings
+constexpr std::size_t MAX_TEXT = std::size_t{1} << 20;            // bytes of a text, and of all warnings
 
 struct Header {
     std::size_t vertex_count;
@@ -38,7 +38,7 @@ struct Header {
     std::size_t warning_bytes;
 };
 
-/// The reader's end of the pipe. Whatever cannot be written ends the process: without a parent there is
+/// The writing end of the pipe. If something cannot be written, the process ends: without a parent there is
 /// nothing left to do.
 class Sender {
 public:
@@ -78,12 +78,12 @@ private:
     int pipe_;
 };
 
-/// The other end.
+/// The reading end of the pipe.
 class Receiver {
 public:
     Receiver(int pipe, const std::stop_token& stop) : pipe_(pipe), stop_(stop) {}
 
-    /// False when the pipe ends before, or a stop is requested.
+    /// Reads `size` bytes. False if the pipe ends before that, or if a stop is requested.
     bool read(void* data, std::size_t size) const {
         constexpr int STOP_CHECK_MS = 50;
         char* next = static_cast<char*>(data);
@@ -122,8 +122,8 @@ private:
     const std::stop_token& stop_;
 };
 
-/// The mesh, unless it ends too early or an index is wild: a library that ran over its own memory may well
-/// send something odd.
+/// The mesh; nullopt if it ends too early or an index is out of range. A library that has overwritten its own
+/// memory may send anything.
 std::optional<LoadedMesh> Receiver::read_mesh(const ReadReport& report) const {
     Header header{};
     constexpr std::size_t MOST = 3 * MAX_MESH_TRIANGLES;
@@ -150,32 +150,33 @@ std::optional<LoadedMesh> Receiver::read_mesh(const ReadReport& report) const {
     return tame ? std::optional(std::move(loaded)) : std::nullopt;
 }
 
-/// Ends this process when its parent ends, however that comes. The parent may have ended before.
+/// Makes this process end when its parent ends, for whatever reason. The parent may have ended already.
 void end_with(pid_t parent) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (::getppid() != parent) ::_exit(1);
 }
 
-/// Bounds time and memory, and keeps the library's messages and core files out of the user's way.
+/// Limits time and memory, and suppresses messages of the library and core files.
 void limit_process(unsigned seconds) {
     const auto limit = [](auto resource, rlim_t value) {
         const rlimit both{value, value};
         ::setrlimit(resource, &both);
     };
     limit(RLIMIT_CORE, 0);
-#ifndef __SANITIZE_ADDRESS__  // the sanitizer reserves terabytes
+#ifndef __SANITIZE_ADDRESS__  // the sanitizer reserves terabytes of address space
     limit(RLIMIT_DATA, std::min(MEMORY_LIMIT, own_memory() + free_memory().value_or(MEMORY_LIMIT)));
 #endif
-    // A crash must end this process in silence, whatever handlers the program has.
+    // A crash must end this process silently, whatever handlers the program has.
     for (const int signal : {SIGALRM, SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL}) ::signal(signal, SIG_DFL);
-    // Ctrl+C goes to both processes. The parent decides: it would take the end of this one for a broken file.
+    // Ctrl+C goes to both processes. The parent decides what to do; if this process ended, the parent would
+    // take the file for broken.
     ::signal(SIGINT, SIG_IGN);
     ::alarm(seconds);
     const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
     if (nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
 }
 
-/// The forked process from its beginning to its end.
+/// Runs the forked process from its beginning to its end.
 [[noreturn]] void serve(const IsolatedReader& read, const Sender& home) {
     try {
         home.write_mesh(read([&](const std::string& what) { home.write_text(IS_REPORT, what); }));
@@ -184,10 +185,10 @@ void limit_process(unsigned seconds) {
     } catch (...) {
         ::_exit(1);
     }
-    ::_exit(0);  // not exit(): the parent's open files and GL contexts must not be closed from here
+    ::_exit(0);  // not exit(), which would close open files and GL contexts of the parent
 }
 
-/// What a reader sends home.
+/// What a reader sends back.
 struct Answer {
     std::optional<LoadedMesh> mesh;
     std::optional<std::string> error;
@@ -204,7 +205,7 @@ Answer answer_of(const Receiver& child, const ReadReport& report) {
     return {};
 }
 
-/// A forked process, which is ended and waited for when nobody waits any more.
+/// A forked process. The destructor ends it and waits for it.
 class Child {
 public:
     explicit Child(pid_t process) : process_(process) {}
@@ -216,7 +217,7 @@ public:
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;
 
-    /// Did it end in order?
+    /// True if the process ended normally.
     bool wait() {
         int status = 0;
         while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
@@ -229,7 +230,7 @@ private:
     pid_t process_;
 };
 
-/// Closes a file.
+/// A file that the destructor closes.
 struct OpenEnd {
     int file;
     explicit OpenEnd(int opened) : file(opened) {}
@@ -260,7 +261,7 @@ std::optional<LoadedMesh> read_isolated(const IsolatedReader& read, unsigned sec
     Child child(process);
     Answer answer = answer_of(Receiver(end.file, stop), report);
     if (stop.stop_requested()) throw Error("Reading the mesh was cancelled; the last scene stays.");
-    // Without an answer the child may still want to write.
+    // Without an answer the child may still be trying to write, so do not wait for it here.
     if ((!answer.mesh && !answer.error) || !child.wait()) return std::nullopt;
     if (answer.error) throw Error(*answer.error);
     return std::move(answer.mesh);

@@ -1,4 +1,4 @@
-// loaded_mesh.hpp -- a mesh, and what its file meant otherwise.
+// loaded_mesh.hpp -- a mesh, and warnings about what its file means differently.
 #pragma once
 #include "core/scene/scene.hpp"
 
@@ -9,7 +9,7 @@ namespace momentscope {
 
 struct LoadedMesh {
     Mesh mesh;
-    std::vector<std::string> warnings = {};  // as Scene::warnings, each on one line
+    std::vector<std::string> warnings = {};  // as Scene::warnings; each is one line
 };
 
 }  // namespace momentscope

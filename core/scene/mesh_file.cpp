@@ -1,4 +1,4 @@
-// mesh_file.cpp -- what Assimp reads becomes one mesh; everything odd in a file becomes a sentence.
+// mesh_file.cpp -- makes one mesh of what Assimp reads, and a sentence of everything odd in a file.
 #include "core/scene/mesh_file.hpp"
 
 #include "core/memory.hpp"
@@ -30,10 +30,11 @@ namespace {
 
 constexpr const char* NO_TRIANGLES = "has no triangles; export a surface, not points or lines.";
 constexpr const char* NO_MEMORY = "needs more memory than there is; export it again or simplify the mesh.";
-constexpr std::uintmax_t MEMORY_PER_BYTE = 12;  // of a file, that its reader takes; PLY 9, STL 5, OBJ 11
+constexpr std::uintmax_t MEMORY_PER_BYTE = 12;  // for a reader, per byte of a file; PLY 9, STL 5, OBJ 11
 constexpr const char* FORMATS = "OBJ, PLY, STL, glTF or 3DS";
 
-/// The file's size. Only ordinary files of bearable size go to Assimp, which reads them into memory whole.
+/// The size of the file. Throws Error unless it is an ordinary file of a size that can be handled, because
+/// Assimp reads files into memory as a whole.
 std::uintmax_t check_file(const std::filesystem::path& path) {
     std::error_code code;
     const std::filesystem::file_status status = std::filesystem::status(path, code);
@@ -52,7 +53,7 @@ std::uintmax_t check_file(const std::filesystem::path& path) {
     return size;
 }
 
-/// Assimp's message as part of a sentence: one line, not too long, without a full stop.
+/// The message of Assimp as part of a sentence: one line, not too long, without a full stop.
 std::string tidy(std::string message) {
     message = one_line(message);
     message.resize(std::min(message.size(), std::size_t{160}));
@@ -60,7 +61,7 @@ std::string tidy(std::string message) {
     return message.empty() ? "no reason given" : message;
 }
 
-/// The first `most` bytes of a file, or all.
+/// The first `most` bytes of a file, or all of them if it is smaller.
 std::string bytes_of(const std::filesystem::path& path, std::uintmax_t most = MAX_MESH_FILE_BYTES) {
     std::string bytes(std::min(most, std::filesystem::file_size(path)), '\0');
     std::ifstream file(path, std::ios::binary);
@@ -69,15 +70,16 @@ std::string bytes_of(const std::filesystem::path& path, std::uintmax_t most = MA
     return bytes;
 }
 
-/// What is known of a file before Assimp sees it.
+/// What is known about a file before Assimp reads it.
 struct PreparedFile {
-    std::optional<std::string> text;  // what Assimp is given in the place of the file
+    std::optional<std::string> text;  // what Assimp reads instead of the file
     std::optional<GltfFile> gltf;
     std::vector<std::string> warnings = {};
     bool leaves_out_lines = false;
 };
 
-/// Text in other encodings becomes UTF-8, OBJ what Assimp reads without loss; glTF is looked at.
+/// Converts text in other encodings to UTF-8, and OBJ to a form that Assimp reads without loss. Reads the
+/// nodes of glTF.
 PreparedFile prepare(const Assimp::Importer& importer, const std::filesystem::path& path) {
     PreparedFile file;
     const std::string beginning = bytes_of(path, 256);
@@ -103,7 +105,7 @@ PreparedFile prepare(const Assimp::Importer& importer, const std::filesystem::pa
     return file;
 }
 
-/// Says why Assimp could not read the file.
+/// Throws Error with the reason why Assimp could not read the file.
 [[noreturn]] void refuse_unread(const std::string& message, const FolderFiles& files,
                                 const std::filesystem::path& path) {
     if (files.outside())
@@ -114,14 +116,14 @@ PreparedFile prepare(const Assimp::Importer& importer, const std::filesystem::pa
         refuse_mesh(path,
                     std::string("is in no mesh format that Assimp knows; export it as ") + FORMATS + ".");
     if (message.find("std::bad_alloc") != std::string::npos) refuse_mesh(path, NO_MEMORY);
-    // In these words the validation says that nothing is there.
+    // The validation uses these words if there is nothing in the file.
     for (const char* nothing : {"no faces", "no vertices", "mNumMeshes is 0", "No meshes remaining"}) {
         if (message.find(nothing) != std::string::npos) refuse_mesh(path, NO_TRIANGLES);
     }
     refuse_mesh(path, "cannot be read (" + tidy(message) + "); export it again, perhaps as " + FORMATS + ".");
 }
 
-/// What the file means otherwise than it is shown.
+/// Warnings about everything that is shown differently from what the file means.
 std::vector<std::string> warnings_of(const PreparedFile& file, const FolderFiles& files,
                                      const PlacedGraph& graph, const std::filesystem::path& path) {
     std::vector<std::string> warnings = file.warnings;
@@ -139,19 +141,19 @@ std::vector<std::string> warnings_of(const PreparedFile& file, const FolderFiles
 
 }  // namespace
 
-// Everything that a hostile file could derail.
+// Everything that a hostile file could crash.
 LoadedMesh read_mesh_here(const std::filesystem::path& path, const ReadReport& report) {
     try {
-        Assimp::Importer importer;  // logs nowhere as long as nobody creates Assimp's logger
+        Assimp::Importer importer;  // writes no log as long as nobody creates the logger of Assimp
         PreparedFile file = prepare(importer, path);
         auto owned = std::make_unique<FolderFiles>(path, std::exchange(file.text, std::nullopt),
                                                    file.gltf.has_value());
         const FolderFiles& files = *owned;
-        importer.SetIOHandler(owned.release());  // the importer's from now on
-        // Validated first of all, before a step could follow a wild index.
+        importer.SetIOHandler(owned.release());  // owned by the importer from now on
+        // The first step is validation, before another step could follow an index that is out of range.
         if (importer.ReadFile(path.string(), aiProcess_ValidateDataStructure) == nullptr)
             refuse_unread(importer.GetErrorString(), files, path);
-        // It is ours as much as the next step's, which changes it, too.
+        // The scene may be changed here, just as the next step changes it.
         const std::vector<double> units = scale_to_one(const_cast<aiScene&>(*importer.GetScene()));
         const aiScene* scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
         if (scene == nullptr || scene->mRootNode == nullptr)
@@ -170,15 +172,15 @@ LoadedMesh read_mesh_here(const std::filesystem::path& path, const ReadReport& r
     }
 }
 
-// Assimp 5.2.5 falls over broken files: of files with a few flipped bytes, one in five ASE files ended
-// in a segmentation fault, and a PLY file without "end_header" in a loop without end.
+// Assimp 5.2.5 fails on broken files. Of ASE files with a few flipped bytes, one in five ended in a
+// segmentation fault, and a PLY file without "end_header" led to an endless loop.
 LoadedMesh read_mesh_file(const std::filesystem::path& path, const std::stop_token& stop,
                           const ReadReport& report) {
     const std::uintmax_t size = check_file(path);
     if (report)
         report("reading " + memory_text(size) + ", which takes about " + memory_text(size * MEMORY_PER_BYTE) +
                " of memory");
-    // Assimp reads some 10 MB/s of text; ten times as long is allowed, and never less than 10 s.
+    // Assimp reads about 10 MB/s of text. The limit is ten times the time for this, and at least 10 s.
     const auto seconds = static_cast<unsigned>(10 + size / 1'000'000);
     std::optional<LoadedMesh> mesh = read_isolated(
         [&](const ReadReport& stage) { return read_mesh_here(path, stage); }, seconds, stop, report);

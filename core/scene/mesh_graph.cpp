@@ -1,6 +1,6 @@
-// mesh_graph.cpp -- Assimp could flatten the graph itself (PreTransformVertices), but in floats; it would
-// reorder the meshes by material, and a small file with many instances would fill the memory before anyone
-// could count its triangles.
+// mesh_graph.cpp -- walks the scene graph. Assimp could flatten the graph itself (PreTransformVertices), but
+// it would do so in floats and reorder the meshes by material. A small file with many instances would also
+// fill the memory before its triangles could be counted.
 #include "core/scene/mesh_graph.hpp"
 
 #include "core/scene/mesh_error.hpp"
@@ -14,7 +14,7 @@
 namespace momentscope {
 namespace {
 
-/// A node of the graph, and the same node in the glTF file, if it is one.
+/// A node of the graph and, for a glTF file, the index of the same node in the file.
 struct PendingNode {
     const aiNode* node;
     Placement parent;
@@ -24,15 +24,15 @@ struct PendingNode {
 struct PlacedNode {
     const aiMesh* mesh;
     Placement placement;
-    const std::vector<double>* morph_weights;  // null when the format has them in the meshes
+    const std::vector<double>* morph_weights;  // null if the format stores them in the meshes
 };
 
 glm::dmat4 local_of(const aiNode& node) {
-    const aiMatrix4x4& m = node.mTransformation;  // its rows
+    const aiMatrix4x4& m = node.mTransformation;  // stored in rows
     return {m.a1, m.b1, m.c1, m.d1, m.a2, m.b2, m.c2, m.d2, m.a3, m.b3, m.c3, m.d3, m.a4, m.b4, m.c4, m.d4};
 }
 
-/// A node's placement from its parent's. A translation in floats is rounded before we get it.
+/// The placement of a node from that of its parent. A translation in floats was rounded by Assimp.
 Placement placed_below(const Placement& parent, const glm::dmat4& local, bool is_float) {
     Placement placement = parent;
     placement.transform = parent.transform * local;
@@ -48,8 +48,8 @@ Placement placed_below(const Placement& parent, const glm::dmat4& local, bool is
     return placement;
 }
 
-/// The glTF nodes below a node of the graph, child by child; none when they do not correspond, which no
-/// version of Assimp is known to do.
+/// The glTF nodes of the children of a node of the graph. nullopt for all if they do not correspond, which
+/// happens in no known version of Assimp.
 std::vector<std::optional<std::uint32_t>> gltf_children(const PendingNode& pending, const GltfFile* gltf) {
     const std::size_t count = pending.node->mNumChildren;
     std::vector<std::optional<std::uint32_t>> children(count);
@@ -59,12 +59,12 @@ std::vector<std::optional<std::uint32_t>> gltf_children(const PendingNode& pendi
     return children;
 }
 
-/// The graph's root, and its children when Assimp has put a root above several of the file's.
+/// The root of the graph; or its children, if Assimp added a root above several roots of the file.
 std::vector<PendingNode> first_nodes(const aiScene& scene, const GltfFile* gltf) {
     const aiNode* root = scene.mRootNode;
     if (gltf == nullptr) return {{root, {}, std::nullopt}};
     if (gltf->roots.size() == 1) return {{root, {}, gltf->roots.front()}};
-    std::vector<PendingNode> nodes;  // a stack, so the last is first
+    std::vector<PendingNode> nodes;  // a stack, so the last comes first
     for (std::size_t i = root->mNumChildren; i-- > 0;) {
         const bool corresponds = gltf->roots.size() == root->mNumChildren;
         nodes.push_back({root->mChildren[i], {}, corresponds ? std::optional(gltf->roots[i]) : std::nullopt});
@@ -75,7 +75,7 @@ std::vector<PendingNode> first_nodes(const aiScene& scene, const GltfFile* gltf)
 std::vector<PlacedNode> placed_nodes(const aiScene& scene, const std::vector<double>& units,
                                      const GltfFile* gltf, const std::filesystem::path& path) {
     std::vector<PlacedNode> placed;
-    std::vector<PendingNode> pending = first_nodes(scene, gltf);  // a stack: graphs may be deep
+    std::vector<PendingNode> pending = first_nodes(scene, gltf);  // a stack, because graphs may be deep
     std::size_t triangle_count = 0;
     while (!pending.empty()) {
         const PendingNode current = pending.back();
@@ -101,7 +101,7 @@ std::vector<PlacedNode> placed_nodes(const aiScene& scene, const std::vector<dou
     return placed;
 }
 
-/// Moves each vector towards that of a morph target, which holds whole vectors, not differences.
+/// Moves each vector towards that of a morph target, which stores complete vectors and not differences.
 void morph(std::vector<aiVector3D>& vectors, const aiVector3D* base, const aiVector3D* target,
            double weight) {
     const auto w = static_cast<float>(weight);
@@ -120,7 +120,7 @@ void append_node(PlacedGraph& graph, const PlacedNode& node) {
         const double weight =
             node.morph_weights != nullptr ? (*node.morph_weights)[i] : double{target->mWeight};
         if (weight == 0.0) continue;
-        // What other formats mean by a weight differs.
+        // Other formats define weights differently.
         if (node.morph_weights == nullptr || target == nullptr || target->mNumVertices != mesh.mNumVertices) {
             graph.has_unused_morph = true;
             continue;

@@ -16,20 +16,20 @@
 namespace momentscope {
 namespace {
 
-constexpr std::size_t MAX_QUOTED = 40;                     // characters of a file's word in a sentence
+constexpr std::size_t MAX_QUOTED = 40;                     // characters of a word in an error message
 constexpr std::int64_t MAX_INDEX = std::int64_t{1} << 28;  // more vertices than a file can hold
 
 bool is_blank(char c) {
     return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\0';
 }
 
-/// The decimal number that is the whole word. Numbers too small for a double are 0; infinite ones and NaN are
-/// refused.
+/// The decimal number, if it is the whole word. Numbers too small for a double become 0. nullopt for infinite
+/// numbers and NaN.
 std::optional<double> number_in(std::string_view word) {
     const bool is_signed = word.starts_with('-') || word.starts_with('+');
     const char first = word.size() > (is_signed ? 1 : 0) ? word[is_signed ? 1 : 0] : ' ';
     if (!(first >= '0' && first <= '9') && first != '.') return std::nullopt;  // "inf", "nan", "+-1"
-    if (word.starts_with('+')) word.remove_prefix(1);  // from_chars knows only the other sign
+    if (word.starts_with('+')) word.remove_prefix(1);  // from_chars does not accept this sign
     double value = 0.0;
     const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (end != word.data() + word.size()) return std::nullopt;
@@ -49,7 +49,7 @@ public:
         while (!source.empty()) {
             std::string_view line = next_line(source);
             joined.clear();
-            while (line.ends_with('\\') && !source.empty()) {  // the line goes on in the next one
+            while (line.ends_with('\\') && !source.empty()) {  // the next line continues this one
                 joined += joined.empty() ? line : std::string_view();
                 joined.back() = ' ';
                 joined += next_line(source);
@@ -63,7 +63,7 @@ public:
     ObjText finish();
 
 private:
-    /// Cuts the first line off: ends are \n, \r\n or, as on old Macintoshes, \r.
+    /// Removes the first line and returns it. Lines end in \n, \r\n or, as on old Macintoshes, \r.
     std::string_view next_line(std::string_view& source) {
         const std::size_t end = std::min(source.find_first_of("\r\n"), source.size());
         const std::string_view line = source.substr(0, end);
@@ -90,8 +90,8 @@ private:
     void write_vertices(std::string& text, const glm::dvec3& center, double half_diagonal) const;
 
     const std::filesystem::path& path_;
-    std::size_t line_ = 1;  // where the line begins that is read
-    std::size_t next_ = 1;  // of the lines not yet cut off
+    std::size_t line_ = 1;  // number of the current line
+    std::size_t next_ = 1;  // number of the first line that was not read yet
     std::vector<std::string_view> words_;
     std::vector<glm::dvec3> vertices_;
     std::vector<bool> used_;  // by a face
@@ -99,11 +99,11 @@ private:
     std::int64_t normal_count_ = 0;
     std::int64_t largest_index_ = 0;
     std::size_t line_of_largest_ = 0;
-    std::string rest_;  // everything but the vertices
+    std::string rest_;  // everything except the vertices
     std::size_t not_shown_ = 0;
 };
 
-/// Splits a line into words and drops its comment.
+/// Splits a line into words and removes its comment.
 void ObjReader::split(std::string_view line) {
     words_.clear();
     line = line.substr(0, line.find('#'));
@@ -128,12 +128,12 @@ void ObjReader::read_line(std::string_view line) {
     if (what == "p" || what == "l" || what == "curv" || what == "curv2" || what == "surf") {
         ++not_shown_;
     } else if (what == "o" || what == "g" || what == "usemtl" || what == "mtllib") {
-        rest_ += line;  // names may hold blanks and #
+        rest_ += line;  // names may contain blanks and #
         rest_ += '\n';
     }
 }
 
-/// Reads x, y and z. A weight, which only curves use, and a colour may follow; both are ignored.
+/// Reads x, y and z. A weight, which only curves use, or a colour may follow. Both are ignored.
 void ObjReader::read_vertex() {
     const std::size_t count = words_.size() - 1;
     if (count < 3 || count == 5 || count > 7)
@@ -149,8 +149,8 @@ void ObjReader::read_vertex() {
     vertices_.push_back(position);
 }
 
-/// A normal or texture coordinates, of which only the fewest are needed. Exporters write "nan" where they
-/// know none.
+/// Reads a normal or texture coordinates. `fewest` numbers are needed; more are ignored. Exporters write
+/// "nan" for unknown normals.
 void ObjReader::read_directions(std::size_t fewest) {
     (fewest == 2 ? texture_coordinate_count_ : normal_count_) += 1;
     rest_ += words_.front();
@@ -166,7 +166,8 @@ void ObjReader::read_directions(std::size_t fewest) {
     rest_ += '\n';
 }
 
-/// Indices count from 1; negative ones count back from the last vertex read so far.
+/// The index from 0. In the file, indices count from 1; negative ones count back from the last vertex that
+/// was read.
 std::int64_t ObjReader::index_in(std::string_view word, std::int64_t count) const {
     std::string_view digits = word;
     if (digits.starts_with('+')) digits.remove_prefix(1);
@@ -182,7 +183,7 @@ std::int64_t ObjReader::index_in(std::string_view word, std::int64_t count) cons
     return absolute;
 }
 
-/// Corners are v, v/vt, v//vn or v/vt/vn.
+/// Reads a face. Its corners are v, v/vt, v//vn or v/vt/vn.
 void ObjReader::read_face() {
     if (words_.size() < 4) {
         ++not_shown_;
@@ -210,14 +211,14 @@ void ObjReader::read_face() {
     rest_ += '\n';
 }
 
-/// In [-1, 1] with 12 decimals, a millionth of a float's step at 1. Vertices that no face uses keep their
-/// place.
+/// Writes coordinates in [-1, 1] with 12 decimals, which is a millionth of the step of floats at 1. Vertices
+/// that no face uses are written as 0, so that indices stay valid.
 void ObjReader::write_vertices(std::string& text, const glm::dvec3& center, double half_diagonal) const {
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
         const bool used = i < used_.size() && used_[i];
         text += 'v';
         for (int axis = 0; axis < 3; ++axis) {
-            // Halves, lest the difference of the largest doubles overflows.
+            // Halves, so that the difference of the largest doubles does not overflow.
             const double half = 0.5 * vertices_[i][axis] - 0.5 * center[axis];
             const double value = used ? 2.0 * (half / half_diagonal) : 0.0;
             char digits[32];

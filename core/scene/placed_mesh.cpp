@@ -1,4 +1,4 @@
-// placed_mesh.cpp -- positions stay in double until the centre is taken out of them.
+// placed_mesh.cpp -- keeps positions in double until the centre is subtracted.
 #include "core/scene/placed_mesh.hpp"
 
 #include "core/scene/mesh_error.hpp"
@@ -16,19 +16,19 @@ namespace momentscope {
 namespace {
 
 constexpr std::uint32_t UNUSED = std::numeric_limits<std::uint32_t>::max();
-constexpr double HALF_STEP = 0x1p-24;      // of floats, relative
-constexpr double MIN_NORMAL = 0x1p-126;    // smaller floats lie as far apart as this one's neighbours
+constexpr double HALF_STEP = 0x1p-24;      // half a step of floats, relative
+constexpr double MIN_NORMAL = 0x1p-126;    // below it floats are as far apart as at it
 constexpr double ALLOWED_ROUNDING = 1e-4;  // of the half diagonal: a tenth of a pixel of a large picture
-constexpr double MIN_AREA = 1e-4;          // of the half diagonal squared: some ten pixels of a large picture
-constexpr float MIN_CORE = 1e-4f;          // of the half diagonal: smaller than a pixel
+constexpr double MIN_AREA = 1e-4;  // of the half diagonal squared: about ten pixels of a large picture
+constexpr float MIN_CORE = 1e-4f;  // of the half diagonal: smaller than a pixel
 
-/// Finds vertices whose position and normal are the same to the last bit, by a table of open addresses.
+/// Finds vertices with the same position and normal to the last bit, with a hash table of open addresses.
 class EqualVertices {
 public:
     EqualVertices(const VertexArrays& vertices, std::size_t count)
         : vertices_(vertices), table_(std::bit_ceil(2 * count + 1), UNUSED) {}
 
-    /// The vertex itself or one that was asked for before.
+    /// An equal vertex that was asked for before, or the vertex itself.
     std::uint32_t first_like(std::uint32_t vertex) {
         const Key key = key_of(vertex);
         std::uint64_t hash = 0;
@@ -46,7 +46,7 @@ private:
     Key key_of(std::uint32_t vertex) const {
         const aiVector3D& p = vertices_.positions[vertex];
         const aiVector3D n = vertices_.normals != nullptr ? vertices_.normals[vertex] : aiVector3D();
-        const auto bits = [](float x) { return std::bit_cast<std::uint32_t>(x + 0.0f); };  // -0 is 0
+        const auto bits = [](float x) { return std::bit_cast<std::uint32_t>(x + 0.0f); };  // makes 0 of -0
         return {bits(p.x), bits(p.y), bits(p.z), bits(n.x), bits(n.y), bits(n.z)};
     }
 
@@ -58,16 +58,16 @@ glm::dvec3 to_double(const aiVector3D& v) {
     return {v.x, v.y, v.z};
 }
 
-/// The unit vector, or zero for what has no direction.
+/// The unit vector, or zero if v has no direction.
 glm::vec3 unit_or_zero(const glm::dvec3& v) {
     const double length = glm::length(v);
     return length > 1e-30 && std::isfinite(length) ? glm::vec3(v / length) : glm::vec3(0.0f);
 }
 
-/// What positions and normals of one mesh are multiplied by.
+/// The matrices by which positions and normals of one mesh are multiplied.
 struct Transforms {
     glm::dmat4 position;
-    glm::dmat3 normal;  // the transpose of the inverse up to a positive factor
+    glm::dmat3 normal;  // the transpose of the inverse, up to a positive factor
     glm::dmat3 magnitude;
     bool mirrors;
 
@@ -76,7 +76,7 @@ struct Transforms {
         const glm::dmat3 linear(placement.transform);
         const double sign = glm::determinant(linear) < 0.0 ? -1.0 : 1.0;
         mirrors = sign < 0.0;
-        // The cofactors: they exist for flat transforms, too.
+        // The cofactors, which exist also for flat transforms.
         normal = sign * glm::dmat3(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
                                    glm::cross(linear[0], linear[1]));
         for (int column = 0; column < 3; ++column) magnitude[column] = glm::abs(linear[column]);
@@ -93,8 +93,8 @@ void note_rounding(PlacedMesh& placed, const glm::dvec3& local, const glm::dmat3
     placed.coordinate = std::max({placement.coordinate, size.x, size.y, size.z});
 }
 
-/// Makes every normal a unit vector. Files hold normals of length zero or no number; those become the mean of
-/// what is around, or up.
+/// Makes every normal a unit vector. Files contain normals of length zero and NaN. These become the mean
+/// normal of the triangles around the vertex, or point up.
 void repair_normals(Mesh& mesh) {
     std::vector<glm::dvec3> around(mesh.normals.size(), glm::dvec3(0.0));
     for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {
@@ -112,7 +112,7 @@ void repair_normals(Mesh& mesh) {
     }
 }
 
-/// The area of all triangles.
+/// The total area of all triangles.
 double area_of(const Mesh& mesh) {
     double area = 0.0;
     for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {
@@ -123,7 +123,8 @@ double area_of(const Mesh& mesh) {
     return area;
 }
 
-/// Do all but a tenth of the vertices at either end lie together in what is smaller than a pixel?
+/// True if all vertices, except a tenth of them at either end, lie within a region that is smaller than a
+/// pixel.
 bool is_mostly_a_speck(const Mesh& mesh) {
     constexpr std::size_t FEWEST = 16;
     const std::size_t count = mesh.positions.size();
@@ -168,7 +169,8 @@ void append_mesh(PlacedMesh& placed, const aiMesh& mesh, const VertexArrays& ver
             continue;
         }
         for (unsigned corner = 0; corner < 3; ++corner) {
-            // A mirror turns counter-clockwise into clockwise; swapping two corners turns it back.
+            // A reflection turns counter-clockwise triangles into clockwise ones. Swapping two corners undoes
+            // this.
             const std::uint32_t vertex =
                 equal.first_like(face.mIndices[transforms.mirrors ? 2 - corner : corner]);
             std::uint32_t& index = renumbered[vertex];

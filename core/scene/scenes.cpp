@@ -1,4 +1,4 @@
-// scenes.cpp -- the registry of scenes, and a scene around a mesh file.
+// scenes.cpp -- the registry of scenes, and scenes made from mesh files.
 #include "core/scene/scenes.hpp"
 
 #include "core/error.hpp"
@@ -39,10 +39,10 @@ std::string scene_ids() {
     return ids;
 }
 
-/// The mesh alone above an opaque ground, seen obliquely from a height.
+/// The mesh above an opaque ground, seen obliquely from above.
 Scene scene_of_mesh(const std::string& path, float opacity, const std::stop_token& stop,
                     const ReadReport& report) {
-    if (!(opacity >= 0.0f && opacity < 1.0f))  // also when it is no number
+    if (!(opacity >= 0.0f && opacity < 1.0f))  // also for NaN
         throw Error("The opacity of a mesh must be at least 0 and less than 1, such as 0.5.");
     Scene scene;
     scene.id = path;
@@ -52,8 +52,9 @@ Scene scene_of_mesh(const std::string& path, float opacity, const std::stop_toke
     for (const glm::vec3& position : mesh.positions) lowest = std::min(lowest, position.y);
     const std::uint32_t index = add_mesh(scene, std::move(mesh));
     scene.objects.push_back({index, glm::mat4(1.0f), linear_color(0x3E8ED0), opacity});
-    add_ground(scene, 12.0f, lowest - 1e-3f);  // a hair lower: a flat base must not fight with it
-    // The mesh fills a unit sphere, which touches the picture's edges from 1 / sin(0.8 / 2) = 2.57.
+    add_ground(scene, 12.0f, lowest - 1e-3f);  // slightly lower, so as not to coincide with a flat base
+    // The mesh fills a unit sphere. At a distance of 1 / sin(0.8 / 2) = 2.57, the sphere touches the edges of
+    // the picture.
     scene.camera = {glm::vec3(0.0f), 2.7f, 0.5f, 0.3f, 0.8f};
     return scene;
 }

@@ -1,4 +1,5 @@
-// shapes.cpp -- rectangle, sphere, curtain and column by formula; counter-clockwise from outside.
+// shapes.cpp -- rectangle, sphere, curtain and column by formula; triangles are counter-clockwise from
+// outside.
 #include "core/scene/shapes.hpp"
 
 #include <cassert>
@@ -9,12 +10,13 @@
 namespace momentscope {
 namespace {
 
-/// Two triangles for each cell of a grid whose vertices lie row by row, columns + 1 in each.
+/// Adds two triangles for each cell of a grid. Its vertices are stored row by row, with columns + 1 in each
+/// row.
 void add_grid_indices(Mesh& mesh, int columns, int rows) {
     const auto stride = static_cast<std::uint32_t>(columns + 1);
     for (std::uint32_t row = 0; row < static_cast<std::uint32_t>(rows); ++row) {
         for (std::uint32_t column = 0; column < static_cast<std::uint32_t>(columns); ++column) {
-            const std::uint32_t a = row * stride + column;  // lower left; b lower right, c above a
+            const std::uint32_t a = row * stride + column;  // lower left; b is lower right, c is above a
             const std::uint32_t b = a + 1;
             const std::uint32_t c = a + stride;
             mesh.indices.insert(mesh.indices.end(), {a, b, c + 1, a, c + 1, c});
@@ -39,8 +41,8 @@ Mesh make_rectangle(float width, float height, int columns, int rows) {
     return mesh;
 }
 
-// One vertex at each pole and none repeated at the seam, so that the surface is closed: the first and
-// the last stack are triangles, the others quadrilaterals.
+// One vertex at each pole and no repeated vertices at the seam, so the surface is closed. The first and the
+// last stack are triangles, the others quadrilaterals.
 Mesh make_sphere(int slices, int stacks) {
     assert(slices >= 3 && stacks >= 2);
     Mesh mesh;
@@ -74,7 +76,7 @@ Mesh make_sphere(int slices, int stacks) {
 
 Mesh make_curtain(float width, float height, int folds, float amplitude) {
     assert(folds >= 0 && std::isfinite(amplitude));
-    constexpr int COLUMNS_PER_FOLD = 16;  // a polygon of 16 sides a wave looks smooth with smooth normals
+    constexpr int COLUMNS_PER_FOLD = 16;  // 16 sides per wave look smooth with smooth normals
     Mesh mesh = make_rectangle(width, height, folds == 0 ? 1 : COLUMNS_PER_FOLD * folds, 1);
     const float frequency = glm::two_pi<float>() * float(folds) / width;
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -90,7 +92,7 @@ Mesh make_column(float radius, float height, int slices) {
     assert(radius > 0.0f && slices >= 3);
     Mesh mesh = make_rectangle(1.0f, height, slices, 1);
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-        // The seam's two ends must have the same bits, or there would be a crack.
+        // The two ends of the seam must have the same bits, or there would be a crack.
         const bool seam = i % static_cast<std::size_t>(slices + 1) == static_cast<std::size_t>(slices);
         const float angle = seam ? -glm::pi<float>() : glm::two_pi<float>() * mesh.positions[i].x;
         const glm::vec3 outward(std::sin(angle), 0.0f, std::cos(angle));

@@ -1,7 +1,7 @@
-// ship_scene.cpp -- a full-rigged ship, transparent from keel to pennant, in particle fog: after the paper's
-// Fig. 1 and 5.
+// ship_scene.cpp -- a full-rigged ship, transparent from keel to pennant, in particle fog; after Fig. 1 and 5
+// of the paper.
 //
-// The bow points to +x, y = 0 is the water, one unit is some four metres.
+// The bow points to +x, y = 0 is the water, and one unit is about four metres.
 #include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
@@ -16,11 +16,11 @@ namespace momentscope {
 namespace {
 
 constexpr float PI = std::numbers::pi_v<float>;
-constexpr float BRACED = -0.12f;  // how far the yards are turned towards the wind, radians
+constexpr float BRACED = -0.12f;  // angle in radians by which the yards are turned towards the wind
 constexpr int PUFFS = 170;
 constexpr int FAR_PUFFS = 50;
 
-/// The parts of one material.
+/// The parts of the ship by material.
 struct Parts {
     Mesh planks, frames, spars, sails, ropes, windows, pennants, fog;
 };
@@ -30,7 +30,7 @@ struct Mast {
 };
 constexpr std::array<Mast, 3> MASTS{{{2.7f, 8.0f}, {-0.2f, 9.2f}, {-3.1f, 7.0f}}};
 
-/// Half the ship's width at the rail, `along` from 0 at the stern to 1 at the bow.
+/// Half the width of the ship at the rail. along: from 0 at the stern to 1 at the bow.
 float half_width(float along) {
     const float bow = std::max((along - 0.55f) / 0.45f, 0.0f);
     return 1.2f * (0.74f + 0.26f * glm::smoothstep(0.0f, 0.35f, along)) *
@@ -47,11 +47,11 @@ float keel_height(float along) {
     return -0.85f + 1.1f * bow * bow + 0.7f * stern * stern;
 }
 
-/// The outside of the hull: `around` from 0 at one rail over the keel to 1 at the other.
+/// A point on the outside of the hull. around: from 0 at one rail over the keel to 1 at the other rail.
 glm::vec3 hull_at(float along, float around) {
     const float angle = (around - 0.5f) * PI;
     const float height =
-        1.0f - std::pow(std::max(std::cos(angle), 0.0f), 0.75f);  // 0 at the keel, 1 at the rail
+        1.0f - std::pow(std::max(std::cos(angle), 0.0f), 0.75f);  // from 0 at the keel to 1 at the rail
     const float out = std::pow(std::abs(std::sin(angle)), 0.62f) * (1.0f - 0.14f * height * height);
     const float rake =
         0.9f * std::pow(along, 6.0f) * height - 0.35f * (1.0f - along) * (1.0f - along) * height;
@@ -88,7 +88,7 @@ void add_hull(Parts& parts) {
     }
 }
 
-// Panes lie a little outside the planks: along both sides, and across the stern.
+// Windows lie slightly outside the planks: along both sides, and across the stern.
 void add_windows(Parts& parts) {
     for (const bool starboard : {false, true}) {
         for (int i = 0; i < 11; ++i) {
@@ -111,7 +111,7 @@ void add_windows(Parts& parts) {
     }
 }
 
-/// A direction along a yard, to starboard.
+/// The direction along a yard, to starboard.
 glm::vec3 along_yard() {
     return {std::sin(BRACED), 0.0f, std::cos(BRACED)};
 }
@@ -134,7 +134,7 @@ std::array<Yard, 4> yards_of(const Mast& mast) {
     return yards;
 }
 
-/// A square sail between two yards, filled by the wind, its foot cut to an arch.
+/// Adds a square sail between two yards, filled by the wind, with an arched foot.
 void add_square_sail(Mesh& sails, const Yard& lower, const Yard& upper) {
     add_surface(sails, 14, 12, [&](float u, float v) {
         const float half = 0.94f * glm::mix(lower.half_length, upper.half_length, v);
@@ -147,7 +147,7 @@ void add_square_sail(Mesh& sails, const Yard& lower, const Yard& upper) {
     });
 }
 
-/// A sail with three corners, which fills to starboard.
+/// Adds a sail with three corners, which bulges to starboard.
 void add_staysail(Mesh& sails, const glm::vec3& head, const glm::vec3& tack, const glm::vec3& clew) {
     add_surface(sails, 10, 12, [&](float u, float v) {
         const glm::vec3 foot = glm::mix(tack, clew, u);
@@ -179,7 +179,7 @@ void add_mast(Parts& parts, const Mast& mast) {
     });
 }
 
-// From the rails to the mast's tops, with ratlines across.
+// Adds shrouds from the rails to the tops of the mast, with ratlines across.
 void add_shrouds(Mesh& ropes, const Mast& mast) {
     constexpr int SHROUDS = 6, RATLINES = 13;
     for (const float side : {-1.0f, 1.0f}) {
@@ -208,7 +208,7 @@ void add_rigging(Parts& parts) {
     };
     const glm::vec3 bow(4.6f, 1.75f, 0.0f), bowsprit(7.3f, 3.0f, 0.0f);
     add_tube(parts.spars, bow - glm::vec3(0.8f, 0.35f, 0), bowsprit, 0.12f, 0.05f, 8);
-    for (const float up : {0.5f, 0.72f, 0.97f}) {  // stays, each from a mast forward to the next
+    for (const float up : {0.5f, 0.72f, 0.97f}) {  // stays, from each mast forward to the next
         add_tube(parts.ropes, at(MASTS[0], up), glm::mix(bow, bowsprit, up), 0.014f, 0.014f, 4);
         add_tube(parts.ropes, at(MASTS[1], up), at(MASTS[0], 0.75f * up - 0.25f), 0.014f, 0.014f, 4);
         add_tube(parts.ropes, at(MASTS[2], up), at(MASTS[1], 0.75f * up - 0.25f), 0.014f, 0.014f, 4);
@@ -230,7 +230,7 @@ void add_rigging(Parts& parts) {
 
 Billboard make_puff_at(const glm::vec3& center, float radius, const Camera& camera, RandomNumbers& random) {
     Billboard puff;
-    // Not through the water, which would cut it off in a straight line.
+    // Not below the water, which would cut it off along a straight line.
     puff.center = glm::vec3(center.x, std::max(center.y, 0.92f * radius), center.z);
     puff.radius = radius;
     puff.facing = towards_camera(camera);
@@ -239,7 +239,8 @@ Billboard make_puff_at(const glm::vec3& center, float radius, const Camera& came
     return puff;
 }
 
-// Low on the water around the ship, some of it before her and more behind; and a bank that hides the horizon.
+// Adds fog low on the water around the ship, some of it in front and more behind, and a bank of fog that
+// hides the horizon.
 void add_fog(Parts& parts, const Camera& camera) {
     RandomNumbers random(23);
     const glm::vec3 back = -towards_camera(camera);
@@ -275,7 +276,7 @@ Scene build_ship() {
         scene.objects.push_back(
             {add_mesh(scene, std::move(mesh)), glm::mat4(1), linear_color(color), opacity});
     };
-    // In no order of depth: parts of every material lie before and behind those of every other.
+    // Not in order of depth: parts of every material lie in front of and behind parts of every other.
     add(parts.sails, 0xE6D6B4, 0.55f);
     add(parts.planks, 0x6E4527, 0.6f);
     add(parts.ropes, 0x3B3128, 0.8f);

@@ -1,5 +1,5 @@
-// smoke_scene.cpp -- glass bottles in grass and dense smoke, what Moment Transparency (Sharpe 2018) was shown
-// with.
+// smoke_scene.cpp -- glass bottles in grass and dense smoke, after the scenes of Moment Transparency (Sharpe
+// 2018).
 #include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
@@ -19,10 +19,10 @@ constexpr std::array<std::uint32_t, 3> GRASS{0x7F9A4A, 0x5E7F3A, 0xA39A56};
 struct Bottle {
     glm::vec3 foot;
     float scale;
-    float shoulder;  // height where the neck begins, of 1
+    float shoulder;  // height at which the neck begins, as a share of the whole height
     std::uint32_t glass;
     std::uint32_t liquid;
-    float filled;  // height of the liquid
+    float filled;  // height of the liquid, as a share of the whole height
 };
 constexpr std::array<Bottle, 6> BOTTLES{{
     {{-1.15f, 0.0f, 0.35f}, 1.25f, 0.62f, 0x3F7A4B, 0x5B1420, 0.5f},
@@ -33,14 +33,14 @@ constexpr std::array<Bottle, 6> BOTTLES{{
     {{-1.9f, 0.0f, -0.6f}, 1.4f, 0.64f, 0xA8612E, 0x7A3B14, 0.6f},
 }};
 
-/// Radius at a height in [0, 1] of a bottle of height 1: belly, shoulder, neck and lip.
+/// The radius at a height in [0, 1] of a bottle of height 1: belly, shoulder, neck and lip.
 float radius_at(float height, float shoulder) {
     const float neck = glm::smoothstep(shoulder - 0.08f, shoulder + 0.12f, height);
     const float lip = 0.014f * glm::smoothstep(0.94f, 0.955f, height);
     return glm::mix(0.165f, 0.052f, neck) * std::sqrt(glm::smoothstep(-0.02f, 0.03f, height)) + lip;
 }
 
-/// Outer and inner wall, so that a ray meets glass four times.
+/// Adds an outer and an inner wall, so that a ray meets glass four times.
 void add_glass(Mesh& mesh, const Bottle& bottle) {
     for (const float wall : {0.0f, 0.016f}) {
         add_revolved(
@@ -54,7 +54,7 @@ void add_glass(Mesh& mesh, const Bottle& bottle) {
 }
 
 void add_liquid(Mesh& mesh, const Bottle& bottle) {
-    constexpr float SIDE = 0.85f;  // of the way along the profile; the rest is the surface
+    constexpr float SIDE = 0.85f;  // share of the profile that is the side; the rest is the surface
     add_revolved(
         mesh, bottle.foot,
         [&](float along) {
@@ -80,7 +80,7 @@ void add_blade(Mesh& mesh, RandomNumbers& random) {
     });
 }
 
-// A bank of smoke that drifts from the left, low in front and higher behind.
+// Adds a bank of smoke that drifts from the left, low in front and higher behind.
 void add_smoke(Mesh& pale, Mesh& dark, const Camera& camera, RandomNumbers& random) {
     for (int i = 0; i < SMOKE_PUFFS; ++i) {
         const glm::vec3 place = in_unit_ball(random);
@@ -90,7 +90,7 @@ void add_smoke(Mesh& pale, Mesh& dark, const Camera& camera, RandomNumbers& rand
         puff.center.y += 0.35f * std::max(-place.z, 0.0f);
         puff.radius = random.uniform(0.4f, 0.9f);
         puff.facing = towards_camera(camera);
-        // Never at right angles to the view, where light that takes both sides alike would jump.
+        // Never at right angles to the view: two-sided shading would jump there.
         puff.normal = glm::normalize(0.6f * place + glm::vec3(0.0f, 0.3f, 0.0f) + puff.facing);
         puff.turn = random.uniform(0.0f, glm::two_pi<float>());
         add_billboard(i % 3 == 0 ? dark : pale, puff, 8);
@@ -104,7 +104,7 @@ Scene build_smoke() {
     scene.id = "smoke";
     scene.camera = {glm::vec3(-0.1f, 0.78f, 0.0f), 6.6f, 0.12f, 0.09f, 0.4f};
     scene.background = linear_color(0xB7C4CC);
-    scene.picked = {0.438f, 0.417f};  // smoke before, in and behind a bottle
+    scene.picked = {0.438f, 0.417f};  // smoke in front of, in and behind a bottle
     RandomNumbers random(31);
     const auto add = [&](Mesh mesh, std::uint32_t color, float opacity) {
         scene.objects.push_back(

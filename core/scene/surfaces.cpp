@@ -15,7 +15,7 @@ glm::vec3 normal_at(const Surface& surface, float u, float v) {
     const glm::vec3 across = glm::cross(along_u, along_v);
     const float length = glm::length(across);
     if (length > 1e-12f) return across / length;
-    // An edge that is a point: a little way inside there is a surface.
+    // The edge is a point. Slightly inside there is a surface.
     const float inside_u = glm::mix(u, 0.5f, 0.02f), inside_v = glm::mix(v, 0.5f, 0.02f);
     return inside_u == u && inside_v == v ? glm::vec3(0, 1, 0) : normal_at(surface, inside_u, inside_v);
 }
@@ -49,7 +49,7 @@ void add_tube(Mesh& mesh, const glm::vec3& from, const glm::vec3& to, float radi
     const glm::vec3 x = glm::normalize(glm::cross(aside, along));
     const glm::vec3 y = glm::cross(along, x);
     add_surface(mesh, sides, 1, [&](float u, float v) {
-        const float angle = u < 1.0f ? glm::two_pi<float>() * u : 0.0f;  // the seam's ends have the same bits
+        const float angle = u < 1.0f ? glm::two_pi<float>() * u : 0.0f;  // the ends have the same bits
         const glm::vec3 outward = std::cos(angle) * x + std::sin(angle) * y;
         return glm::mix(from, to, v) + glm::mix(radius_from, radius_to, v) * outward;
     });

@@ -1,4 +1,4 @@
-// teapot.cpp -- tessellates Newell's teapot: bicubic patches, analytic normals, seams closed.
+// teapot.cpp -- tessellates the teapot of Newell: bicubic patches, analytic normals, closed seams.
 #include "core/scene/shapes.hpp"
 #include "core/scene/teapot_patches.hpp"
 
@@ -23,7 +23,7 @@ Bernstein bernstein(double t) {
             {-3.0 * s * s, 3.0 * s * s - 6.0 * s * t, 6.0 * s * t - 3.0 * t * t, 3.0 * t * t}};
 }
 
-/// Sum of the patch's control points weighted by row[i] * column[j].
+/// The sum of the control points of the patch, weighted by row[i] * column[j].
 glm::dvec3 blend(int patch, const std::array<double, 4>& row, const std::array<double, 4>& column) {
     glm::dvec3 sum(0.0);
     for (std::size_t i = 0; i < 4; ++i) {
@@ -33,19 +33,19 @@ glm::dvec3 blend(int patch, const std::array<double, 4>& row, const std::array<d
     return sum;
 }
 
-/// The outward unit normal, in Newell's coordinates, where the weights were taken.
+/// The outward unit normal, in the coordinates of Newell, at the point with these weights.
 glm::dvec3 patch_normal(int patch, const Bernstein& row, const Bernstein& column) {
     const glm::dvec3 along = blend(patch, row.slope, column.value);
     glm::dvec3 around = blend(patch, row.value, column.slope);
-    // On the knob's top and in the middle of the base a whole row of control points is one point, so
-    // that `around` vanishes. Near there it is the row parameter times the mixed second derivative
-    // (both poles are at row 0), which therefore gives the direction of the limit.
+    // At the top of the knob and in the middle of the base, all control points of row 0 are one point, so
+    // `around` is 0 there. Nearby it is the row parameter times the mixed second derivative, which therefore
+    // gives the direction of the limit.
     if (glm::length(around) < 1e-9) around = blend(patch, row.slope, column.slope);
     return glm::normalize(glm::cross(around, along));
 }
 
-/// Neighbouring patches evaluate their common edge from opposite ends, which differs by rounding. To
-/// leave no cracks (a pixel there would miss a fragment), equal points become one vertex.
+/// Neighbouring patches evaluate their common edge from opposite ends, so the results differ by rounding.
+/// This would leave cracks, where a pixel would miss a fragment. So equal points become one vertex.
 class Welder {
 public:
     explicit Welder(Mesh& mesh) : mesh_(mesh) {}
@@ -53,7 +53,7 @@ public:
     std::uint32_t add(const glm::dvec3& position, const glm::dvec3& normal) {
         std::vector<std::uint32_t>& here = places_[key(position)];
         for (const std::uint32_t vertex : here) {
-            // At a crease (the base's edge) the vertices stay two, but at the same position.
+            // At a crease (the edge of the base) there are two vertices, but at the same position.
             if (glm::dot(glm::dvec3(mesh_.normals[vertex]), normal) > 0.999) return vertex;
         }
         const auto vertex = static_cast<std::uint32_t>(mesh_.positions.size());
@@ -66,7 +66,7 @@ public:
 private:
     using Key = std::array<long, 3>;
 
-    // A grid far finer than any tessellation and far coarser than double rounding.
+    // A grid that is much finer than any tessellation and much coarser than rounding in double.
     static Key key(const glm::dvec3& p) {
         constexpr double CELLS = 1 << 20;
         return {std::lround(p.x * CELLS), std::lround(p.y * CELLS), std::lround(p.z * CELLS)};
@@ -76,7 +76,7 @@ private:
     std::map<Key, std::vector<std::uint32_t>> places_;
 };
 
-/// Appends a triangle unless it has shrunk to a line at a pole.
+/// Appends a triangle, unless it has shrunk to a line at a pole.
 void add_triangle(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     if (a == b || b == c || c == a) return;
     mesh.indices.insert(mesh.indices.end(), {a, b, c});

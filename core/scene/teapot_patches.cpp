@@ -1,4 +1,5 @@
-// teapot_patches.cpp -- Newell's control points and patches. Numbers only; teapot.cpp explains their use.
+// teapot_patches.cpp -- the control points and patches of Newell. Only numbers; teapot.cpp explains their
+// use.
 #include "core/scene/teapot_patches.hpp"
 
 namespace momentscope {

@@ -1,4 +1,4 @@
-// text_encoding.cpp -- UTF-16 and UTF-32 become UTF-8, marks of the byte order go.
+// text_encoding.cpp -- converts UTF-16 and UTF-32 to UTF-8 and removes byte order marks.
 #include "core/scene/text_encoding.hpp"
 
 #include <algorithm>
@@ -21,14 +21,15 @@ struct Mark {
 };
 
 using namespace std::string_view_literals;
-// UTF-32 first: its mark begins with that of UTF-16.
+// UTF-32 comes first, because its mark begins with that of UTF-16.
 constexpr std::array<Mark, 5> MARKS = {{{"\xff\xfe\0\0"sv, {4, false, 4}},
                                         {"\0\0\xfe\xff"sv, {4, true, 4}},
                                         {"\xff\xfe"sv, {2, false, 2}},
                                         {"\xfe\xff"sv, {2, true, 2}},
                                         {"\xef\xbb\xbf"sv, {1, false, 3}}}};
 
-/// Is every second byte of the beginning zero, and are the others plain text? No binary format begins so.
+/// True if every second byte of the beginning is zero and the others are plain text. No binary format begins
+/// like this.
 bool alternates(std::string_view bytes, std::size_t zeros) {
     const std::size_t count = std::min(bytes.size() / 2, std::size_t{64});
     if (count < 8) return false;

@@ -1,4 +1,4 @@
-// text_encoding.hpp -- text files that are not in UTF-8.
+// text_encoding.hpp -- reads text files that are not in UTF-8.
 #pragma once
 #include <optional>
 #include <string>
@@ -6,9 +6,9 @@
 
 namespace momentscope {
 
-/// The text in UTF-8 when the bytes are UTF-16 (with a byte order mark, or evidently without), UTF-32 or
-/// UTF-8 with such a mark. Nothing when the bytes are to be taken as they are. What is no character
-/// becomes U+FFFD.
+/// The text in UTF-8, if the bytes are UTF-16 (with a byte order mark, or recognisable without), UTF-32 with
+/// such a mark, or UTF-8 with such a mark. nullopt if the bytes should be used as they are. Invalid
+/// characters become U+FFFD.
 std::optional<std::string> as_utf8(std::string_view bytes);
 
 }  // namespace momentscope

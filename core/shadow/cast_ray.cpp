@@ -12,7 +12,7 @@ namespace momentscope {
 
 namespace {
 
-// Bilinear, repeated: as the GL samples level 0.
+// The map sampled as the GL samples level 0: bilinear and repeated.
 float sampled(const AlphaMap& map, const glm::vec2& place) {
     const auto at = [&](int x, int y) {
         const int column = ((x % map.width) + map.width) % map.width,
@@ -55,7 +55,7 @@ CastLight cast_light(const Scene& scene, const glm::vec3& from, const glm::vec3&
         for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
             const std::uint32_t* corner = &mesh.indices[i];
             glm::vec2 place;
-            float distance = 0;  // as a fraction of the way
+            float distance = 0;  // as a fraction of the way from `from` to `to`
             if (!glm::intersectRayTriangle(origin, direction, mesh.positions[corner[0]],
                                            mesh.positions[corner[1]], mesh.positions[corner[2]], place,
                                            distance))

@@ -11,9 +11,9 @@ namespace momentscope {
 
 namespace {
 
-constexpr double VISIBLE = 0.01;  // a share of the light below which nothing is said
+constexpr double VISIBLE = 0.01;  // smaller shares of the light are not explained
 
-/// T from exact moments without bias; nullopt for techniques without.
+/// T from exact moments without bias; nullopt if there is no such T.
 std::optional<double> exact_transmittance(const ViewRay& ray, const Technique& technique,
                                           ResolvedParameters parameters, float beta, float depth) {
     parameters.beta = beta;
@@ -22,7 +22,7 @@ std::optional<double> exact_transmittance(const ViewRay& ray, const Technique& t
     return std::exp(-static_cast<double>(absorbance.front()));
 }
 
-// From the truth to what is shown, one cause at a time.
+// A chain from the truth to the shown light, with one cause per step.
 std::vector<Contribution> contributions_of(const ShadowFilterSamples& bundle,
                                            const Configuration& transparent, double truth, double shown) {
     const Technique& technique = *transparent.technique;

@@ -1,4 +1,5 @@
-// light_breakdown.hpp -- why a receiver is lit wrongly: leaking, wrong self-shadowing, filtering or bias.
+// light_breakdown.hpp -- why a receiver is lit wrongly: light leaking, wrong self-shadowing, filtering or
+// bias.
 #pragma once
 #include <string>
 #include <vector>
@@ -8,17 +9,15 @@
 
 namespace momentscope {
 
-/// Shares of the light that reach a receiver.
+/// The light that reaches a receiver, and the error split into its causes.
 struct LightBreakdown {
-    double true_transmittance =
-        1;                     // of transparent casters, as a deep shadow map with the same filter has it
-    double transmittance = 1;  // as the map's numbers give it
-    double true_shadowed =
-        0;  // share of the filter region behind opaque casters, by comparing each texel with pcf's slack
-    double shadowed = 0;  // as the map's numbers give it
+    double true_transmittance = 1;  // of transparent casters, by a deep shadow map with the same filter
+    double transmittance = 1;       // as computed from the map
+    double true_shadowed = 0;       // share of the filter region with opaque casters in front, by pcf
+    double shadowed = 0;            // as computed from the map
 
-    /// What true_transmittance - transmittance is made of: positive where light is missing, negative where it
-    /// leaks. They sum to the difference.
+    /// The causes of true_transmittance - transmittance. A share is positive if light is missing and negative
+    /// if it leaks. The shares sum to the difference.
     std::vector<Contribution> contributions;
     std::string sentence;
 };

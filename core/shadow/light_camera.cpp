@@ -19,12 +19,12 @@ namespace glsl::light {
 namespace {
 
 constexpr float STANDARD_DISTANCE = 4;  // radii
-constexpr float MIN_DISTANCE = 1.05f;   // radii; closer the frustum is wider than 144 degrees
+constexpr float MIN_DISTANCE = 1.05f;   // radii; at less, the frustum is wider than 144 degrees
 
 }  // namespace
 
 float standard_light_distance(const Sphere& casters) {
-    return STANDARD_DISTANCE * std::max(casters.radius, 1e-3f);  // nothing casts: any frame will do
+    return STANDARD_DISTANCE * std::max(casters.radius, 1e-3f);  // without casters any frustum is right
 }
 
 LightCamera light_camera(const ShadowSettings& settings, const Sphere& casters) {
@@ -44,7 +44,7 @@ LightCamera light_camera(const ShadowSettings& settings, const Sphere& casters) 
         glm::lookAt(frame.position, casters.center, overhead ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0));
     frame.near_plane = distance - radius;
     frame.far_plane = distance + radius;
-    // The cone that touches the sphere, a thousandth wider.
+    // The angle of the cone that touches the sphere, with a margin of a thousandth.
     const float angle = std::asin(std::min(1.001f * radius / distance, 0.999f));
     frame.projection = glm::perspective(2 * angle, 1.0f, 0.999f * frame.near_plane, 1.001f * frame.far_plane);
     frame.warp = {DepthWarp::Kind::linear, frame.near_plane, frame.far_plane};

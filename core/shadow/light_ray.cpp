@@ -8,7 +8,7 @@ namespace momentscope {
 
 namespace {
 
-// The opacity that absorbs `share` of what this one does.
+// The opacity whose absorbance is `share` times that of this opacity.
 float shared_opacity(float opacity, float share) {
     const double absorbance = static_cast<double>(fragment_absorbance(opacity)) * static_cast<double>(share);
     return static_cast<float>(-std::expm1(-absorbance));

@@ -1,6 +1,6 @@
-// light_ray.hpp -- the functions behind a receiver, seen from the light. A filtered texel mixes many rays: as
-// absorbances are summed, the mixture is again a ray, of fragments that absorb as much less as their texel
-// weighs.
+// light_ray.hpp -- the functions of depth between the light and a receiver. A filtered texel is a mixture of
+// many rays. Since absorbances are summed, the mixture is a ray again: the absorbance of each fragment is
+// multiplied by the weight of its texel.
 #pragma once
 #include <vector>
 
@@ -11,10 +11,10 @@
 
 namespace momentscope {
 
-/// An opaque caster of a texel of the filter region: what its depth weighs.
+/// The opaque depth of one texel of the filter region, and the weight of the texel.
 struct OpaqueShare {
-    float depth = 1;   // of the nearest surface, [-1, 1]; 1 where there is none
-    float weight = 0;  // [0, 1]; those of a region sum to 1
+    float depth = 1;   // of the nearest surface, in [-1, 1]; 1 if there is none
+    float weight = 0;  // in [0, 1]; the weights of a region sum to 1
 };
 
 /// One texel of the filter region and its transparent fragments.
@@ -23,38 +23,39 @@ struct LightTexel {
     std::vector<Fragment> fragments;  // in submission order
 };
 
-/// All that lights a receiver.
+/// All fragments and depths between the light and a receiver, and what the maps hold of them.
 struct ShadowFilterSamples {
     ShadowMapPosition place;          // of the receiver
-    std::vector<LightTexel> texels;   // the filter region; empty where the map knows nothing
-    std::vector<OpaqueShare> opaque;  // the same texels
+    std::vector<LightTexel> texels;   // the filter region; empty outside of the map
+    std::vector<OpaqueShare> opaque;  // of the same texels
     DepthWarp warp;                   // linear
     float near_plane = 0, far_plane = 0;
 
-    // What the map holds after filtering and interpolation, as the shading reads it.
+    // What the maps hold after filtering and interpolation. The shading reads these numbers.
     std::vector<float> sums;  // of transparent casters, b_0 first; empty for a deep map
-    ShadowTexel texel{};      // of opaque casters; of an unfiltered one nothing
+    ShadowTexel texel{};      // of opaque casters; unused if the map is not filtered
 };
 
-/// The mixture of all texels as one ray: the absorbance of each fragment times its texel's weight.
+/// The mixture of all texels as one ray: the absorbance of each fragment is multiplied by the weight of its
+/// texel.
 ViewRay mixed_ray(const ShadowFilterSamples& bundle);
 
-/// Depths of opaque casters as one ray, whose total absorbance is 1 and whose A(z) is the share in front of
-/// z.
+/// The depths of opaque casters as one ray. Its total absorbance is 1, and its A(z) is the share of the
+/// filter region in front of z.
 ViewRay opaque_ray(const ShadowFilterSamples& bundle);
 
-/// T in front of the receiver's depth: the mean over the texels of what each lets through, as a deep shadow
-/// map has it.
+/// T in front of a depth as a deep shadow map has it: the weighted mean of the transmittances of the texels.
 double deep_transmittance(const ShadowFilterSamples& bundle, float depth);
 
-/// exp of minus the mean of the texels' absorbances: what moments could know at best.
+/// The transmittance of the weighted mean of the absorbances of the texels. This is the best that moments can
+/// know.
 double mixed_transmittance(const ShadowFilterSamples& bundle, float depth);
 
-/// What shading computes of the receiver: the share of light that transparent casters let through, from the
-/// map's numbers.
+/// The share of light that transparent casters let through to a receiver at this depth, as the shading
+/// computes it from the map.
 float light_transmittance(const ShadowFilterSamples& bundle, const Configuration& transparent, float depth);
 
-/// The same of opaque casters: the share of the region in front.
+/// The same for opaque casters: the share of the filter region in front.
 float light_shadowed(const ShadowFilterSamples& bundle, const OpaqueShadow& opaque, float depth);
 
 }  // namespace momentscope

@@ -18,7 +18,7 @@ enum class OpaqueShadowId {
 #undef OPAQUE_SHADOW
 };
 
-/// Defined by the file that CMake generates for each row.
+/// Defined in the file that CMake generates for each row.
 template <OpaqueShadowId Id>
 OpaqueKernel opaque_kernel();
 

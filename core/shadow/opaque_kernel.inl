@@ -1,5 +1,6 @@
-// opaque_kernel.inl -- the body of an OpaqueKernel. A file generated from opaque_kernel.cpp.in defines
-// KERNEL_ID, SHADOW_FILE (a file of shaders/shared), MOMENT_COUNT and MOMENT_BITS, and includes this.
+// opaque_kernel.inl -- the body of an OpaqueKernel. A file that CMake generates from opaque_kernel.cpp.in
+// defines KERNEL_ID, SHADOW_FILE (a file of shaders/shared), MOMENT_COUNT and MOMENT_BITS, and includes this
+// file.
 #include "core/glsl.hpp"
 #include "core/shadow/opaque_kernel.hpp"
 #include "core/techniques/quantisation.hpp"
@@ -9,7 +10,7 @@
 namespace momentscope {
 namespace glsl::shadow::KERNEL_ID {
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-parameter"  // the shape is the same for every row
+#pragma GCC diagnostic ignored "-Wunused-parameter"  // all rows have the same signatures
 #pragma GCC diagnostic ignored "-Wunused-function"
 #include "shaders/shared/portable_math.glsl"
 #if MOMENT_BITS == 16

@@ -7,7 +7,7 @@ namespace momentscope {
 
 namespace {
 
-/// Weights along one axis, of texels from `first` on.
+/// The weights along one axis, for the texels from `first` on.
 struct Span {
     int first = 0;
     std::vector<float> weights;
@@ -25,9 +25,9 @@ Span span_of(float at, int map_size, const std::vector<float>& gaussian) {
     span.weights.resize(static_cast<std::size_t>(end - span.first + 1));
     for (const int corner : {0, 1}) {
         const float share = corner == 0 ? 1 - fraction : fraction;
-        const int middle = std::clamp(base + corner, 0, last);  // bilinear interpolation stops at the border
+        const int middle = std::clamp(base + corner, 0, last);  // interpolation is clamped at the border
         for (int k = -radius; k <= radius; ++k) {
-            const int texel = std::clamp(middle + k, 0, last);  // and so does the filter
+            const int texel = std::clamp(middle + k, 0, last);  // and so is the filter
             span.weights[static_cast<std::size_t>(texel - span.first)] +=
                 share * gaussian[static_cast<std::size_t>(k + radius)];
         }

@@ -1,4 +1,4 @@
-// shadow_onset.hpp -- over which depths the shadow of one caster begins.
+// shadow_onset.hpp -- the depths over which the shadow of one caster begins.
 #pragma once
 #include "core/ray/view_ray.hpp"
 #include "core/techniques/configuration.hpp"
@@ -7,14 +7,15 @@ namespace momentscope {
 
 /// View depths from the light.
 struct ShadowOnset {
-    float caster = 0;  // where it is
-    float low = 0;     // the shadow first exceeds a tenth of what it is in the end
-    float high = 0;    // from here on it exceeds nine tenths
+    float caster = 0;  // depth of the caster
+    float low = 0;     // where the shadow first exceeds a tenth of its final value
+    float high = 0;    // from here on the shadow exceeds nine tenths of it
     float length() const { return high - low; }
 };
 
-/// The shadow of the fragments of one draw call within a light's ray: 1 - T / T without them, both by the
-/// same technique. Of the truth it is a step. `sorted` is the truth.
+/// The onset of the shadow that the fragments of one draw call cast on a ray from the light. The shadow is
+/// 1 - T / T', where T' is T without these fragments, both by the same technique. For the truth, which is the
+/// technique `sorted`, it is a step.
 ShadowOnset shadow_onset(const ViewRay& ray, std::uint32_t draw, const Configuration& configuration);
 
 }  // namespace momentscope

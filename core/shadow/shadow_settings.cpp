@@ -26,7 +26,7 @@ Configuration light_configuration(const ParameterValues& values) {
     const std::string_view id = chosen(values, ParameterId::shadow_technique);
     Configuration result = {nullptr, values};
     result.values.set(ParameterId::beta, values[ParameterId::shadow_beta]);
-    result.values.set(Solver::robust);  // maps know the robust one alone
+    result.values.set(Solver::robust);  // maps are always read by the robust solver
     if (id.starts_with("fourier-")) {
         result.technique = &require_technique("fourier");
         result.values.set(id == "fourier-15" ? FourierCoefficients::fifteen : FourierCoefficients::seven);

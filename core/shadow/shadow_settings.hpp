@@ -1,4 +1,4 @@
-// shadow_settings.hpp -- what parameters say about shadows.
+// shadow_settings.hpp -- the settings of shadows, which follow from parameters.
 #pragma once
 #include <optional>
 
@@ -10,13 +10,13 @@ namespace momentscope {
 
 constexpr int MAX_SHADOW_RADIUS = 8;
 
-/// Parameters with `auto` replaced.
+/// The parameters of shadows, mostly with `auto` replaced.
 struct ShadowSettings {
-    bool casters = true;        // do transparent ones count?
-    Configuration transparent;  // the technique of the transparent casters' map, with the light's beta;
+    bool casters = true;        // do transparent casters count?
+    Configuration transparent;  // of the map of transparent casters, with the beta of the light;
                                 // `sorted` for a deep shadow map
     const OpaqueShadow* opaque = nullptr;
-    int size = 1024;  // texels of a side
+    int size = 1024;  // texels along a side
     int radius = 4;   // of the filter, in texels
     Light light;
     std::optional<float> distance;  // of the light from the centre of all casters; nullopt: four radii
@@ -26,21 +26,21 @@ struct ShadowSettings {
 
 bool has_shadows(const ParameterValues& values);
 
-/// The technique of the transparent casters' map, and its values: beta is the light's. What else a technique
-/// reads, such as theta, is the same for eye and light.
+/// The technique of the map of transparent casters, and its parameters. beta is that of the light. Other
+/// parameters of a technique, such as theta, are the same for eye and light.
 Configuration light_configuration(const ParameterValues& values);
 
-/// The technique whose math a map of opaque casters shares, with b_0 = 1 and beta = 0, in floats: what a plot
-/// draws of it. `sorted` where a map shares none.
+/// The technique with the same mathematics as the map of opaque casters, with b_0 = 1 and beta = 0, in
+/// floats. Plots of the map draw it. `sorted` if there is no such technique.
 Configuration opaque_configuration(const ParameterValues& values);
 
 ShadowSettings shadow_settings(const ParameterValues& values, const Light& of_scene);
 
-/// Do both light a receiver alike, wherever the light stands? Parameters that maps do not read, such as
-/// renormalisation, do not count.
+/// True if both settings light a receiver alike, whatever the place of the light. Parameters that maps do not
+/// read, such as renormalisation, do not count.
 bool same_lookup(const ShadowSettings& a, const ShadowSettings& b);
 
-/// Numbers that a texel of the transparent casters' map stores, b_0 among them; 0 for a deep shadow map.
+/// How many numbers a texel of the map of transparent casters stores, with b_0; 0 for a deep shadow map.
 int texel_numbers(const Configuration& configuration);
 
 }  // namespace momentscope

@@ -1,5 +1,5 @@
-// classify.hpp -- one query of a reconstruction against the exact result at the same moment bias: what stress
-// and tune count.
+// classify.hpp -- classifies one query of a reconstruction by comparing it with the exact result at the same
+// moment bias. stress and tune count these outcomes.
 #pragma once
 #include <vector>
 
@@ -7,20 +7,21 @@
 
 namespace momentscope {
 
-constexpr double FAILED_ERROR = 0.02;     // of T: five 8-bit steps at white, about what is seen
+constexpr double FAILED_ERROR = 0.02;     // of T: five 8-bit steps at white, about what is visible
 constexpr float CLAMP_TOLERANCE = 1e-4f;  // rounding alone takes sums this far beyond [0, 1]
 
-/// What happened to a query, the gravest first: no number; before it is clamped outside [0, b0]; a T that is
-/// off by more than FAILED_ERROR; or nothing.
+/// The outcome of a query, from the worst to the best: NaN; a result outside [0, b0] before it is clamped; an
+/// error of T by more than FAILED_ERROR; none of these.
 enum class Outcome { no_number, outside, inaccurate, ok };
 
-/// fraction: A / b0 before it is clamped. t: from it, clamped. exact_t: at the same alpha.
+/// Classifies a query. fraction: A / b0 before it is clamped. t: the T of the clamped fraction. exact_t: the
+/// exact T at the same alpha.
 Outcome classify(float fraction, double t, double exact_t);
 
-/// T of a fraction of b0, clamped as the shaders do it: NaN counts as 0.
+/// T of a fraction of b0. The fraction is clamped as in the shaders: NaN counts as 0.
 double transmittance_of_fraction(float fraction, float b0);
 
-/// Depths of at most 8 of a ray's fragments, evenly chosen in submission order.
+/// The depths of at most 8 fragments of a ray, chosen evenly in submission order.
 std::vector<float> some_own_depths(const ViewRay& ray);
 
 }  // namespace momentscope

@@ -19,7 +19,7 @@ int nodes_of(const Technique& technique) {
     return !technique.has_moments() ? 4 : technique.moment_kernel().node_count;
 }
 
-// A condition that only says which ray.
+// The function of a condition that only defines the ray.
 Make of_ray(std::function<ViewRay(RandomNumbers&, const Technique&)> ray) {
     return [ray = std::move(ray)](RandomNumbers& random, const Technique& technique,
                                   const ParameterValues& base) {
@@ -111,7 +111,7 @@ void add_layers(std::vector<Condition>& rows) {
              })});
 }
 
-// Surfaces spread evenly over the logarithm of view depth, as in a landscape.
+// Surfaces that are spread evenly over the logarithm of view depth, as in a landscape.
 ViewRay landscape(RandomNumbers& random, float factor, bool logarithmic) {
     ViewRay ray = random_ray(random, 5);
     if (logarithmic) ray.warp = {DepthWarp::Kind::logarithmic, 1.0f, factor};

@@ -95,7 +95,7 @@ public:
     }
 
 private:
-    // Each query counts once, for the gravest thing that happened.
+    // Counts the outcome of a query. Each query counts once, for the worst thing that happened.
     void count_outcome(float fraction, double t, double t_exact, const StressCase& tried) {
         ++cell_.queries;
         const double error = std::abs(t - t_exact);
@@ -137,7 +137,7 @@ private:
 };
 
 std::uint32_t seed_of(const Condition& condition, std::uint32_t seed) {
-    // All techniques see the same rays. FNV-1a, because std::hash may differ from one library to another.
+    // All techniques get the same rays. The hash is FNV-1a, because std::hash may differ between libraries.
     std::uint32_t hash = 2166136261U ^ seed;
     for (const char letter : condition.id) hash = (hash ^ static_cast<unsigned char>(letter)) * 16777619U;
     return hash;

@@ -16,7 +16,7 @@ namespace momentscope {
 
 namespace {
 
-// A worst ray of ten thousand fragments would be the whole file.
+// The ray as JSON; empty for more than 64 fragments, because ten thousand would dominate the file.
 std::string ray_text(const ViewRay& ray) {
     return ray.fragments.size() > 64 ? "" : json_text(ray_to_json(ray));
 }
@@ -46,12 +46,12 @@ std::string heading(const std::vector<StressCell>& cells, std::size_t columns) {
 }  // namespace
 
 glm::vec3 failure_color(double rate) {
-    // Stops of lightness 25, 60, 85, 55 and 30 %: blue, teal, yellow, orange, dark red.
+    // Colours with a lightness of 25, 60, 85, 55 and 30 %: blue, teal, yellow, orange, dark red.
     static constexpr std::array<glm::vec3, 5> STOPS = {
         glm::vec3(0.10f, 0.22f, 0.42f), glm::vec3(0.25f, 0.60f, 0.62f), glm::vec3(0.96f, 0.86f, 0.40f),
         glm::vec3(0.88f, 0.45f, 0.14f), glm::vec3(0.55f, 0.06f, 0.10f)};
     if (!(rate > 0)) return STOPS[0];
-    // One in ten thousand is the second stop, every decade another one.
+    // A rate of 1e-4 has the second colour; each decade more has the next one.
     const double place = std::clamp(std::log10(rate) + 5.0, 1.0, 4.0);
     const auto below = std::min<std::size_t>(static_cast<std::size_t>(place), STOPS.size() - 2);
     return glm::mix(STOPS[below], STOPS[below + 1], static_cast<float>(place - static_cast<double>(below)));
@@ -102,7 +102,7 @@ std::string stress_to_csv(const std::vector<StressCell>& cells) {
 }
 
 RunTable stress_table(const std::vector<StressCell>& cells, const StressOptions& options) {
-    constexpr int SCHEMA = 1;  // counts changes of the columns and of what they mean
+    constexpr int SCHEMA = 1;  // increases when columns or their meaning change
     const auto joined = [](const auto& rows) {
         std::string text;
         for (const auto* row : rows) text += fmt::format("{}{}", text.empty() ? "" : " ", row->id);

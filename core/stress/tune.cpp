@@ -24,7 +24,7 @@ struct Sums {
     long queries = 0, failures = 0, inherent = 0;
 };
 
-// T at `depths` from exact arithmetic on what is stored; empty where rounding left a singular matrix.
+// T at `depths` from exact arithmetic on stored moments; empty if rounding made the matrix singular.
 std::vector<double> exact_of_stored(const MomentVector& stored, const Technique& technique,
                                     const ResolvedParameters& parameters, const std::vector<float>& depths) {
     std::vector<double> t;
@@ -36,13 +36,13 @@ std::vector<double> exact_of_stored(const MomentVector& stored, const Technique&
     return t;
 }
 
-// The queries of one ray at its own depths; where they begin among those of many.
+// The queries at the depths of one ray: their place among those of many rays.
 struct RayQueries {
     const ViewRay* ray;
     std::size_t first, count;
 };
 
-// Errors of one ray, of which `stored` and `fractions` are, and failures if they are to be judged.
+// Adds the errors of one ray with these stored moments and fractions. If `judged`, also counts failures.
 void add_ray(const ViewRay& ray, const MomentVector& stored, std::span<const float> fractions,
              const Technique& technique, const ResolvedParameters& parameters, bool judged, Sums& sums) {
     const std::vector<float> depths = some_own_depths(ray);
@@ -65,7 +65,7 @@ void add_ray(const ViewRay& ray, const MomentVector& stored, std::span<const flo
     }
 }
 
-// All their queries at once.
+// Adds the errors of several rays. All their queries run at once.
 void add_rays(std::span<const ViewRay> rays, const Technique& technique, const ResolvedParameters& parameters,
               bool judged, Sums& sums) {
     std::vector<RayQueries> queries;
@@ -137,14 +137,13 @@ std::vector<float> candidates(ParameterId id, const Technique& technique) {
     }
     for (int i = -36; i <= -4; ++i) values.push_back(std::pow(10.0f, static_cast<float>(i) / 4));
     values.insert(values.end(), {technique.moments().recommended_bias,
-                                 technique.moments().robust_bias});  // the presets, to compare with
+                                 technique.moments().robust_bias});  // the presets, for comparison
     std::ranges::sort(values);
     values.erase(std::unique(values.begin(), values.end()), values.end());
     return values;
 }
 
-// Summing over threads makes the last digits of an error depend on the machine; a value must win by more than
-// that.
+// Sums over threads differ between machines in their last digits. A value must be better by more than this.
 constexpr double WINS_BY = 1 - 1e-9;
 
 const Trial* least_error(const std::vector<Trial>& trials, ParameterId id, double most_failures) {
@@ -156,7 +155,7 @@ const Trial* least_error(const std::vector<Trial>& trials, ParameterId id, doubl
     return best;
 }
 
-// Of the safe biases the largest that costs next to nothing.
+// The largest safe bias whose error is within MAX_RELATIVE_LOSS of the least error.
 const Trial* best_bias(const std::vector<Trial>& trials, double most_failures) {
     const Trial* best = least_error(trials, ParameterId::alpha, most_failures);
     if (best == nullptr) return nullptr;
@@ -200,7 +199,7 @@ std::optional<TuneResult> tune(const std::vector<ViewRay>& all_rays, const TuneO
         }
         const Trial* best = id == ParameterId::alpha ? best_bias(result.trials, options.most_failures)
                                                      : least_error(result.trials, id, 1.0);
-        if (best == nullptr) {  // no bias is safe: the one that fails least
+        if (best == nullptr) {  // no bias is safe; take the one with the least failures
             result.safe = false;
             best = &*std::ranges::min_element(result.trials, {}, &Trial::failure_rate);
         }
@@ -235,7 +234,7 @@ std::optional<std::vector<OverdrawTrial>> tune_by_overdraw(
         const int fragments = 1 << k;
         RandomNumbers random(seed + static_cast<std::uint32_t>(k));
         std::vector<ViewRay> rays;
-        // The more fragments, the fewer rays: each step takes about as long.
+        // Take fewer rays if they have more fragments, so that each step takes about the same time.
         for (int i = 0; i < std::max(count * 16 / std::max(fragments, 16), 20); ++i)
             rays.push_back(layered_ray(random, fragments));
         auto result = tune(rays, options, stop, [&](std::size_t done, std::size_t all) {

@@ -16,16 +16,16 @@ namespace momentscope {
 namespace {
 
 constexpr int MAX_SHARDS = 10'000;
-// A chart has some hundred rows of 300 bytes, a stress run a thousand of 15 KB. What is larger would take
-// more memory than a table is worth.
+// A chart has a few hundred rows of 300 bytes, a stress run a thousand rows of 15 KB. Larger tables would
+// take more memory than they are worth.
 constexpr std::uintmax_t MAX_BYTES = std::uintmax_t{64} << 20;
 constexpr std::size_t MAX_ROWS = 100'000;
 constexpr std::size_t MAX_SETTINGS = 1000;
-// The longest is a command with all its words, some thousand letters.
+// The longest value is a command with all its words, a few thousand letters.
 constexpr std::size_t MAX_SETTING_BYTES = std::size_t{4} << 20;
-constexpr std::size_t SHORT_VALUE = 60;  // letters that a sentence bears
+constexpr std::size_t SHORT_VALUE = 60;  // letters that fit in a sentence
 
-// A value takes one line, even when it names a file whose name has several.
+// A value takes one line, even if it is the name of a file with several lines.
 std::string escaped(std::string_view value) {
     std::string result;
     for (const char letter : value)
@@ -66,7 +66,8 @@ std::optional<std::string_view> word_only_in(std::string_view text, std::string_
     return std::nullopt;
 }
 
-// Of long lists only what one has and the other has not.
+// The sentence about a difference. For long lists it names only elements that one list has and the other does
+// not.
 std::string difference_text(const std::string& name, const std::string& value, const std::string& wanted) {
     if (std::max(value.size(), wanted.size()) <= SHORT_VALUE)
         return fmt::format("its {} is {} instead of {}", name, value.empty() ? "missing" : value,
@@ -179,7 +180,7 @@ RunTable merge_shards(const std::vector<std::filesystem::path>& paths) {
     if (!row_count || *row_count < 0)
         throw Error(
             fmt::format("'{}' does not say how many rows its run has; make it again.", paths[0].string()));
-    std::vector<std::size_t> place_of(static_cast<std::size_t>(count), tables.size());  // shard to file
+    std::vector<std::size_t> place_of(static_cast<std::size_t>(count), tables.size());  // file of each shard
     for (std::size_t i = 0; i < tables.size(); ++i) {
         const Shard shard = parse_shard(setting(tables[i].settings, run_setting::SHARD));
         auto difference = difference_of(tables[i].settings, first.settings, run_setting::SHARD);

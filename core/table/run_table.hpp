@@ -1,4 +1,4 @@
-// run_table.hpp -- tables of long runs as CSV files that say of which run they are, and shards of them.
+// run_table.hpp -- tables of long runs as CSV files that name the run they belong to, and shards of them.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -9,9 +9,9 @@
 
 namespace momentscope {
 
-/// A part of a run: every count-th row from the index-th on, so that all parts take about as long.
+/// A part of a run: every count-th row, starting with row index - 1. So all parts take about the same time.
 struct Shard {
-    int index = 1;  // from 1 to count
+    int index = 1;  // in [1, count]
     int count = 1;
 
     bool holds(std::size_t row) const {
@@ -19,23 +19,24 @@ struct Shard {
     }
 };
 
-/// "2/4". Throws Error unless it is one of at most 10,000.
+/// The shard of a text such as "2/4", and the text of a shard. Throws Error unless the text names one of at
+/// most 10,000 shards.
 Shard parse_shard(std::string_view text);
 std::string shard_text(const Shard& shard);
 
-/// What a run was: names and values in the order in which they are written.
+/// The settings of a run: names and values, in the order in which they are written.
 using RunSettings = std::vector<std::pair<std::string, std::string>>;
 
-/// The value of a name; empty when there is none.
+/// The value of a name; empty if there is none.
 std::string setting(const RunSettings& settings, std::string_view name);
 
-/// What differs first, as "its size is 640x360 instead of 320x180"; nullopt when nothing does. Names in `but`
-/// are not compared.
+/// The first difference, as "its size is 640x360 instead of 320x180"; nullopt if there is none. Names in
+/// `but` are not compared.
 std::optional<std::string> difference_of(const RunSettings& settings, const RunSettings& wanted,
                                          std::string_view but = {});
 
-/// A CSV file: `# name: value` for every setting, with line breaks and backslashes of values escaped by a
-/// backslash; the names of columns; one record per row.
+/// A CSV file. It has a line `# name: value` for each setting, with line breaks and backslashes of values
+/// escaped by a backslash; then the names of the columns; then one record per row.
 struct RunTable {
     RunSettings settings;
     std::string columns;
@@ -44,23 +45,23 @@ struct RunTable {
 
 std::string run_table_text(const RunTable& table);
 
-/// Throws Error when the file cannot be read, is not such a table or is larger than any run.
+/// Reads a table. Throws Error if the file cannot be read, is not such a table or is larger than any run.
 RunTable read_run_table(const std::filesystem::path& path);
 
-/// Settings that every run has; the rest is the command's.
+/// Names of settings that every run has. Commands add others.
 namespace run_setting {
-constexpr const char* COMMAND = "momentscope";  // which one made it
+constexpr const char* COMMAND = "momentscope";  // the command that made the table
 constexpr const char* SCHEMA = "schema";        // of the columns
 constexpr const char* VERSION = "version";      // of the program
 constexpr const char* ROWS = "rows";            // of the whole run
 constexpr const char* SHARD = "shard";
 }  // namespace run_setting
 
-/// The first settings of a run of that command, of so many rows in all its shards.
+/// The first settings of a run of this command, with `rows` rows in all of its shards.
 RunSettings begin_settings(std::string_view command, int schema, std::size_t rows, const Shard& shard);
 
-/// The whole table of all shards of one run, in whatever order they come. Throws Error when they are of
-/// different runs, when one is missing, comes twice or is not finished, with the names of the files, and when
+/// The complete table of a run from all of its shards, in any order. Throws Error, with the names of the
+/// files, if they belong to different runs, if a shard is missing, comes twice or is not finished, and if
 /// they are too large together.
 RunTable merge_shards(const std::vector<std::filesystem::path>& paths);
 

@@ -1,4 +1,4 @@
-// basis.hpp -- the registry of bases: the functions of depth against which moments are taken.
+// basis.hpp -- the registry of bases: the functions of depth that moments are taken of.
 #pragma once
 #include <span>
 
@@ -19,14 +19,14 @@ struct Basis {
     const char* key;  // shaders/shared/<key>_moments.glsl
     BasisFamily family;
     BasisDomain domain;
-    float length;        // of the depth range in the line's variable
-    bool chooses_order;  // by the parameter `tolerance`
+    float length;        // length of the depth range in the variable of the polynomials
+    bool chooses_order;  // per fragment, by the parameter `tolerance`
 
     bool on_circle() const { return domain == BasisDomain::circle; }
     bool has_bounds() const { return domain == BasisDomain::line; }
     bool has_wrapping_zone() const { return on_circle(); }
 
-    /// Of a step of 1 in the line's variable.
+    /// The depth that a step of 1 in the variable of the polynomials covers.
     float depth_per_unit() const { return 2 / length; }
 };
 

@@ -8,12 +8,13 @@ namespace momentscope {
 
 namespace {
 
-// With all digits, unlike for people.
+// With all digits, unlike parameter_text.
 std::string exact_text(const Parameter& row, const std::optional<float>& value) {
     return value && row.choices.empty() ? fmt::format("{}", *value) : parameter_text(row, value);
 }
 
-/// Calls visit(row, text of the value) for every parameter of the technique that is not at its standard.
+/// Calls visit(row, text of the value) for every parameter of the technique that does not have its default
+/// value.
 template <typename Visit>
 void for_each_change(const Configuration& configuration, const Visit& visit) {
     for (const ParameterId id : configuration.technique->parameters) {

@@ -1,8 +1,9 @@
-// moment_kernel.inl -- the body of a MomentKernel. A file generated from moment_kernel.cpp.in defines
-// KERNEL_ID, MOMENT_COUNT, MOMENT_BITS and MOMENT_BASIS (a file of shaders/shared) and includes this.
+// moment_kernel.inl -- the body of a MomentKernel. A file that CMake generates from moment_kernel.cpp.in
+// defines KERNEL_ID, MOMENT_COUNT, MOMENT_BITS and MOMENT_BASIS (a file of shaders/shared) and includes this
+// file.
 //
-// The functions are compiled for each instruction set that makes them faster, and the best one that the CPU
-// has is taken: their results are the same in every bit.
+// The functions are compiled for each instruction set that makes them faster. At run time the best one that
+// the CPU has is chosen. Results are the same in every bit.
 #include "core/glsl.hpp"
 #include "core/techniques/moment_kernel.hpp"
 #include "core/techniques/moment_techniques.hpp"
@@ -25,7 +26,7 @@ namespace any_cpu {
 }
 
 #ifdef INSTRUCTION_SETS
-#define FUSED_MULTIPLY_ADD  // float_pair.glsl
+#define FUSED_MULTIPLY_ADD  // see float_pair.glsl
 #pragma GCC push_options
 #pragma GCC target("arch=x86-64-v3")
 namespace avx2 {

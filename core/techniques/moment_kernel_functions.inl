@@ -1,8 +1,8 @@
-// moment_kernel_functions.inl -- the functions of a MomentKernel for one instruction set: moment_kernel.inl
-// includes this once for each, inside a namespace of its own.
+// moment_kernel_functions.inl -- the functions of a MomentKernel for one instruction set. moment_kernel.inl
+// includes this file once for each instruction set, each time in another namespace.
 namespace g {  // the shared source
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-parameter"  // the shape is the same for every basis
+#pragma GCC diagnostic ignored "-Wunused-parameter"  // all bases have the same signatures
 #pragma GCC diagnostic ignored "-Wunused-function"
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"  // g++ 12 cannot follow the triangular loops
 #include "shaders/shared/portable_math.glsl"
@@ -89,7 +89,7 @@ float textbook(const g::Moments&, const ReconstructionSettings&, float, float) {
 }
 #endif
 
-// The published code knows one depth at a time, and so it is called.
+// The published algorithm handles one depth at a time.
 void evaluate_textbook(const g::Moments& moments, const ReconstructionSettings& settings,
                        std::span<const float> depths, const AbsorbanceCurves& curves) {
     for (std::size_t i = 0; i < depths.size(); ++i) {
@@ -127,9 +127,9 @@ float fraction(const MomentVector& vector, const ReconstructionSettings& setting
     return g::fraction_in_front(g::reconstruct(factor, basis, depth), settings.overestimation);
 }
 
-constexpr std::size_t BATCH = 64;  // pixels; their moments stay in the nearest cache
+constexpr std::size_t BATCH = 64;  // pixels; so few that their moments stay in the first-level cache
 
-/// Number k of pixel i at k BATCH + i: b_0, then the moments.
+/// Number k of pixel i is at k BATCH + i: b_0, then the other moments.
 using MomentColumns = std::array<float, (MOMENT_FLOATS + 1) * BATCH>;
 
 void fractions_wide(const MomentColumns& columns, const float* __restrict depths, std::size_t count,

@@ -1,4 +1,4 @@
-// moment_techniques.hpp -- the ids of moment_techniques.def in C++, and the kernel compiled for each.
+// moment_techniques.hpp -- the ids of moment_techniques.def in C++, and the kernel of each technique.
 #pragma once
 
 namespace momentscope {

@@ -1,5 +1,5 @@
-// pixel_state_kernel.hpp -- one technique without moments as C++ functions: what shaders/shared says,
-// compiled for the CPU.
+// pixel_state_kernel.hpp -- one technique without moments as C++ functions: shaders/shared, compiled for the
+// CPU.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -10,12 +10,13 @@ namespace momentscope {
 
 constexpr int STATE_CAPACITY = 68;
 
-/// What a pixel stores; the math file of the technique says what which number is.
+/// What a pixel stores. The math file of the technique says what each number is.
 struct PixelState {
     std::array<float, STATE_CAPACITY> f{};
 };
 
-/// shaders/shared/pixel_state.glsl. Depth in [0, 1] of the depth range; colour not multiplied by opacity.
+/// A fragment as in shaders/shared/pixel_state.glsl. depth in [0, 1] of the depth range. Colours are not
+/// multiplied by opacity.
 struct PixelStateFragment {
     float depth = 0, view_depth = 0, window_depth = 0, plane_depth = 0;
     float opacity = 0;
@@ -24,40 +25,42 @@ struct PixelStateFragment {
     float threshold = 0;
 };
 
-/// Colour of all fragments as far as it is seen, and the transmittance of all.
+/// The colour of all fragments as far as it is seen, and the total transmittance.
 struct Composited {
     float red = 0, green = 0, blue = 0;
     float transmittance = 1;
 };
 
-/// How states of fragments come together (shaders/shared/pixel_state.glsl).
+/// How the states of fragments are accumulated (shaders/shared/pixel_state.glsl).
 enum class Accumulation { sum, over, ordered, samples, nearest };
 
 struct PixelStateKernel {
     Accumulation accumulation;
-    bool holds_colors;  // one geometry pass; else a second one weighs colours by transmittance_at
+    bool holds_colors;  // true: one geometry pass; false: a second pass weighs colours by transmittance_at
 
     PixelState (*empty_state)(const PixelStateSettings& settings);
 
-    /// The state after one more fragment, with the roundings of its accumulation.
+    /// The state after one more fragment, with the roundings of the accumulation.
     PixelState (*with_fragment)(const PixelState& state, const PixelStateFragment& fragment,
                                 const PixelStateSettings& settings);
 
-    /// Of a fragment, or of a depth with a fragment's opacity. Null if the technique defines no transmittance
-    /// as a function of depth, such as plain alpha blending. Some techniques exceed 1.
+    /// The transmittance to a fragment. To ask for a depth, pass a fragment of some opacity there. Null if
+    /// the technique defines no transmittance as a function of depth, such as plain alpha blending. With some
+    /// techniques the result may exceed 1.
     float (*transmittance_at)(const PixelState& state, const PixelStateFragment& fragment,
                               const PixelStateSettings& settings);
 
-    /// Adds a fragment in a second pass that stores states too; null for techniques without such a pass.
-    /// `read` is what the first pass stored, as `readable` gives it.
+    /// Adds a fragment in a second pass that stores states, too. Null for techniques without such a pass.
+    /// `read` is what the first pass stored, as returned by `readable`.
     PixelState (*accumulate_second_pass)(const PixelState& state, const PixelState& read,
                                          const PixelStateFragment& fragment,
                                          const PixelStateSettings& settings);
 
-    /// The state as later passes read it, in the numbers that may be mixed with those of other pixels.
+    /// The state as later passes read it, in numbers that may be averaged with those of other pixels.
     PixelState (*readable)(const PixelState& state, const PixelStateSettings& settings);
 
-    /// Which number the second pass replaces by the pixel's own total absorbance; -1 for none.
+    /// Index of the number that the second pass replaces by the total absorbance of the pixel itself; -1 if
+    /// there is none.
     int exact_absorbance_slot;
 
     bool has_depths() const { return transmittance_at != nullptr; }

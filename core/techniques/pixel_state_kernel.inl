@@ -1,5 +1,6 @@
-// pixel_state_kernel.inl -- the body of a PixelStateKernel. A file generated from pixel_state_kernel.cpp.in
-// defines KERNEL_ID and PIXEL_STATE_FILE (a file of shaders/shared) and includes this.
+// pixel_state_kernel.inl -- the body of a PixelStateKernel. A file that CMake generates from
+// pixel_state_kernel.cpp.in defines KERNEL_ID, KERNEL_SETTINGS and PIXEL_STATE_FILE (a file of
+// shaders/shared) and includes this file.
 #include "core/glsl.hpp"
 #include "core/techniques/pixel_state_kernel.hpp"
 #include "core/techniques/pixel_state_techniques.hpp"
@@ -10,13 +11,13 @@
 namespace momentscope {
 namespace glsl::KERNEL_ID {
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-parameter"  // the shape is the same for every technique
+#pragma GCC diagnostic ignored "-Wunused-parameter"  // all techniques have the same signatures
 #pragma GCC diagnostic ignored "-Wunused-function"
 #include "shaders/shared/portable_math.glsl"
-// portable_math first: fragment.glsl builds on it
+// fragment.glsl needs portable_math.glsl before it.
 #include "shaders/shared/fragment.glsl"
 #include "shaders/shared/random_bits.glsl"
-// For those that read moments in 16 bits.
+// For techniques that read moments in 16 bits.
 constexpr auto THETA_ODD = flat_floats(quantisation_transform<4>().odd);
 constexpr auto THETA_EVEN = flat_floats(quantisation_transform<4>().even);
 constexpr auto THETA_ODD_INVERSE = flat_floats(inverse(quantisation_transform<4>().odd));
@@ -54,7 +55,7 @@ PixelState from_shared(const g::PixelState& shared) {
     return state;
 }
 
-// As blending does it.
+// One number after another, as blending does it.
 [[maybe_unused]] PixelState blended(const PixelState& state, const PixelState& added, float kept) {
     PixelState sum = state;
     for (std::size_t i = 0; i < std::size_t{g::STATE_FLOATS}; ++i) sum.f[i] = added.f[i] + kept * sum.f[i];

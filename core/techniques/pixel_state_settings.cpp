@@ -8,7 +8,7 @@ namespace momentscope {
 
 namespace {
 
-// Members of the block in shaders/passes/blocks.glsl that hold what is dragged.
+// Members of the uniform block in shaders/passes/blocks.glsl that hold the float settings.
 constexpr const char* FRAME_NUMBERS[] = {"frame.parameters.x", "frame.parameters.y"};
 
 template <typename... Members>

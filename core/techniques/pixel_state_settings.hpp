@@ -1,5 +1,5 @@
-// pixel_state_settings.hpp -- what parameters choose of techniques without moments: a struct for each
-// technique that has a choice.
+// pixel_state_settings.hpp -- the settings of techniques without moments, which follow from parameters: one
+// struct for each technique that has settings.
 #pragma once
 #include <string>
 #include <tuple>
@@ -9,11 +9,12 @@
 
 namespace momentscope {
 
-// shared() lists the members of `PixelStateSettings` in the technique's math file (shaders/shared), in its
-// order: kernels and shaders are given these. Floats are read from the frame's block, so that a drag compiles
-// no shader: a technique that has them has the overestimation weight and the moment bias, in this order.
+// shared() lists the members of `PixelStateSettings` in the math file of the technique (shaders/shared), in
+// their order there. Kernels and shaders get these values. Shaders read floats from a uniform block, so that
+// dragging a slider compiles no shader. If a technique has floats, these are the overestimation weight and
+// the moment bias, in this order.
 
-/// Of techniques that have one form only.
+/// For techniques without settings.
 struct NoSettings {
     friend bool operator==(const NoSettings&, const NoSettings&) = default;
     auto shared() const { return std::tuple(0); }
@@ -70,15 +71,13 @@ using PixelStateSettings =
     std::variant<NoSettings, WeightedSettings, FourierSettings, MomentTransparencySettings,
                  StochasticSettings, AdaptiveSettings, LayeredSettings>;
 
-/// Each texel of the moments stands for so many pixels in each direction; 1 for techniques that have one
-/// resolution.
+/// How many pixels a texel of the moments covers in each direction; 1 for techniques with one resolution.
 int resolution_divisor(const PixelStateSettings& settings);
 
-/// Sets of moments that a pixel stores, one after the other; 1 for techniques that draw their state in one
-/// pass.
+/// How many sets of moments a pixel stores; 1 for techniques that draw their state in one pass.
 int moment_sets(const PixelStateSettings& settings);
 
-/// Samples of a pixel; 0 for techniques without samples.
+/// How many samples a pixel has; 0 for techniques without samples.
 int sample_count(const PixelStateSettings& settings);
 
 /// The arguments of `PixelStateSettings(...)` in a shader.

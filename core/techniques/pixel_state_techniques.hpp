@@ -1,5 +1,5 @@
-// pixel_state_techniques.hpp -- the ids of pixel_state_techniques.def in C++, and the kernel compiled for
-// each.
+// pixel_state_techniques.hpp -- the ids of pixel_state_techniques.def in C++, and the kernel of each
+// technique.
 #pragma once
 
 namespace momentscope {

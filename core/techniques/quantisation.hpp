@@ -1,6 +1,6 @@
-// quantisation.hpp -- the affine transforms Theta*_m that make the most of 16 bits per power moment
-// (supplementary, Table 2): one matrix for odd moments, one for even ones. Odd moments have the offset 1/2.
-// Inverses are computed.
+// quantisation.hpp -- the affine transforms Theta*_m, which make the most of 16 bits per power moment
+// (supplementary, Table 2). Each has one matrix for odd moments and one for even moments. The offset of odd
+// moments is 1/2. Inverses are computed.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -16,7 +16,8 @@ struct QuantisationTransform {
     std::array<double, N> even_offset;
 };
 
-/// For m = 4, 6 or 8 power moments: odd acts on (b_1, b_3, ...), even on (b_2, b_4, ...), both normalised.
+/// The transform for m = 4, 6 or 8 power moments. `odd` acts on (b_1, b_3, ...) and `even` on (b_2, b_4,
+/// ...), both normalised.
 template <int M>
 constexpr QuantisationTransform<M / 2> quantisation_transform() {
     constexpr double SQRT3 = 1.7320508075688772;
@@ -40,7 +41,7 @@ constexpr QuantisationTransform<M / 2> quantisation_transform() {
                 {0.972481993925964, 1.0, 0.999179192513328, 0.991778293073131}};
 }
 
-/// By Gauss-Jordan elimination with row exchanges. matrix must be regular.
+/// The inverse, by Gauss-Jordan elimination with row exchanges. The matrix must be regular.
 template <std::size_t N>
 constexpr SquareMatrix<N> inverse(SquareMatrix<N> matrix) {
     SquareMatrix<N> result{};
@@ -77,7 +78,7 @@ constexpr std::array<float, N> floats(const std::array<double, N>& values) {
     return result;
 }
 
-/// Row by row, as the shared source indexes it.
+/// The entries row by row, as the shared source indexes them.
 template <std::size_t N>
 constexpr std::array<float, N * N> flat_floats(const SquareMatrix<N>& matrix) {
     std::array<float, N * N> result{};

@@ -14,15 +14,15 @@ namespace momentscope {
 
 namespace {
 
-// The wrapping zone is a notion of the circle, only published algorithms have a textbook solver, and what is
-// stored in 16 bits cannot be blended.
+// Only the circle has a wrapping zone, only published algorithms have a textbook solver, and moments in 16
+// bits cannot be blended.
 std::vector<ParameterId> moment_parameters(const MomentKernel& kernel, const Basis& basis) {
     std::vector<ParameterId> ids = {ParameterId::beta};
     if (basis.has_wrapping_zone()) ids.push_back(ParameterId::theta);
     if (basis.chooses_order) ids.push_back(ParameterId::tolerance);
     ids.insert(ids.end(), {ParameterId::alpha, ParameterId::preset});
     if (kernel.has_textbook) ids.push_back(ParameterId::solver);
-    // A stored factor takes more bits than storing moments in 16 bits saves.
+    // Moments in 16 bits have no stored factor: it would take more bits than 16-bit storage saves.
     if (kernel.bits == 32) ids.push_back(ParameterId::factorisation);
     if (kernel.bits == 32) ids.push_back(ParameterId::accumulation);
     ids.push_back(ParameterId::renormalize);
@@ -42,12 +42,12 @@ Technique moment_technique(const MomentKernel& kernel, const Basis& basis, int m
             .order_dependent = kernel.bits == 16};
 }
 
-/// Sets of five numbers: what is added up in floats, and what is read where it is converted.
+/// Bits per pixel of the five numbers of each set: as summed in floats and, if they are converted, as read.
 int moment_transparency_bits(const MomentTransparencySettings& settings) {
-    constexpr int READ_BITS[] = {0, 80, 96, 64};  // with b_0, a half float or a float
+    constexpr int READ_BITS[] = {0, 80, 96, 64};  // by ReadFormat; b_0 is a half float or a float
     const int sets = moment_sets(settings);
     const int divisor = resolution_divisor(settings);
-    const int pixels = divisor * divisor;  // that share one
+    const int pixels = divisor * divisor;  // that share one texel
     return (sets * (160 + READ_BITS[static_cast<std::size_t>(settings.read_format)]) + pixels - 1) / pixels;
 }
 
@@ -115,7 +115,7 @@ std::vector<Technique> make_rows() {
              "another, and blending composites them from front to back. Each layer takes one geometry pass. If "
              "fragments have the same depth, only one of them survives.",
          .source = "Everitt 2001",
-         .math = GroundTruth{GroundTruth::Way::peeling, 64},  // two depth buffers
+         .math = GroundTruth{GroundTruth::Way::peeling, 64},  // bits of two depth buffers
          .geometry_passes = 0});
     return rows;
 }
@@ -191,7 +191,7 @@ int stored_bits(const Technique& technique, const ParameterValues& values) {
 int bits_with_factor(const Technique& technique, const ParameterValues& values) {
     const int stored = stored_bits(technique, values);
     if (!technique.has_moments() || !resolve(values, technique).factored_once) return stored;
-    // The factor may take the place of the moments, whenever alpha rests; only the window keeps both.
+    // The factor may replace the moments while alpha does not change; only the window keeps both.
     return std::max(stored, technique.moment_kernel().bits * (1 + technique.moment_kernel().factor_floats));
 }
 

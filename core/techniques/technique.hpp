@@ -1,4 +1,4 @@
-// technique.hpp -- the one registry of techniques.
+// technique.hpp -- the registry of techniques.
 #pragma once
 #include <span>
 #include <string>
@@ -15,40 +15,40 @@ namespace momentscope {
 struct MomentKernel;
 struct ReconstructionSettings;
 
-/// A technique that stores moments of the absorbance over depth and reconstructs the transmittance from them.
+/// A technique that stores moments of the absorbance and reconstructs the transmittance from them.
 struct MomentMath {
-    const MomentKernel* kernel;  // how C++ evaluates it on a view ray; never null
+    const MomentKernel* kernel;  // evaluates it in C++, on a view ray; never null
     const Basis* basis;          // never null
     int moment_count;            // m
-    float recommended_bias;      // what alpha = auto means with the preset table1
-    float robust_bias;           // and with the preset robust (docs/bias.md)
+    float recommended_bias;      // alpha = auto with the preset table1
+    float robust_bias;           // alpha = auto with the preset robust (docs/bias.md)
 };
 
-/// A technique that stores something else.
+/// A technique that stores other numbers than moments.
 struct PixelStateMath {
     const PixelStateKernel* kernel;                          // never null
     const char* math_file;                                   // shaders/shared/<math_file>.glsl
-    PixelStateSettings (*settings)(const ParameterValues&);  // what parameters choose of it
-    int (*floats)(const PixelStateSettings&);                // numbers that a pixel stores then
-    int (*bits)(const PixelStateSettings&);                  // bits that they need as published
+    PixelStateSettings (*settings)(const ParameterValues&);  // its settings, from parameters
+    int (*floats)(const PixelStateSettings&);                // numbers per pixel with these settings
+    int (*bits)(const PixelStateSettings&);                  // bits per pixel of these numbers, as published
 };
 
-/// The right picture, at whatever cost.
+/// The exact picture, whatever it costs.
 struct GroundTruth {
     enum class Way { sorting, peeling } way;
-    int bits = 0;  // that a pixel stores; 0 where they grow with the fragments
+    int bits = 0;  // per pixel; 0 if they grow with the number of fragments
 };
 
-/// One row: everything that is said about a technique anywhere.
+/// One row of the registry: everything that the program says about a technique.
 struct Technique {
     const char* id;
     const char* name;
     const char* description;  // a short paragraph
     const char* source;       // paper, section, algorithm
     std::variant<MomentMath, PixelStateMath, GroundTruth> math;
-    std::vector<ParameterId> parameters = {};  // those that it reads
-    int geometry_passes = 1;       // of the transparent geometry; 0 where it grows with the layers
-    bool order_dependent = false;  // does the submission order of geometry change the picture?
+    std::vector<ParameterId> parameters = {};  // parameters that it reads
+    int geometry_passes = 1;                   // of the transparent geometry; 0: grows with the layers
+    bool order_dependent = false;              // does the order of submission change the picture?
 
     bool uses(ParameterId parameter_id) const;
 
@@ -56,7 +56,7 @@ struct Technique {
     bool has_pixel_states() const { return std::holds_alternative<PixelStateMath>(math); }
     bool is_truth() const { return std::holds_alternative<GroundTruth>(math); }
 
-    // Each throws std::bad_variant_access unless the technique is of that kind.
+    // Each of these throws std::bad_variant_access if the technique is of another kind.
     const MomentMath& moments() const { return std::get<MomentMath>(math); }
     const MomentKernel& moment_kernel() const { return *moments().kernel; }
     const PixelStateMath& pixel_states() const { return std::get<PixelStateMath>(math); }
@@ -65,65 +65,66 @@ struct Technique {
 
     // False for techniques without moments.
     bool on_circle() const { return has_moments() && moments().basis->on_circle(); }
-    bool has_bounds() const {  // do beta = 0 and beta = 1 bound the truth (of the biased moments)?
+    bool has_bounds() const {  // do beta = 0 and beta = 1 bound the distributions with the biased moments?
         return has_moments() && moments().basis->has_bounds();
     }
     bool is_of(BasisFamily family) const { return has_moments() && moments().basis->family == family; }
 };
 
-/// All techniques, in the order in which they are listed; ids are unique.
+/// All techniques, in the order of listings. Their ids are unique.
 std::span<const Technique> techniques();
-std::vector<const Technique*> moment_based_techniques();  // those that have moments
-const Technique* find_technique(std::string_view id);     // nullptr when there is none
+std::vector<const Technique*> moment_based_techniques();  // techniques with moments
+const Technique* find_technique(std::string_view id);     // nullptr if there is none
 
-/// The technique with that id. Throws Error that lists the ids.
+/// The technique with this id. Throws Error, with a list of all ids, if there is none.
 const Technique& require_technique(std::string_view id);
 
-/// The least wrapping zone, in radians; 1/125 of the circle. Without a zone depths -1 and 1 are one point,
-/// and rounding alone decides at which of them a surface is (docs/stability.md).
+/// The least wrapping zone, in radians: 1/125 of the circle. Without a zone, depths -1 and 1 are the same
+/// point, and rounding alone decides at which of them a surface lies (docs/stability.md).
 constexpr float MIN_WRAPPING_ZONE = 0.05f;
 
-/// The values that a technique computes with: `auto` replaced by its recommendation, theta at least the
-/// least.
+/// The values that a technique computes with. `auto` is replaced by a recommendation, and theta is at least
+/// MIN_WRAPPING_ZONE.
 struct ResolvedParameters {
     float beta = 0, theta = 0, alpha = 0;
-    bool textbook = false;       // the solver is Algorithm 1 or 2 as published
-    bool factored_once = false;  // per pixel, between the passes
-    float tolerance = 0;         // epsilon of orders that are chosen per fragment
-    bool ordered = false;        // moments are summed in order, not by blending
+    bool textbook = false;       // solver: Algorithm 1 or 2 as published
+    bool factored_once = false;  // moments are factored once per pixel, between the passes
+    float tolerance = 0;         // epsilon, if the order is chosen per fragment
+    bool ordered = false;        // fragments are added in order, not by blending
     bool renormalize = true;
     PixelStateSettings pixel_state = {};
 };
 ResolvedParameters resolve(const ParameterValues& values, const Technique& technique);
 
-/// Bits that the technique itself stores of a pixel, beside the colour buffers. 0 for none, or where they
-/// grow with the fragments.
+/// Bits per pixel that the technique itself stores, without the colour buffers. 0 if there are none, or if
+/// they grow with the number of fragments.
 int stored_bits(const Technique& technique, const ParameterValues& values);
 
-/// Bits that a pixel needs with these parameters: stored_bits, or those of the factor that takes the moments'
-/// place between the passes, if it is larger and the parameters ask for one per pixel.
+/// Bits per pixel that are needed with these parameters: stored_bits, or the bits of the factor if these are
+/// more and the parameters ask for one factor per pixel. The factor takes the place of the moments between
+/// the passes.
 int bits_with_factor(const Technique& technique, const ParameterValues& values);
 
-/// "160", "none" or "grows with the fragments", for one of the two.
+/// The text for a result of stored_bits or bits_with_factor: "160", "none" or "grows with the fragments".
 std::string bits_text(const Technique& technique, int bits);
 
-/// Why values make no sense together for the technique, as a sentence that says what to do; nullptr when they
-/// do.
+/// Why these values make no sense together for the technique, as a sentence that says what to do. nullptr if
+/// they do make sense.
 const char* why_refused(const Technique& technique, const ParameterValues& values);
 
-/// Must fragments of a pixel be read, changed and written in order whatever the parameters say?
+/// True if fragments of a pixel must be read, changed and written in order, whatever the parameters.
 bool needs_order(const Technique& technique);
 
-/// Does the plot have a function of it, beside the truth?
+/// True if the plot has a curve of the technique beside the truth.
 bool has_function(const Technique& technique);
 
-/// What alpha = auto means for the technique under these values' preset.
+/// The value of alpha = auto for the technique with the preset in these values.
 float automatic_bias(const ParameterValues& values, const Technique& technique);
 
-/// What shaders call make_basis with: theta of the circle, or epsilon of nested orders.
+/// The argument of make_basis in shaders: epsilon for nested orders, otherwise theta.
 float basis_parameter(const ResolvedParameters& parameters, const Technique& technique);
 
-/// What a kernel is told of them.
+/// The settings of a kernel from resolved parameters.
 ReconstructionSettings settings_of(const ResolvedParameters& parameters);
 
 }  // namespace momentscope

@@ -1,4 +1,4 @@
-// techniques_page.hpp -- docs/techniques.md, from the registry.
+// techniques_page.hpp -- generates docs/techniques.md from the registry.
 #pragma once
 #include <string>
 

@@ -1,5 +1,5 @@
-// accumulation.glsl -- how the first pass adds a fragment's moments to those of its pixel. One of
-//   BLENDING           additive blending: 32 bits only
+// accumulation.glsl -- how the first pass adds the moments of a fragment to those of its pixel. One of these macros is defined:
+//   BLENDING           additive blending; 32 bits only
 //   FRAMEBUFFER_FETCH  reads and writes the colour attachments, in submission order
 //   INTERLOCK          reads and writes images, in submission order (rasterizer ordered views)
 
@@ -58,8 +58,8 @@ vec4 second_texel(Moments moments)
 #endif
 }
 
-/// Adds the fragment's moments to those of its pixel. With INTERLOCK between begin- and endInvocationInterlockARB, which
-/// must stand in main.
+/// Adds the moments of the fragment to those of its pixel. With INTERLOCK, call it between beginInvocationInterlockARB and
+/// endInvocationInterlockARB, which must stand in main.
 void accumulate(Moments fragment)
 {
 #ifdef INTERLOCK

@@ -1,5 +1,6 @@
-// capture.frag -- appends every transparent fragment to its pixel's list; the count goes on past the capacity, so that
-// the CPU learns how much was missing. WITH_TRANSMITTANCE adds what the second pass computes for it.
+// capture.frag -- appends every transparent fragment to the list of its pixel. If the buffer is full, it still counts, so the CPU
+// learns how much capacity was missing. With WITH_TRANSMITTANCE it stores beside each fragment the T that the second pass computes
+// for it.
 #include "passes/blocks.glsl"
 #include "passes/shading.glsl"
 #include "passes/transparent_fragment.glsl"
@@ -13,7 +14,7 @@
 #endif
 #endif
 #ifdef WITH_LIGHT
-// Instead of T the share of the light that reaches the fragment.
+// The share of the light that reaches the fragment, which takes the place of T.
 float fragment_transmittance()
 {
     return light_visibility(eye_position);
@@ -25,7 +26,7 @@ layout(early_fragment_tests) in;
 
 void main()
 {
-    // Before anything that part of a quad may not reach: thresholds take derivatives.
+    // Before any branch, because thresholds take derivatives and these need the whole quad.
     float threshold = fragment_threshold();
 #ifdef WITH_TRANSMITTANCE
     float transmittance = fragment_transmittance();

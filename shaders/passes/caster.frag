@@ -1,5 +1,5 @@
-// caster.frag -- transparent casters into the light's map, by additive blending. They are not tested against opaque casters, whose
-// silhouettes would leak (Section 6). The eye of this pass is the light.
+// caster.frag -- draws transparent casters into the map of the light, by additive blending. They are not tested against opaque
+// casters, because light would leak along the silhouettes of these (paper, Section 6). In this pass the light is the eye.
 #include "passes/blocks.glsl"
 in vec3 eye_position;
 #include "passes/transparent_fragment.glsl"

@@ -1,5 +1,4 @@
-// caster_depth.frag -- depth of the nearest opaque caster, linear between the ends of the depth range. The eye of this pass is the
-// light.
+// caster_depth.frag -- the depth of the nearest opaque caster, linear over the depth range. In this pass the light is the eye.
 #include "passes/blocks.glsl"
 in vec3 eye_position;
 #include "passes/transparent_fragment.glsl"

@@ -1,10 +1,10 @@
-// caster_moments.glsl -- transparent casters as moments: sums are b_0 and the other moments. Follows the basis.
+// caster_moments.glsl -- transparent casters as moments. The sums are b_0 and the other moments. Include it after the basis.
 #include "shared/float_storage.glsl"
 #include "shared/reconstruction.glsl"
 
 struct CasterSums { float f[16]; };
 
-/// Of one fragment; depth in [-1, 1].
+/// What one fragment adds to the sums. depth in [-1, 1]. settings: as for caster_transmittance.
 FN CasterSums caster_sums(float depth, float opacity, IN(vec4) settings)
 {
     Moments moments = fragment_moments(depth, absorbance_of_opacity(opacity), make_basis(settings.y));
@@ -15,7 +15,7 @@ FN CasterSums caster_sums(float depth, float opacity, IN(vec4) settings)
     return sums;
 }
 
-/// settings: beta, theta or epsilon, alpha.
+/// The transmittance to a receiver at a depth in [-1, 1]. settings: beta; theta or epsilon; alpha.
 FN float caster_transmittance(IN(CasterSums) sums, float depth, IN(vec4) settings)
 {
     Moments moments;

@@ -1,4 +1,5 @@
-// caster_state.glsl -- transparent casters as the sums of a technique without moments: Fourier opacity mapping. Follows the math file.
+// caster_state.glsl -- transparent casters as the sums of a technique without moments, which is Fourier opacity mapping. Include it
+// after the math file.
 
 struct CasterSums { float f[16]; };
 
@@ -7,7 +8,7 @@ FN PixelStateSettings caster_settings()
     return PixelStateSettings(PIXEL_STATE_SETTINGS);
 }
 
-/// What it knows of a caster or a receiver is its depth, in [-1, 1].
+/// A caster or a receiver as a fragment. Only its depth, in [-1, 1], and its opacity are known; other members have fixed values.
 FN PixelStateFragment caster_fragment(float depth, float opacity)
 {
     PixelStateFragment fragment;

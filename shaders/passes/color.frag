@@ -1,5 +1,5 @@
-// color.frag -- second pass: colours weighted by opacity and transmittance, summed by additive blending
-// (Section 3.2). Alpha sums the weights, for the renormalisation.
+// color.frag -- second pass: sums colours times opacity times transmittance by additive blending (paper, Section 3.2). The alpha
+// channel sums the weights, for renormalisation.
 #include "passes/blocks.glsl"
 #include "passes/shading.glsl"
 #include "passes/transparent_fragment.glsl"

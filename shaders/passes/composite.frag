@@ -1,4 +1,4 @@
-// composite.frag -- transparent over opaque (Section 3.4).
+// composite.frag -- composites the transparent over the opaque picture (paper, Section 3.4).
 #include "passes/blocks.glsl"
 #include "shared/portable_math.glsl"
 
@@ -14,6 +14,6 @@ void main()
     vec3 opaque = texelFetch(opaque_texture, pixel, 0).rgb;
     vec4 weighted = texelFetch(weighted_color_texture, pixel, 0);
     float transmittance = portable_exp(-texelFetch(total_absorbance_texture, pixel, 0).x);
-    float scale = frame.parameters.z > 0.5 && weighted.a > 0.0 ? (1.0 - transmittance) / weighted.a : 1.0;   // Eq. 2
+    float scale = frame.parameters.z > 0.5 && weighted.a > 0.0 ? (1.0 - transmittance) / weighted.a : 1.0;   // paper, Eq. 2
     color = vec4(opaque * transmittance + weighted.rgb * scale, 1.0);
 }

@@ -1,4 +1,4 @@
-// copy.frag -- hands a texture to the blending unit as it is.
+// copy.frag -- passes a texture unchanged to the blending unit.
 layout(binding = 0) uniform sampler2D source;
 
 layout(location = 0) out vec4 color;

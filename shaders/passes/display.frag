@@ -1,4 +1,4 @@
-// display.frag -- linear picture through the tone map to 8-bit sRGB for the screen.
+// display.frag -- applies the tone map to the linear picture and converts it to sRGB for the screen.
 #include "shared/tone_map.glsl"
 
 layout(location = 0) uniform int tone_map;

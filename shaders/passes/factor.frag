@@ -1,5 +1,5 @@
-// factor.frag -- between the passes: biases and factors the moments of a pixel once, for all of its fragments. Pixels without
-// absorbance keep whatever is there, because nobody reads it.
+// factor.frag -- runs between the first and the second pass. It biases and factors the moments of a pixel once, for all of its
+// fragments. Pixels without absorbance keep what they hold, because no pass reads it.
 #include "passes/blocks.glsl"
 #include "shared/portable_math.glsl"
 #include "technique"
@@ -18,7 +18,7 @@ layout(location = 2) out vec4 factor_3;
 void main()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    if (!(texelFetch(total_absorbance_texture, pixel, 0).x >= MIN_ABSORBANCE)) discard;   // before the rest is fetched
+    if (!(texelFetch(total_absorbance_texture, pixel, 0).x >= MIN_ABSORBANCE)) discard;   // before the other moments are fetched
     Moments moments = stored_moments(pixel);
     StoredFactor stored = packed_factor(factor_moments(biased_moments(moments, frame.parameters.y)));
     factor_1 = factor_texel(stored, 0);

@@ -1,4 +1,4 @@
-// factor_texels.glsl -- the factor that all fragments of a pixel share, spread over up to three texels of four numbers.
+// factor_texels.glsl -- the factor of a pixel as up to three texels of four numbers.
 
 vec4 factor_texel(StoredFactor stored, int texel)
 {

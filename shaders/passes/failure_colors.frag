@@ -1,5 +1,5 @@
-// failure_colors.frag -- the counts of failures.frag as an overlay: hatched vermilion where a matrix was singular, yellow
-// where a sum was clamped. Two patterns beside two colours, for eyes that do not tell these apart.
+// failure_colors.frag -- draws the counts of failures.frag as an overlay: hatched vermilion where a matrix was singular, yellow
+// where a sum was clamped. The patterns differ, too, for people who cannot tell the colours apart.
 layout(binding = 0) uniform sampler2D failed_clamped;
 
 layout(location = 0) out vec4 color;

@@ -1,4 +1,5 @@
-// failures.frag -- counts per pixel the fragments whose reconstruction failed or had to be clamped, by additive blending.
+// failures.frag -- counts in each pixel, by additive blending, the fragments whose reconstruction failed and those whose sum was
+// clamped.
 #include "passes/blocks.glsl"
 #include "passes/shading.glsl"
 #include "passes/transparent_fragment.glsl"
@@ -9,7 +10,7 @@ layout(early_fragment_tests) in;
 
 layout(location = 0) out vec2 failed_clamped;
 
-/// Rounding alone takes sums this far beyond [0, 1]; see docs/tolerances.md.
+/// Rounding alone takes sums this far beyond [0, 1] (docs/tolerances.md).
 const float CLAMP_TOLERANCE = 1.0e-4;
 
 void main()

@@ -5,10 +5,10 @@ struct FragmentNode
     vec4 color_opacity;
     float view_depth;
     float depth;
-    float transmittance;   // as the second pass computes it, where asked for
+    float transmittance;   // T of the second pass, with WITH_TRANSMITTANCE
     uint draw;
     uint primitive;
-    uint next;             // index of another fragment of the pixel, or END_OF_LIST
+    uint next;             // index of the next fragment of the pixel, or END_OF_LIST
     uint pixel;            // x + 65536 y
     float threshold;       // of hashed alpha testing
 };
@@ -17,7 +17,7 @@ const uint END_OF_LIST = 0xffffffffu;
 
 layout(std430, binding = 0) buffer FragmentList
 {
-    uint count;            // of the fragments that were drawn, stored or not
+    uint count;            // number of fragments drawn, stored or not
     uint capacity;
     uint padding[2];
     FragmentNode nodes[];

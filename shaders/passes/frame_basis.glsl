@@ -1,4 +1,5 @@
-// frame_basis.glsl -- what depends on parameters but not on depth, computed once per frame by the CPU. Follows the technique.
+// frame_basis.glsl -- the Basis, which depends on parameters but not on depth. The CPU computes it once per frame. Include this
+// after the technique.
 
 Basis frame_basis()
 {

@@ -1,13 +1,13 @@
-// light.glsl -- how much of the light reaches a point: what opaque casters let through times what transparent ones do (Section 6).
-// core/shadow/shadow_filter.cpp and light_receiver.cpp say the same in C++.
+// light.glsl -- the share of the light that reaches a point: the share that opaque casters let through times the share that
+// transparent casters let through (paper, Section 6). core/shadow/shadow_filter.cpp and light_ray.cpp do the same in C++.
 #include "passes/light_block.glsl"
 #include "shared/light_place.glsl"
 
-layout(binding = 12) uniform sampler2D opaque_map;             // filtered texels, or depths of UNFILTERED ones
+layout(binding = 12) uniform sampler2D opaque_map;             // filtered texels, or depths with UNFILTERED
 #if defined(NO_TRANSPARENT_CASTERS)
 #elif defined(DEEP_SHADOWS)
-layout(binding = 13) uniform usampler2D deep_map;              // first step and how many, per texel
-layout(std430, binding = 1) readonly buffer DeepSteps { vec2 deep_steps[]; };   // depth, T behind it; ascending per texel
+layout(binding = 13) uniform usampler2D deep_map;              // of each texel: index of its first step, number of steps
+layout(std430, binding = 1) readonly buffer DeepSteps { vec2 deep_steps[]; };   // depth, T behind it; ascending within a texel
 #else
 layout(binding = 13) uniform sampler2DArray transparent_map;   // filtered sums
 #endif
@@ -34,7 +34,7 @@ ShadowMapPosition light_place(vec3 eye_space)
     return light_place_of(in_light, light.projection * in_light, light.range.xyz);
 }
 
-/// The four texels around a place and how much of each, in the order (0, 0), (1, 0), (0, 1), (1, 1).
+/// The four texels around a place and their bilinear weights, in the order (0, 0), (1, 0), (0, 1), (1, 1).
 struct Corners { ivec2 texel[4]; float share[4]; };
 
 Corners corners_at(vec2 at)
@@ -52,15 +52,16 @@ Corners corners_at(vec2 at)
     return corners;
 }
 
-/// The weight of a texel that is `offset` from the middle of the filter; 0 outside of it.
+/// The weight of a texel at `offset` from the middle of the filter; 0 outside of the filter.
 float filter_weight(int offset)
 {
     int at = offset + light.radius.x;
     return at < 0 || at > 2 * light.radius.x ? 0.0 : light.weights[at / 4][at % 4];
 }
 
-/// All texels that filter and bilinear interpolation read, for what can only be mixed after it was looked up: offsets from
-/// -radius to radius + 1. At the border interpolation ends first, then the filter, as of filtered maps.
+/// The texels that the filter and the bilinear interpolation read together, for values that can be averaged only after the lookup.
+/// Their offsets from `middle` go from -radius to radius + 1. At the border of the map, interpolation is clamped first and the
+/// filter second, as with filtered maps.
 struct Region { ivec2 middle; vec2 part; };
 
 Region region_at(vec2 place)
@@ -84,7 +85,7 @@ float region_weight(Region region, ivec2 offset)
     return across * up;
 }
 
-/// The share of the filter region whose opaque surface lies in front of the place.
+/// The share of the filter region whose opaque surface lies in front of the point.
 float opaque_shadow(ShadowMapPosition place)
 {
 #ifdef opaque_UNFILTERED
@@ -107,7 +108,7 @@ float opaque_shadow(ShadowMapPosition place)
 }
 
 #ifdef DEEP_SHADOWS
-/// T in front of a depth: of the last step before it, found by bisection.
+/// T in front of a depth: that of the last step before it. Found by bisection.
 float deep_transmittance(uvec2 list, float depth)
 {
     uint in_front = 0u;
@@ -122,7 +123,7 @@ float deep_transmittance(uvec2 list, float depth)
 }
 #endif
 
-/// What transparent casters in front of the place let through.
+/// The transmittance of the transparent casters in front of the point.
 float transparent_light(ShadowMapPosition place)
 {
 #if defined(NO_TRANSPARENT_CASTERS)
@@ -152,7 +153,7 @@ float transparent_light(ShadowMapPosition place)
 #endif
 }
 
-/// The share of the light that reaches a point of the eye's space; all of it where the map knows nothing.
+/// The share of the light that reaches a point in eye space; 1 outside of the map.
 float light_visibility(vec3 eye_space)
 {
     ShadowMapPosition place = light_place(eye_space);

@@ -1,5 +1,5 @@
-// light_probe.frag -- of the nearest opaque surface, what its shading asks of the light: share behind opaque casters, T of
-// transparent ones, depth seen from the light (2 where the map knows nothing), view depth.
+// light_probe.frag -- what the shading of the nearest opaque surface reads of the light: the share of the filter region behind
+// opaque casters, T of the transparent ones, depth seen from the light (2 outside of the map), and view depth.
 #include "passes/blocks.glsl"
 #include "passes/shading.glsl"
 

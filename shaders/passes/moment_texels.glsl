@@ -1,4 +1,4 @@
-// moment_texels.glsl -- what a pixel stores, spread over two texels of four moments each.
+// moment_texels.glsl -- the moments of a pixel as two texels of four moments each.
 
 Moments moments_of_texels(float b0, vec4 first, vec4 second)
 {

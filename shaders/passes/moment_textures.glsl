@@ -1,4 +1,4 @@
-// moment_textures.glsl -- what the first pass stored.
+// moment_textures.glsl -- the textures that the first pass wrote.
 #include "shared/storage.glsl"
 #include "passes/moment_texels.glsl"
 

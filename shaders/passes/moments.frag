@@ -1,4 +1,4 @@
-// moments.frag -- first pass: moments of the absorbance, summed per pixel (Section 3.1).
+// moments.frag -- first pass: sums the moments of the absorbance in each pixel (paper, Section 3.1).
 #if defined(INTERLOCK)
 #extension GL_ARB_fragment_shader_interlock : require
 #elif defined(FRAMEBUFFER_FETCH)

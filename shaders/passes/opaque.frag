@@ -1,4 +1,4 @@
-// opaque.frag -- opaque surfaces, before anything transparent.
+// opaque.frag -- shades opaque surfaces. This pass comes before all transparent ones.
 #include "passes/blocks.glsl"
 #include "passes/shading.glsl"
 

@@ -1,6 +1,6 @@
-// peel_composite.frag -- the layers, composited front to back by blending, over the opaque picture (Eq. 1).
+// peel_composite.frag -- composites the peeled layers, which were blended front to back, over the opaque picture (paper, Eq. 1).
 layout(binding = 0) uniform sampler2D opaque_texture;
-layout(binding = 1) uniform sampler2D layers;   // sum of colours, transmittance behind the last layer
+layout(binding = 1) uniform sampler2D layers;   // sum of colours; transmittance behind the last layer
 
 layout(location = 0) out vec4 color;
 

@@ -1,6 +1,6 @@
-// pixel_state_fragment.glsl -- the fragment at hand as math files know it, and states as groups of four floats.
+// pixel_state_fragment.glsl -- the current fragment in the form that math files take, and states as groups of four floats.
 
-/// The state with its i-th group of four floats replaced.
+/// The state with the i-th group of four floats replaced.
 PixelState with_texel(PixelState state, int i, vec4 texel)
 {
     state.f[4 * i] = texel.x;

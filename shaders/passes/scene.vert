@@ -1,4 +1,4 @@
-// scene.vert -- every geometry pass. invariant, so that a fragment has the same bits in each of them.
+// scene.vert -- the vertex shader of every geometry pass. Its outputs are invariant, so a fragment has the same bits in every pass.
 #include "passes/blocks.glsl"
 
 layout(location = 0) in vec3 position;

@@ -1,5 +1,5 @@
-// shading.glsl -- two-sided Blinn-Phong under one light: enough to judge form and colour. It stands beside the camera, or, with
-// SHADOWS, in the scene.
+// shading.glsl -- two-sided Blinn-Phong shading with one light, which is enough to show form and colour. The light stands beside
+// the camera or, with SHADOWS, in the scene.
 
 in vec3 eye_position;
 in vec3 eye_normal;

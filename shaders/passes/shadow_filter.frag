@@ -1,5 +1,5 @@
-// shadow_filter.frag -- one direction of the Gaussian over a layer of a shadow map. With OPAQUE_DEPTHS it reads depths of opaque
-// casters and makes texels of them.
+// shadow_filter.frag -- filters one layer of a shadow map by a Gaussian in one direction. With OPAQUE_DEPTHS it reads depths of
+// opaque casters and converts them to texels first.
 #include "passes/light_block.glsl"
 
 layout(location = 0) uniform ivec2 direction;   // (1, 0) or (0, 1)

@@ -1,13 +1,13 @@
-// sorted.frag -- ground truth: composites a pixel's list front to back over the opaque picture (Eq. 1). Selects the next
-// fragment again and again, so that lists of any length work without local memory. Ties go in submission order: what is
-// drawn later lies on top, as alpha blending would have it.
+// sorted.frag -- ground truth: composites the fragments of a pixel front to back over the opaque picture (paper, Eq. 1). It selects
+// the next fragment of the list again and again, so lists of any length need no local memory. Fragments at the same depth go in
+// submission order: the one that was drawn later lies on top, as with alpha blending.
 #include "passes/fragment_list.glsl"
 
 layout(binding = 0) uniform sampler2D opaque_texture;
 
 layout(location = 0) out vec4 color;
 
-/// Is a in front of b? A strict order over all fragments of a pixel.
+/// True if a lies in front of b. A strict order of all fragments of a pixel.
 bool in_front(FragmentNode a, FragmentNode b)
 {
     if (a.view_depth != b.view_depth) return a.view_depth < b.view_depth;
@@ -18,7 +18,7 @@ bool in_front(FragmentNode a, FragmentNode b)
 void main()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    // Lanes that cover no pixel may read zeros everywhere, and node 0 whose next is node 0 would be an endless list.
+    // Lanes that cover no pixel may read zeros everywhere. Then node 0 would follow node 0, and the list would be endless.
     uint head = gl_HelperInvocation ? END_OF_LIST : imageLoad(list_heads, pixel).x;
     vec3 sum = vec3(0.0);
     float transmittance = 1.0;

@@ -1,6 +1,6 @@
-// state.frag -- the first pass of techniques without moments: changes what a pixel stores by one fragment. With INTERLOCK or
-// FRAMEBUFFER_FETCH in submission order, else by blending, and samples by atomic operations. SECOND_PASS: the second one, of
-// those that have two.
+// state.frag -- the first pass of techniques without moments: changes the state of a pixel by one fragment. With INTERLOCK or
+// FRAMEBUFFER_FETCH this happens in submission order, otherwise by blending, and for samples by atomic operations. With SECOND_PASS
+// it is the second pass that stores states, of techniques that have one.
 #if defined(INTERLOCK)
 #extension GL_ARB_fragment_shader_interlock : require
 #elif defined(FRAMEBUFFER_FETCH)
@@ -18,7 +18,7 @@
 #include "passes/state_targets.glsl"
 
 #ifdef STATE_NEAREST
-layout(binding = 11) uniform sampler2D opaque_depth_texture;   // the depth test keeps the least f[3] instead
+layout(binding = 11) uniform sampler2D opaque_depth_texture;   // the depth test is used to keep the least f[3]
 #else
 layout(early_fragment_tests) in;
 #endif

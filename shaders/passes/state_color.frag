@@ -1,5 +1,5 @@
-// state_color.frag -- second pass of techniques whose state knows the transmittance at a depth: colours weighted by opacity and
-// transmittance, summed by additive blending. Alpha sums the weights, for the renormalisation.
+// state_color.frag -- second pass of techniques whose state defines a transmittance at a depth: sums colours times opacity times
+// transmittance by additive blending. The alpha channel sums the weights, for renormalisation.
 #include "passes/blocks.glsl"
 #include "passes/shading.glsl"
 #include "passes/transparent_fragment.glsl"
@@ -10,7 +10,7 @@ layout(early_fragment_tests) in;
 
 layout(location = 0) out vec4 weighted_color;
 #ifdef EXACT_ABSORBANCE_SLOT
-layout(location = 1) out vec4 exact_absorbance;   // of the pixel itself, whatever its state is mixed of
+layout(location = 1) out vec4 exact_absorbance;   // that of this pixel alone, even if its state is a mixture
 #endif
 
 void main()

@@ -1,4 +1,4 @@
-// state_composite.frag -- transparent over opaque, for techniques without moments.
+// state_composite.frag -- composites the transparent over the opaque picture, for techniques without moments.
 #include "passes/blocks.glsl"
 #include "shared/portable_math.glsl"
 #include "shared/fragment.glsl"
@@ -27,7 +27,7 @@ void main()
     vec3 transparent_color = vec3(all.red, all.green, all.blue);
 #else
     vec4 weighted = texelFetch(weighted_color_texture, pixel, 0);
-    float scale = frame.parameters.z > 0.5 && weighted.a > 0.0 ? (1.0 - all.transmittance) / weighted.a : 1.0;   // Eq. 2
+    float scale = frame.parameters.z > 0.5 && weighted.a > 0.0 ? (1.0 - all.transmittance) / weighted.a : 1.0;   // paper, Eq. 2
     vec3 transparent_color = weighted.rgb * scale;
 #endif
     color = vec4(opaque * all.transmittance + transparent_color, 1.0);

@@ -1,4 +1,4 @@
-// state_convert.frag -- converts what the first pass stored to the format that later passes read.
+// state_convert.frag -- converts the state that the first pass stored to the format that later passes read.
 #include "passes/blocks.glsl"
 #include "shared/portable_math.glsl"
 #include "shared/fragment.glsl"

@@ -1,5 +1,6 @@
-// state_targets.glsl -- where state.frag writes, and with ordered access reads, what a pixel stores: STATE_TEXELS groups of four
-// floats, as images (INTERLOCK) or colour attachments. A pass may write a part of them: WRITTEN_TEXELS from FIRST_TEXEL on.
+// state_targets.glsl -- the targets to which state.frag writes the state of a pixel, and from which it reads it with ordered
+// access: STATE_TEXELS groups of four floats, as images (INTERLOCK) or colour attachments. A pass may write only WRITTEN_TEXELS of
+// them, from FIRST_TEXEL on.
 #ifndef FIRST_TEXEL
 #define FIRST_TEXEL 0
 #define WRITTEN_TEXELS STATE_TEXELS
@@ -47,7 +48,7 @@ void write_state(PixelState state)
 #endif
     }
 #ifdef STATE_SAMPLES
-    // Depths are not negative, so that their bits have their order.
+    // Depths are not negative, so their bits are in the same order as the depths.
     for (int s = 0; s < SAMPLE_COUNT; ++s)
         imageAtomicMin(sample_images, ivec3(ivec2(gl_FragCoord.xy), s), floatBitsToUint(state.f[1 + s]));
 #endif

@@ -1,4 +1,4 @@
-// stored_factor.glsl -- the factor that factor.frag made of a pixel's moments.
+// stored_factor.glsl -- reads the factor of a pixel, which factor.frag computed.
 #include "passes/factor_texels.glsl"
 
 layout(binding = 0) uniform sampler2D total_absorbance_texture;
@@ -6,7 +6,7 @@ layout(binding = 3) uniform sampler2D factor_1_texture;
 layout(binding = 4) uniform sampler2D factor_2_texture;
 layout(binding = 5) uniform sampler2D factor_3_texture;
 
-/// Of a pixel with less than MIN_ABSORBANCE all but b0 is undefined.
+/// If b0 is less than MIN_ABSORBANCE, everything else in the result is undefined.
 Factor stored_factor(ivec2 pixel)
 {
     float b0 = texelFetch(total_absorbance_texture, pixel, 0).x;

@@ -1,5 +1,5 @@
-// stored_moments.glsl -- the transmittance to a fragment from what the first pass stored: from the pixel's moments, or, with
-// STORED_FACTOR, from their factor, which factor.frag made once for all of the pixel's fragments.
+// stored_moments.glsl -- the transmittance to a fragment from the moments of its pixel or, with STORED_FACTOR, from their factor,
+// which factor.frag computed once for all fragments of the pixel.
 #ifdef STORED_FACTOR
 #include "shared/storage.glsl"
 #else
@@ -14,7 +14,7 @@
 #include "passes/stored_factor.glsl"
 #endif
 
-/// A(z_f, b, beta) / b_0 for the fragment at hand from its pixel's factor, before it is clamped.
+/// A(z_f, b, beta) / b_0 for the current fragment from the factor of its pixel, not clamped yet.
 float fragment_fraction(Factor factor)
 {
     Reconstruction at_depth = reconstruct(factor, frame_basis(), fragment_depth());
@@ -22,7 +22,7 @@ float fragment_fraction(Factor factor)
     return fraction;
 }
 
-/// The same from moments; NaN where the textbook solver breaks.
+/// The same from the moments of its pixel. NaN if the textbook solver breaks down.
 float fragment_fraction(Moments moments)
 {
 #ifdef TEXTBOOK_SOLVER
@@ -34,7 +34,7 @@ float fragment_fraction(Moments moments)
 #endif
 }
 
-/// T(z_f, b, beta) for the fragment at hand.
+/// T(z_f, b, beta) for the current fragment.
 float fragment_transmittance()
 {
 #ifdef STORED_FACTOR

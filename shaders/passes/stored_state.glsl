@@ -1,5 +1,5 @@
-// stored_state.glsl -- what a pixel stores under a technique without moments: how passes read it and ask it. STATE_TEXELS
-// textures of four floats.
+// stored_state.glsl -- reads the state of a pixel with a technique without moments, and computes the transmittance from it. The
+// state is in STATE_TEXELS textures of four floats.
 #include "passes/pixel_state_fragment.glsl"
 
 layout(binding = 2) uniform sampler2D state_textures[STATE_TEXELS];
@@ -52,7 +52,7 @@ PixelState stored_state(ivec2 pixel)
 #endif
 
 #ifdef TRANSPARENT_FRAGMENT
-/// What is seen of the fragment at hand.
+/// The transmittance to the current fragment; 1 if the technique defines none.
 float fragment_transmittance()
 {
 #ifdef WITHOUT_DEPTHS

@@ -1,4 +1,4 @@
-// transparent_fragment.glsl -- opacity and depth of the fragment at hand, for all transparent passes.
+// transparent_fragment.glsl -- opacity, depth and random seed of the current fragment, for all transparent passes.
 #define TRANSPARENT_FRAGMENT
 #include "shared/portable_math.glsl"
 #include "shared/fragment.glsl"
@@ -10,14 +10,14 @@ in vec3 object_position;
 in vec2 texture_coordinate;
 
 #ifndef NO_ALPHA_MAPS
-layout(binding = 15) uniform sampler2D alpha_map;   // white where the object has none
+layout(binding = 15) uniform sampler2D alpha_map;   // white if the object has none
 #endif
 
-/// May be 0. Level 0 always: what a pass samples must not depend on derivatives, which passes compute for different
-/// pixels.
+/// The opacity of the current fragment; it may be 0. The map is always sampled at level 0. A sample must not depend on derivatives,
+/// because passes compute them for different pixels.
 float fragment_opacity()
 {
-#ifdef NO_ALPHA_MAPS   // the scene has none, and a fetch is not free
+#ifdef NO_ALPHA_MAPS   // the scene has no alpha maps; this saves a fetch
     return object.color_opacity.a;
 #else
     return object.color_opacity.a * textureLod(alpha_map, texture_coordinate, 0.0).x;
@@ -26,7 +26,7 @@ float fragment_opacity()
 
 float fragment_absorbance()
 {
-#ifdef NO_ALPHA_MAPS   // then it is the object's, and a logarithm is not free
+#ifdef NO_ALPHA_MAPS   // the absorbance of the object; this saves a logarithm
     return object.absorbance.x;
 #else
     return absorbance_of_opacity(fragment_opacity());
@@ -48,7 +48,7 @@ uint fragment_random_seed()
     return fragment_seed(fragment_pixel(), object.draw.y, floatBitsToUint(fragment_view_depth()));
 }
 
-/// Of hashed alpha testing. Must be called where all lanes are, for its derivatives.
+/// The threshold of hashed alpha testing. Takes derivatives, so call it where all lanes of a quad are active.
 float fragment_threshold()
 {
     precise float width = max(length(dFdx(object_position)), length(dFdy(object_position)));

@@ -1,5 +1,5 @@
-// adaptive.glsl -- adaptive transparency (Salvi, Montgomery and Lefohn 2011): the transmittance as a step function of few nodes,
-// which loses the one that matters least.
+// adaptive.glsl -- adaptive transparency (Salvi, Montgomery and Lefohn 2011). The transmittance is a step function with few nodes.
+// If there are too many nodes, the one that matters least is removed.
 #define MAX_STATE_FLOATS 16
 #define STATE_ORDERED
 #define HAS_SETTINGS
@@ -7,11 +7,12 @@ struct PixelStateSettings { int nodes; };   // 2 to 8
 #include "pixel_state.glsl"
 
 const int MAX_NODES = 8;
-const float NO_DEPTH = 2.0f;   // of a node that holds nothing yet: behind every fragment
+const float NO_DEPTH = 2.0f;   // of an empty node: behind every fragment
 
 struct NodeList { float depth[9]; float t[9]; };
 
-/// Depth and transmittance behind it in turn, ascending in depth. Empty nodes have the transmittance of all.
+/// The state holds a pair for each node: its depth and the transmittance behind it. Nodes are sorted by ascending depth. Empty
+/// nodes hold the total transmittance.
 FN PixelState empty_state(IN(PixelStateSettings) settings)
 {
     PixelState state;
@@ -24,7 +25,8 @@ FN PixelState empty_state(IN(PixelStateSettings) settings)
     return state;
 }
 
-/// The nodes with one more: it occludes itself and all behind.
+/// The stored nodes and one more for the fragment, which occludes itself and everything behind it. size: the number of stored
+/// nodes.
 FN NodeList with_node(IN(PixelState) stored, IN(PixelStateFragment) fragment, int size)
 {
     NodeList list;
@@ -47,7 +49,7 @@ FN NodeList with_node(IN(PixelState) stored, IN(PixelStateFragment) fragment, in
     return list;
 }
 
-/// Which of size + 1 nodes to remove: never the first, and the last only while it is empty.
+/// Index of the node to remove from size + 1 nodes. Never the first. The last only if it is empty.
 FN int least_node(IN(NodeList) list, int size)
 {
     int least = size;
@@ -74,12 +76,12 @@ FN PixelState with_fragment(IN(PixelState) stored, IN(PixelStateFragment) fragme
     {
         bool there = i < settings.nodes;
         state.f[2 * i] = there ? (i < removed ? list.depth[i] : list.depth[i + 1]) : NO_DEPTH;
-        state.f[2 * i + 1] = i < removed - 1 ? list.t[i] : list.t[i + 1];   // underestimates T between the two
+        state.f[2 * i + 1] = i < removed - 1 ? list.t[i] : list.t[i + 1];   // T is too small from node removed - 1 to node removed
     }
     return state;
 }
 
-/// T of the last node strictly in front.
+/// The transmittance of the last node strictly in front of the fragment; 1 if there is none.
 FN float transmittance_at(IN(PixelState) state, IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     float t = 1.0f;

@@ -1,6 +1,6 @@
-// alpha_threshold.glsl -- the threshold of hashed alpha testing (Wyman and McGuire 2017, Section 3): a hash of the place on the
-// object at the two nearest powers of two of its scale on the screen, so that it moves with the object and stays as fine as
-// pixels, made uniform again after the interpolation between both.
+// alpha_threshold.glsl -- the threshold of hashed alpha testing (Wyman and McGuire 2017, Section 3). It is a hash of the place on
+// the object, so it moves with the object. The place is rounded to cells about as large as a pixel. To get there, two hashes are
+// interpolated, for the two powers of two next to the scale of the object on the screen. Then the result is made uniform again.
 
 const float TWO_PI = 2.0f * PI;
 const float MIN_THRESHOLD = 1.0e-6f;
@@ -10,7 +10,7 @@ FN float fraction_of(float x)
     return x - floor(x);
 }
 
-/// sin of any angle; for a hash, so that it may be coarse where the angle is great.
+/// sin of any angle, for hashing only. The error may be large where the angle is large.
 FN float hashing_sine(float angle)
 {
     PRECISE float turns = angle / TWO_PI;
@@ -18,7 +18,7 @@ FN float hashing_sine(float angle)
     return within > PI ? -portable_sincos(within - PI).sine : portable_sincos(within).sine;
 }
 
-/// In [0, 1).
+/// A hash of x and y, in [0, 1).
 FN float hash_of_two(float x, float y)
 {
     PRECISE float a = 17.0f * x + 0.1f * y;
@@ -32,7 +32,8 @@ FN float hash_of_place(float x, float y, float z, float scale)
     return hash_of_two(hash_of_two(floor(scale * x), floor(scale * y)), floor(scale * z));
 }
 
-/// The share of pairs interpolated with weight a in [0, 1/2] that lie below x: the distribution of (1-a) u + a v.
+/// The distribution function of (1 - a) u + a v, where u and v are uniform in [0, 1] and independent. a in [0, 1/2]. The result is
+/// the probability that the mean lies below x, so it maps the mean to a uniform number.
 FN float distribution_of_mean(float x, float a)
 {
     if (a < 1.0e-6f) return x;
@@ -42,7 +43,8 @@ FN float distribution_of_mean(float x, float a)
     return 1.0f - (1.0f - x) * (1.0f - x) / tail;
 }
 
-/// In [1e-6, 1]. x, y, z: the place in object space; width: how far it moves at most from a pixel to the next, > 0.
+/// The threshold in [1e-6, 1]. x, y, z: the place in object space. width: how far this place moves at most from one pixel to the
+/// next, > 0.
 FN float alpha_threshold(float x, float y, float z, float width)
 {
     PRECISE float scale = 1.0f / max(width, 1.0e-20f);

@@ -25,7 +25,8 @@ FN Complex conjugate(IN(Complex) a)
     return result;
 }
 
-/// x, whose length is 1 but for rounding, with half that rounding or less: one step of Newton's method for 1 / |x|.
+/// Moves x, whose length is 1 except for rounding, closer to the unit circle: removes at least half of the rounding error. This is
+/// one step of Newton's method for 1 / |x|.
 FN Complex on_unit_circle(IN(Complex) x)
 {
     PRECISE float excess = (x.re * x.re - 1.0f) + x.im * x.im;

@@ -1,7 +1,8 @@
-// depth_circle.glsl -- depths on the unit circle, x(z) = exp(i phi), phi = (z + 1)(pi - theta/2) (Eq. 5), and the wrapping
-// zone: the arc of theta that holds no depths.
+// depth_circle.glsl -- maps depths to the unit circle, x(z) = exp(i phi) with phi = (z + 1)(pi - theta/2) (paper, Eq. 5). The
+// wrapping zone is the arc of angle theta that holds no depths.
 
-/// psi of Section 5.2: grows with the phase like an angle, from -1 at phase -pi/4 to 7; no inverse trigonometry.
+/// psi(x) of the paper, Section 5.2. It grows with the phase of x like an angle, from -1 at phase 0 to 7 at phase 2 pi, but needs
+/// no inverse trigonometry.
 FN float phase_order(IN(Complex) x)
 {
     PRECISE float r = abs(x.im) - abs(x.re);
@@ -9,13 +10,13 @@ FN float phase_order(IN(Complex) x)
     return x.im < 0.0f ? 6.0f - r : r;
 }
 
-/// What depends on theta but not on depth.
+/// Numbers that depend on theta but not on depth.
 struct Basis
 {
     float half_phase_scale;     // phi / 2 per (z + 1)
-    float quarter_sine;         // of theta / 2: from the end of the depth range to the end of the circle
+    float quarter_sine;         // sin(theta / 2), to turn half a phase by half of the wrapping zone
     float quarter_cosine;
-    float ramp_scale;           // v of a node in the wrapping zone is ramp_scale psi + ramp_offset (Eq. 6)
+    float ramp_scale;           // Eq. 6: in the wrapping zone, v = ramp_scale psi + ramp_offset
     float ramp_offset;
 };
 
@@ -27,7 +28,7 @@ FN Basis make_basis(float wrapping_zone_angle)
     SinCos half_zone = portable_sincos(0.5f * wrapping_zone_angle);
     basis.quarter_sine = half_zone.sine;
     basis.quarter_cosine = half_zone.cosine;
-    Complex end = make_complex(half_zone.cosine, -half_zone.sine);   // half of the phase 2 pi - theta, squared below
+    Complex end = make_complex(half_zone.cosine, -half_zone.sine);   // exp(i (pi - theta/2)) but for its sign; squared below
     float zone_start = phase_order(product(end, end));
     PRECISE float ramp = 1.0f / (7.0f - zone_start);
     basis.ramp_scale = wrapping_zone_angle > 0.0f ? ramp : 0.0f;
@@ -35,7 +36,7 @@ FN Basis make_basis(float wrapping_zone_angle)
     return basis;
 }
 
-/// The same as numbers, for a uniform block.
+/// A Basis as an array of numbers, for a uniform block.
 #define BASIS_FLOATS 5
 struct StoredBasis { float x[BASIS_FLOATS]; };
 
@@ -61,7 +62,7 @@ FN Basis unpacked_basis(IN(StoredBasis) stored)
     return basis;
 }
 
-/// exp(i phi / 2) of a depth in [-1, 1].
+/// exp(i phi / 2) for a depth in [-1, 1].
 FN Complex half_phase(float depth, IN(Basis) basis)
 {
     SinCos half_angle = portable_sincos((depth + 1.0f) * basis.half_phase_scale);

@@ -1,13 +1,14 @@
-// elimination.glsl -- what the factorisations of both bases share.
+// elimination.glsl -- the parts of the elimination that moments on the line and on the circle share.
 //
-// Where fragments are few, nearly all of the matrix of moments cancels in its elimination, and what is left, hardly more
-// than the bias, decides the result. So it runs on pairs of floats and without division (Bareiss): each step multiplies
-// what is left by its pivot, which a scale keeps track of, and by a power of two that keeps the scale near 1.
+// If a pixel has few fragments, nearly all of the matrix of moments cancels during elimination. What is left is hardly more than
+// the bias, and it decides the result. So elimination runs on pairs of floats and does not divide (Bareiss). A plain step with the
+// pivot P replaces entry E_ij by E_ij - E_ik E_jk / P. Here the step computes (E_ij P - E_ik E_jk) 2^-e, which is P 2^-e times as
+// much. `scale` is the product of these factors, and the power of two keeps each of them in [1, 2).
 
-/// A pivot below this is rounding noise (1 ulp of a normalised moment) and counts as this.
+/// Smaller pivots are rounding noise (1 ulp of a normalised moment) and are raised to this value.
 const float PIVOT_FLOOR = 6.0e-8f;
 
-/// b[i] + bias_delta[i] times a power of two, without rounding.
+/// (b[i] + bias_delta[i]) times a power of two, without rounding.
 FN FloatPair biased_moment(IN(BiasedMoments) biased, int i, float power_of_two)
 {
     return exact_sum(biased.b[i] * power_of_two, biased.bias_delta[i] * power_of_two);
@@ -15,14 +16,14 @@ FN FloatPair biased_moment(IN(BiasedMoments) biased, int i, float power_of_two)
 
 struct Pivot
 {
-    FloatPair value;         // as it stands in the matrix, that is times the scale, raised to the floor
-    float inverse;           // of it
-    float inverse_h;         // of the pivot normalised: what LDL^T would have
-    float power_of_two;      // the step multiplies the rest by it and by the pivot
-    int floored;             // 1 if it was raised
+    FloatPair value;         // the entry of the matrix, including the factor scale; at least the floor
+    float inverse;           // 1 / value
+    float inverse_h;         // 1 / (value / scale): the inverse of the pivot that LDL^T of the normalised matrix has
+    float power_of_two;      // the step multiplies the remaining entries by this and by value
+    int floored;             // 1 if the pivot was raised to the floor
 };
 
-/// The pivot of one step. scale: what the matrix has been multiplied by so far, in [1, 2^ORDER).
+/// The pivot of one step. scale: the factor of the matrix so far, in [1, 2^ORDER).
 FN Pivot make_pivot(IN(FloatPair) diagonal, float scale)
 {
     PRECISE float floor_value = PIVOT_FLOOR * scale;
@@ -37,20 +38,21 @@ FN Pivot make_pivot(IN(FloatPair) diagonal, float scale)
     return pivot;
 }
 
-/// The scale after the step.
+/// The factor of the matrix after the step.
 FN float next_scale(float scale, IN(Pivot) pivot)
 {
     PRECISE float next = scale * pivot.value.high * pivot.power_of_two;
     return next;
 }
 
-/// (entry pivot - a b) times the power of two: an entry after the step.
+/// (entry pivot - a b) times the power of two: the entry after the step. a, b: the entries of its row and its column in the column
+/// of the pivot.
 FN FloatPair eliminated(IN(FloatPair) entry, IN(Pivot) pivot, IN(FloatPair) a, IN(FloatPair) b)
 {
     return scaled_pair(pair_difference(pair_product(entry, pivot.value), pair_product(a, b)), pivot.power_of_two);
 }
 
-/// (entry pivot - a b - c d) times the power of two: half of a complex entry after the step.
+/// (entry pivot - a b - c d) times the power of two: the real or the imaginary part of a complex entry after the step.
 FN FloatPair eliminated_half(IN(FloatPair) entry, IN(Pivot) pivot, IN(FloatPair) a, IN(FloatPair) b, IN(FloatPair) c,
                              IN(FloatPair) d)
 {

@@ -1,6 +1,6 @@
-// float_pair.glsl -- numbers of twice a float's digits as unevaluated sums of two floats, from + - * alone (Dekker 1971).
+// float_pair.glsl -- numbers with twice the digits of a float, as unevaluated sums of two floats. Uses only + - * (Dekker 1971).
 
-struct FloatPair { float high; float low; };   // high + low, |low| at most a few ulps of high
+struct FloatPair { float high; float low; };   // the number is high + low; |low| is at most a few ulps of high
 
 FN FloatPair make_pair(float high, float low)
 {
@@ -10,7 +10,7 @@ FN FloatPair make_pair(float high, float low)
     return pair;
 }
 
-/// a + b exactly (Knuth's two-sum).
+/// a + b without rounding (Knuth's two-sum).
 FN FloatPair exact_sum(float a, float b)
 {
     PRECISE float high = a + b;
@@ -19,7 +19,7 @@ FN FloatPair exact_sum(float a, float b)
     return make_pair(high, low);
 }
 
-/// The same where |a| >= |b| or a = 0 (Dekker's fast two-sum); else its low part is rounded.
+/// a + b. Exact if |a| >= |b| or a = 0 (Dekker's fast two-sum); otherwise its low part is rounded.
 FN FloatPair ordered_sum(float a, float b)
 {
     PRECISE float high = a + b;
@@ -27,7 +27,7 @@ FN FloatPair ordered_sum(float a, float b)
     return make_pair(high, low);
 }
 
-/// x as the sum of two floats of 12 bits, whose products are exact.
+/// x as the sum of two floats of 12 bits each, so that products of such floats are exact (Dekker).
 FN FloatPair halves_of(float x)
 {
     PRECISE float scaled = 4097.0f * x;
@@ -36,7 +36,7 @@ FN FloatPair halves_of(float x)
     return make_pair(high, low);
 }
 
-/// a b exactly, unless it over- or underflows. FUSED_MULTIPLY_ADD is defined where fma rounds once.
+/// a b without rounding, unless it overflows or underflows. FUSED_MULTIPLY_ADD is defined where fma rounds once.
 FN FloatPair exact_product(float a, float b)
 {
     PRECISE float high = a * b;
@@ -50,6 +50,7 @@ FN FloatPair exact_product(float a, float b)
     return make_pair(high, low);
 }
 
+/// a b, rounded to a pair.
 FN FloatPair pair_product(IN(FloatPair) a, IN(FloatPair) b)
 {
     FloatPair result = exact_product(a.high, b.high);
@@ -58,7 +59,7 @@ FN FloatPair pair_product(IN(FloatPair) a, IN(FloatPair) b)
     return result;
 }
 
-/// a - b, where much may cancel.
+/// a - b. Accurate even if most digits cancel.
 FN FloatPair pair_difference(IN(FloatPair) a, IN(FloatPair) b)
 {
     FloatPair high = exact_sum(a.high, -b.high);
@@ -71,7 +72,7 @@ FN FloatPair negative_pair(IN(FloatPair) pair)
     return make_pair(-pair.high, -pair.low);
 }
 
-/// pair times a power of two: exact.
+/// The pair times a power of two, without rounding.
 FN FloatPair scaled_pair(IN(FloatPair) pair, float power_of_two)
 {
     return make_pair(pair.high * power_of_two, pair.low * power_of_two);

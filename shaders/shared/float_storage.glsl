@@ -1,6 +1,6 @@
-// float_storage.glsl -- moments stored in 32-bit floats: their plain sum, as additive blending makes it.
+// float_storage.glsl -- moments stored in 32-bit floats. They are summed as additive blending does it.
 
-/// What a pixel stores after one more fragment. stored: what it stored before; fragment: from fragment_moments.
+/// What a pixel stores after one more fragment. stored: what it stored before. fragment: result of fragment_moments.
 FN Moments with_fragment(IN(Moments) stored, IN(Moments) fragment)
 {
     Moments sum;
@@ -10,7 +10,7 @@ FN Moments with_fragment(IN(Moments) stored, IN(Moments) fragment)
     return sum;
 }
 
-/// The moments that stored numbers stand for.
+/// The moments that the stored numbers represent.
 FN Moments unpacked_moments(IN(Moments) stored)
 {
     return stored;

@@ -1,13 +1,14 @@
-// fourier.glsl -- Fourier opacity mapping (Jansen and Bavoil 2010): the absorption over depth as a Fourier series.
+// fourier.glsl -- Fourier opacity mapping (Jansen and Bavoil 2010). A pixel stores a Fourier series of the absorption as a function
+// of depth.
 #define MAX_STATE_FLOATS 16
 #define STATE_SUMS
 #define HAS_SETTINGS
-struct PixelStateSettings { int frequencies; bool lanczos; };   // K, 3 or 7; are terms damped by Lanczos' sigma factors?
+struct PixelStateSettings { int frequencies; bool lanczos; };   // K is 3 or 7; lanczos: damp the terms by Lanczos' sigma factors?
 #include "pixel_state.glsl"
 
 const int MAX_FREQUENCY = 7;
 
-/// a_0, then a_k and b_k in turn.
+/// The state holds a_0, then a_1, b_1, a_2, b_2, and so on.
 FN PixelState empty_state(IN(PixelStateSettings) settings)
 {
     return zero_state();
@@ -16,7 +17,7 @@ FN PixelState empty_state(IN(PixelStateSettings) settings)
 /// cos(k angle) and sin(k angle) for k = 0, 1, ...
 struct Waves { float cosine[MAX_FREQUENCY + 1]; float sine[MAX_FREQUENCY + 1]; };
 
-/// From the sine and cosine for k = 1.
+/// The waves of all k, from the sine and cosine for k = 1.
 FN Waves waves_of(IN(SinCos) first)
 {
     Waves waves;
@@ -33,7 +34,7 @@ FN Waves waves_of(IN(SinCos) first)
     return waves;
 }
 
-/// Of the angle 2 pi depth.
+/// The waves of the angle 2 pi depth.
 FN Waves depth_waves(float depth)
 {
     SinCos half_angle = portable_sincos(PI * depth);
@@ -45,7 +46,8 @@ FN Waves depth_waves(float depth)
     return waves_of(angle);
 }
 
-/// 2 A_l cos(2 pi k d_l) and 2 A_l sin(2 pi k d_l).
+/// What one fragment adds. With its absorbance A_l and its depth d_l: 2 A_l cos(2 pi k d_l) to a_k and 2 A_l sin(2 pi k d_l) to
+/// b_k.
 FN PixelState fragment_state(IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     PixelState state = zero_state();
@@ -62,7 +64,9 @@ FN PixelState fragment_state(IN(PixelStateFragment) fragment, IN(PixelStateSetti
     return state;
 }
 
-/// A(d) = a_0 d / 2 + sum of (a_k sin(2 pi k d) + b_k (1 - cos(2 pi k d))) / (2 pi k). It rings: neither monotone nor positive.
+/// Absorbance in front of a depth d in [0, 1]. The absorption is a_0 / 2 + sum of (a_k cos(2 pi k d) + b_k sin(2 pi k d)). Its
+/// integral from 0 to d is A(d) = a_0 d / 2 + sum of (a_k sin(2 pi k d) + b_k (1 - cos(2 pi k d))) / (2 pi k). The series rings:
+/// A(d) may fall, and it may be negative.
 FN float absorbance_at(IN(PixelState) state, float depth, IN(PixelStateSettings) settings)
 {
     Waves waves = depth_waves(depth);
@@ -85,7 +89,7 @@ FN float transmittance_at(IN(PixelState) state, IN(PixelStateFragment) fragment,
     return transmittance_of(max(absorbance_at(state, fragment.depth, settings), 0.0f));
 }
 
-/// A(1) = a_0 / 2 is exact.
+/// The total absorbance A(1) = a_0 / 2 is exact.
 FN Composited composited(IN(PixelState) state, IN(PixelStateSettings) settings)
 {
     return transparent(transmittance_of(0.5f * state.f[0]));

@@ -1,13 +1,13 @@
-// hashed.glsl -- hashed alpha testing (Wyman and McGuire 2017): a fragment is opaque where its opacity reaches a threshold
-// that is hashed from its place on the object, and not there elsewhere. No settings.
+// hashed.glsl -- hashed alpha testing (Wyman and McGuire 2017). A fragment is drawn as opaque if its opacity reaches a threshold,
+// and not at all otherwise. The threshold is a hash of the place on the object. No settings.
 #define MAX_STATE_FLOATS 4
 #define STATE_NEAREST
 #define HOLDS_COLORS
 #include "pixel_state.glsl"
 
-const float NO_DEPTH = 2.0f;   // where nothing is drawn
+const float NO_DEPTH = 2.0f;   // the depth of a pixel where nothing is drawn
 
-/// Colour and depth of what is drawn.
+/// The state holds the colour and the depth of the drawn fragment.
 FN PixelState empty_state(IN(PixelStateSettings) settings)
 {
     PixelState state = zero_state();
@@ -26,7 +26,7 @@ FN PixelState fragment_state(IN(PixelStateFragment) fragment, IN(PixelStateSetti
     return state;
 }
 
-/// 1 up to the depth of what is drawn, 0 behind it and for fragments that are not drawn.
+/// 1 for fragments that are drawn and do not lie behind the stored depth, otherwise 0.
 FN float transmittance_at(IN(PixelState) state, IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     bool seen = fragment.opacity >= fragment.threshold && fragment.depth <= state.f[3];

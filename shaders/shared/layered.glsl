@@ -1,10 +1,10 @@
-// layered.glsl -- multi-layer alpha blending (Salvi and Vaidyanathan 2014): the nearest fragments in layers of their own, all others
-// merged into the last one as they come.
+// layered.glsl -- multi-layer alpha blending (Salvi and Vaidyanathan 2014). Each of the nearest fragments has a layer of its own.
+// All other fragments are merged into the last layer when they arrive.
 #define MAX_STATE_FLOATS 32
 #define STATE_ORDERED
 #define HOLDS_COLORS
 #define HAS_SETTINGS
-struct PixelStateSettings { int layers; int bits; };   // 1 to 6 layers, each stored in one of these:
+struct PixelStateSettings { int layers; int bits; };   // 1 to 6 layers; bits is one of the formats below
 const int LAYERS_IN_16_BITS = 0;   // half floats for colours, 16 bits for depth and transmittance
 const int LAYERS_IN_8_BITS = 1;    // 8 bits for colours and transmittance, 16 for depth
 const int LAYERS_IN_FLOATS = 2;    // nothing is rounded
@@ -12,9 +12,9 @@ const int LAYERS_IN_FLOATS = 2;    // nothing is rounded
 #include "rounding.glsl"
 
 const int MAX_LAYERS = 6;
-const float NO_DEPTH = 2.0f;   // of a layer that holds nothing yet
+const float NO_DEPTH = 2.0f;   // of an empty layer
 
-/// Colour is multiplied by opacity.
+/// Colours are multiplied by opacity.
 struct Layer { float depth; float red; float green; float blue; float transmittance; };
 
 FN Layer layer_of(IN(PixelState) state, int i)
@@ -28,19 +28,21 @@ FN Layer layer_of(IN(PixelState) state, int i)
     return layer;
 }
 
-/// Colours beyond 1 are lost in 8 bits.
+/// The colour that `bits` can hold. In 8 bits colours above 1 are clamped.
 FN float stored_color(float x, int bits)
 {
     if (bits == LAYERS_IN_FLOATS) return x;
     return bits == LAYERS_IN_8_BITS ? rounded_to_unorm8(x) : rounded_to_half(x);
 }
 
+/// The transmittance that `bits` can hold.
 FN float stored_transmittance(float x, int bits)
 {
     if (bits == LAYERS_IN_FLOATS) return x;
     return bits == LAYERS_IN_8_BITS ? rounded_to_unorm8(x) : rounded_to_unorm16(x);
 }
 
+/// The state holds depth, red, green, blue and transmittance of each layer. Layers are sorted by ascending depth.
 FN PixelState empty_state(IN(PixelStateSettings) settings)
 {
     PixelState state = zero_state();
@@ -53,7 +55,7 @@ FN PixelState empty_state(IN(PixelStateSettings) settings)
     return state;
 }
 
-/// `front` over `behind`, at the depth of the front one.
+/// `front` composited over `behind`. The result keeps the depth of `front`.
 FN Layer merged(IN(Layer) front, IN(Layer) behind)
 {
     Layer layer;
@@ -68,7 +70,7 @@ FN Layer merged(IN(Layer) front, IN(Layer) behind)
     return layer;
 }
 
-/// One bubble through the sorted layers; what comes out behind the last one is merged into it.
+/// Inserts the fragment by one bubble pass through the sorted layers. What is pushed out behind the last layer is merged into it.
 FN PixelState with_fragment(IN(PixelState) stored, IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     PixelState state = empty_state(settings);
@@ -84,7 +86,7 @@ FN PixelState with_fragment(IN(PixelState) stored, IN(PixelStateFragment) fragme
         Layer layer = layer_of(stored, i);
         Layer front = layer;
         Layer behind = carried;
-        if (carried.depth <= layer.depth)   // of a tie the later fragment lies in front, as in sorted
+        if (carried.depth <= layer.depth)   // at equal depths the later fragment lies in front, as with `sorted`
         {
             front = carried;
             behind = layer;
@@ -102,7 +104,7 @@ FN PixelState with_fragment(IN(PixelState) stored, IN(PixelStateFragment) fragme
     return state;
 }
 
-/// The product of the layers strictly in front.
+/// The product of the transmittances of all layers strictly in front of the fragment.
 FN float transmittance_at(IN(PixelState) state, IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     float depth = settings.bits == LAYERS_IN_FLOATS ? fragment.depth : rounded_to_unorm16(fragment.depth);

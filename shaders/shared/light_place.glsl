@@ -1,11 +1,12 @@
-// light_place.glsl -- where the light's map has a point.
+// light_place.glsl -- the place of a point in the map of the light.
 
-/// Texel: place in texels from the map's lower left. depth: in [-1, 1] of the depth range, beyond it cut. within: does the map
-/// know what shadows the point?
+/// texel: the place in texels, from the lower left corner of the map. depth: in [-1, 1], clamped to the depth range. within: true
+/// if the map knows what shadows the point.
 struct ShadowMapPosition { vec2 texel; float depth; bool within; };
 
-/// in_light: the point in the light's space, which looks along -z; clip: projected. range: origin and scale of the linear depth
-/// (fragment.glsl), texels of a side of the map. Nothing nearer than the origin is within.
+/// in_light: the point in the space of the light, which looks along -z. clip: the projection of this point. range: origin and scale
+/// of the linear depth (fragment.glsl), and the number of texels along a side of the map. Points nearer than the origin are not
+/// within.
 FN ShadowMapPosition light_place_of(IN(vec4) in_light, IN(vec4) clip, IN(vec3) range)
 {
     ShadowMapPosition place;

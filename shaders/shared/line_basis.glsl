@@ -1,17 +1,17 @@
-// line_basis.glsl -- what power and Chebyshev moments are made of: as many floats as moments, half as many roots, and at
-// most one parameter.
+// line_basis.glsl -- constants and includes that power and Chebyshev moments share. They store as many floats as moments, have half
+// as many roots, and have at most one parameter.
 
 #define LINE_BASIS
 #define ROOT_COUNT (MOMENT_COUNT / 2)
 #define MOMENT_FLOATS MOMENT_COUNT
-#define ORDER (ROOT_COUNT + 1)   // of the matrix of moments
+#define ORDER (ROOT_COUNT + 1)   // number of rows of the matrix of moments
 #include "moments.glsl"
 #include "float_pair.glsl"
 #include "elimination.glsl"
 #include "real_roots.glsl"
 
-/// What depends on parameters but not on depth: the tolerance of nested orders (nested_orders.glsl), and else nothing.
-/// Trigonometric moments have a wrapping zone here.
+/// Numbers that depend on parameters but not on depth. Here this is the tolerance of nested orders (nested_orders.glsl); other
+/// bases on the line do not read it. Trigonometric moments have their wrapping zone here.
 struct Basis { float tolerance; };
 
 FN Basis make_basis(float tolerance)
@@ -21,7 +21,7 @@ FN Basis make_basis(float tolerance)
     return basis;
 }
 
-/// The same as numbers, for a uniform block.
+/// A Basis as an array of numbers, for a uniform block.
 #define BASIS_FLOATS 1
 struct StoredBasis { float x[BASIS_FLOATS]; };
 

@@ -1,16 +1,16 @@
-// line_factor.glsl -- the factor of the matrix of moments of a measure on the line: E[u_i u_j] for the polynomials u_k of
-// the basis, which is the Hankel matrix for u_k = z^k. A basis defines matrix_entry and leading_coefficient before.
+// line_factor.glsl -- factors the matrix of moments on the line. Its entries are E[u_i u_j] for the polynomials u_k of the basis;
+// for u_k = z^k it is the Hankel matrix. A basis defines matrix_entry and leading_coefficient before it includes this file.
 
 struct Factor
 {
     float b0;
-    float a[ROOT_COUNT];       // recurrence, diagonal
+    float a[ROOT_COUNT];       // a_k of the recurrence
     float ratio[ROOT_COUNT];   // h_k / h_{k-1}; [0] unused
-    float inverse_h[ORDER];    // 1 / pivot
-    int floored;               // how many pivots were raised to the floor
+    float inverse_h[ORDER];    // 1 / h_k; h_k is the norm of p_k
+    int floored;               // number of pivots that were raised to the floor
 };
 
-/// h_k / h_{k-1} from the pivots, which is all of the factor that need not be stored.
+/// The factor with its ratios h_k / h_{k-1}. They follow from inverse_h, so they need not be stored.
 FN Factor with_ratios(IN(Factor) factor)
 {
     Factor result = factor;
@@ -20,8 +20,7 @@ FN Factor with_ratios(IN(Factor) factor)
     return result;
 }
 
-/// What a pixel stores of its factor, so that the second pass need not factor again: a_k, then 1 / h_k for k > 0, and
-/// h_0 = 1 always.
+/// What a pixel stores of its factor, so that the second pass need not factor again: a_k, then 1 / h_k for k > 0. h_0 is always 1.
 #define FACTOR_FLOATS (2 * ROOT_COUNT)
 struct StoredFactor { float x[FACTOR_FLOATS]; };
 
@@ -37,7 +36,7 @@ FN StoredFactor packed_factor(IN(Factor) factor)
     return stored;
 }
 
-/// b0: the total absorbance, which stands beside it.
+/// b0: the total absorbance, which is stored separately.
 FN Factor unpacked_factor(IN(StoredFactor) stored, float b0)
 {
     Factor factor;
@@ -53,17 +52,23 @@ FN Factor unpacked_factor(IN(StoredFactor) stored, float b0)
     return with_ratios(factor);
 }
 
-/// LDL^T of the matrix of biased moments, normalised to b_0 = 1, as the recurrence of the monic orthogonal polynomials.
-/// Depths lie in [-1, 1], so that |a_k| <= 1 and h_k <= h_{k-1} for every measure. Where rounding leaves moments that no
-/// measure has, these limits keep the polynomials from overflowing.
+/// Factors the matrix of biased moments, normalised to b_0 = 1, and returns the recurrence of the monic orthogonal polynomials p_k.
+///
+/// Elimination gives M = L D L^T with M_ij = E[u_i u_j]. So u_i = sum of L_ij q_j, where the q_k are orthogonal and E[q_k^2] = D_k.
+/// If c_k is the leading coefficient of u_k, then p_k = q_k / c_k and h_k = E[p_k^2] = D_k / c_k^2. The recurrence
+/// p_{k+1} = (z - a_k) p_k - (h_k / h_{k-1}) p_{k-1} gives a_k = s_k - s_{k+1}, where s_k is the coefficient of z^(k-1) in p_k. In
+/// the u_k of both bases this coefficient is 0, so s_k = -L_{k,k-1} c_{k-1} / c_k.
+///
+/// Since depths lie in [-1, 1], |a_k| <= 1 and h_k <= h_{k-1} for every distribution. After rounding, moments may belong to no
+/// distribution; then these limits keep the polynomials from overflowing.
 FN Factor factor_moments(IN(BiasedMoments) biased)
 {
-    FloatPair entry[ORDER * ORDER];    // entry[i ORDER + j] for i >= j: the rest of H, times scale
-    float lower[ORDER * ORDER];        // L, with 1 on its diagonal
+    FloatPair entry[ORDER * ORDER];    // (i, j) at i ORDER + j for i >= j: what elimination has left of M, times scale
+    float lower[ORDER * ORDER];        // L; its diagonal is 1
     Factor factor;
     factor.b0 = biased.b0;
     factor.floored = 0;
-    float unit = inverse_power_of_two(biased.b0);   // brings b_0 into [1, 2) exactly, so that no product underflows
+    float unit = inverse_power_of_two(biased.b0);   // brings b_0 into [1, 2) without rounding, so no product underflows
     UNROLL
     for (int i = 0; i < ORDER; ++i)
     {
@@ -77,7 +82,7 @@ FN Factor factor_moments(IN(BiasedMoments) biased)
     {
         Pivot pivot = make_pivot(entry[k * ORDER + k], scale);
         factor.floored += pivot.floored;
-        // The pivot is the norm of the k-th orthogonal polynomial with the basis's leading coefficient, a power of two.
+        // The pivot is D_k = h_k c_k^2. c_k is a power of two, so the product below is exact.
         float leading = leading_coefficient(k);
         factor.inverse_h[k] = pivot.inverse_h * (leading * leading);
         UNROLL
@@ -96,7 +101,7 @@ FN Factor factor_moments(IN(BiasedMoments) biased)
     {
         float up = leading_coefficient(k) / leading_coefficient(k + 1);
         PRECISE float a = lower[(k + 1) * ORDER + k] * up;
-        if (k > 0)   // nothing stands left of the first diagonal entry, and nothing times 0 may be NaN
+        if (k > 0)   // for k = 0 the term does not exist; a product with 0 could be NaN
         {
             float down = leading_coefficient(k - 1) / leading_coefficient(k);
             a = a - lower[k * ORDER + max(k - 1, 0)] * down;

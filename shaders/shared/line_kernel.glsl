@@ -1,11 +1,12 @@
-// line_kernel.glsl -- the kernel polynomial of a measure on the line about a query depth, from the recurrence of its monic
-// orthogonal polynomials: what power and Chebyshev moments share.
+// line_kernel.glsl -- the kernel polynomial of moments on the line, expanded about the query depth z_f. Power and Chebyshev moments
+// share it.
 //
-// Instead of solving H q = (1, z_f, z_f^2, ...) and looking for the roots of q (Algorithm 1), everything is told by
-// the monic orthogonal polynomials p_k of the measure, p_{k+1} = (z - a_k) p_k - (h_k / h_{k-1}) p_{k-1}, where
-// h_k = E[p_k^2]: the same polynomial is the kernel K(z_f, z) = sum p_k(z_f) p_k(z) / h_k.
+// Algorithm 1 solves H q = (1, z_f, z_f^2, ...) and looks for the roots of the polynomial with the coefficients q. With H = L D L^T
+// this polynomial is sum of p_k(z_f) p_k(z) / h_k, because L^-1 (1, z, z^2, ...) = (p_0(z), p_1(z), ...). It is called the kernel
+// K(z_f, z) here. The p_k are the monic orthogonal polynomials and h_k = E[p_k^2]. They obey
+// p_{k+1} = (z - a_k) p_k - (h_k / h_{k-1}) p_{k-1}, so neither q nor H is needed.
 
-/// The query depth as the reconstruction needs it: z_f - a_k.
+/// The query depth in the form that the reconstruction needs: z_f - a_k.
 struct Query { float offset[ROOT_COUNT]; };
 
 FN Query query_at(float depth, IN(Factor) factor, IN(Basis) basis)
@@ -16,13 +17,14 @@ FN Query query_at(float depth, IN(Factor) factor, IN(Basis) basis)
     return query;
 }
 
-/// K(z_f, z_f + s) = at_query (1 + e[0] s + ... + e[n-1] s^n); at_query = 1 / w_0 >= 1.
+/// K(z_f, z_f + s) = at_query (1 + e[0] s + ... + e[n-1] s^n), where at_query = K(z_f, z_f) = 1 / w_0 >= 1. With t = 1/s, the roots
+/// of the bracket are those of the monic polynomial in_t, t^n + e[0] t^(n-1) + ... + e[n-1].
 struct Kernel { float at_query; MonicPolynomial in_t; };
 
-/// The kernel of the first polynomials up to a degree from 1 to ROOT_COUNT: that of the first 2 degree moments alone.
+/// The kernel of p_0 to p_degree, which belongs to the first 2 degree moments alone. degree in 1..ROOT_COUNT.
 FN Kernel kernel_of_degree(IN(Query) query, IN(Factor) factor, int degree)
 {
-    float p[ORDER];            // p_k(z_f + s), coefficients of s^j up to the leading one, which is 1
+    float p[ORDER];            // coefficients of p_k(z_f + s) in s^j; the leading one is 1
     float previous[ORDER];     // p_{k-1}
     float sum[ORDER];
     UNROLL
@@ -30,14 +32,14 @@ FN Kernel kernel_of_degree(IN(Query) query, IN(Factor) factor, int degree)
     {
         p[j] = 1.0f;
         previous[j] = 1.0f;
-        sum[j] = j == 0 ? 1.0f : 0.0f;   // k = 0, h_0 = 1
+        sum[j] = j == 0 ? 1.0f : 0.0f;   // the term for k = 0, with h_0 = 1
     }
     UNROLL
     for (int k = 0; k < ROOT_COUNT; ++k)
     {
         if (k >= degree) continue;
-        // From the top: coefficient j of the next one needs j and j - 1 of this one. Products with 0 are left out, which no
-        // compiler may do.
+        // From the highest coefficient down: coefficient j of p_{k+1} needs j and j - 1 of p_k. Products with 0 are left out, which
+        // a compiler must not do.
         p[k + 1] = 1.0f;
         UNROLL
         for (int j = k; j >= 0; --j)
@@ -64,15 +66,17 @@ FN Kernel kernel_polynomial(IN(Query) query, IN(Factor) factor)
     return kernel_of_degree(query, factor, ROOT_COUNT);
 }
 
-/// Weight 1 / K(z, z) of the node z = z_f + 1/t of such a kernel; 0 for t = 0, a node at infinity. Computed in t or in s,
-/// whichever is below 1, so that nothing overflows.
+/// The weight 1 / K(z, z) of the node z = z_f + 1/t; 0 for t = 0, which is a node at infinity. degree: as in kernel_of_degree.
+///
+/// With 1/t = s/u, q_k = u^k p_k(z) obeys q_{k+1} = ((z_f - a_k) u + s) q_k - (h_k / h_{k-1}) u^2 q_{k-1}. So the weight is
+/// u^(2n) / (sum of u^(2(n-k)) q_k^2 / h_k) with n = degree. s and u are at most 1, so nothing overflows.
 FN float node_weight_of_degree(float t, IN(Query) query, IN(Factor) factor, int degree)
 {
     PRECISE float s = 1.0f / max(abs(t), 1.0f);
-    PRECISE float u = t * s;            // (s, u) is (1, t) scaled to a greatest component of at most 1
+    PRECISE float u = t * s;            // (s, u) is (1, t), scaled so that the larger component is at most 1
     PRECISE float u2 = u * u;
     PRECISE float previous = 1.0f;
-    PRECISE float q = query.offset[0] * u + s;             // u^k p_k
+    PRECISE float q = query.offset[0] * u + s;             // q_1; q_k = u^k p_k(z)
     PRECISE float kernel = u2 + q * q * factor.inverse_h[1];
     PRECISE float u_power = u2;
     UNROLL
@@ -93,27 +97,31 @@ FN float node_weight(float t, IN(Query) query, IN(Factor) factor)
     return node_weight_of_degree(t, query, factor, ROOT_COUNT);
 }
 
-/// The number of masses that mass_in_front.glsl adds up.
+/// The number of nodes whose masses mass_in_front.glsl adds up.
 #define KNOWN_NODES (ROOT_COUNT / 2)
 
+/// 1 for a node in front of the query depth, otherwise 0.
 FN float node_in_front(float t, IN(Query) query)
 {
     return t < 0.0f ? 1.0f : 0.0f;
 }
 
-/// v_l of Algorithm 1: 1 for a node in front of the query depth, 0 behind.
+/// v_l of Algorithm 1: 1 for a node in front of the query depth, 0 for a node behind it.
 FN float node_value(float t, IN(Query) query, IN(Basis) basis)
 {
     return node_in_front(t, query);
 }
 
-/// The mass in front of the query depth if there are two nodes: with the query they have the sum 1 and the mean a_0.
-/// rest: the mass of both nodes.
+/// The mass in front of the query depth if there are two nodes, at z_f + 1/t1 and z_f + 1/t2. rest: the mass of both.
+///
+/// The masses of the canonical representation sum to 1, and their mean is a_0. So w_1 + w_2 = rest and
+/// w_1 / t_1 + w_2 / t_2 = a_0 - z_f. For t_1 = front and t_2 = behind this gives
+/// w_1 = front ((z_f - a_0) behind + rest) / (front - behind).
 FN float mass_in_front_of_two(float t1, float t2, float rest, IN(Query) query)
 {
     float front = min(t1, t2);
     float behind = max(t1, t2);
     PRECISE float lone = front * (query.offset[0] * behind + rest) / (front - behind);
-    float mixed = clamp(lone, 0.0f, rest);   // where one is in front and one behind
+    float mixed = clamp(lone, 0.0f, rest);   // if one is in front and one is behind
     return front < 0.0f ? (behind < 0.0f ? rest : mixed) : 0.0f;
 }

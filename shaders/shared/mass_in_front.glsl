@@ -1,8 +1,8 @@
-// mass_in_front.glsl -- the share of b_0 in front of the query depth, from as few masses of nodes as possible.
+// mass_in_front.glsl -- the share of b_0 in front of the query depth, computed from the masses of as few nodes as possible.
 //
-// In ascending order of t, nodes in front of the query come first, then those in the wrapping zone, then those behind. Together
-// they have the mass 1 - w_0. So the masses of the nodes in front are enough, or those of all others. KNOWN_NODES of the basis is
-// the number of masses that this needs. Two nodes on the line need none.
+// In ascending order of t come first the nodes in front of the query, then those in the wrapping zone, then those behind. Together
+// they have the mass 1 - w_0. So the masses of the nodes in front are enough, or those of all other nodes. The basis defines
+// KNOWN_NODES, the number of masses that are needed. With two nodes on the line no mass is needed.
 
 #if defined(LINE_BASIS) && ROOT_COUNT == 2
 FN float mass_in_front(IN(Roots) roots, float rest, IN(Query) query, IN(Factor) factor, IN(Basis) basis)
@@ -10,7 +10,7 @@ FN float mass_in_front(IN(Roots) roots, float rest, IN(Query) query, IN(Factor) 
     return mass_in_front_of_two(roots.t[0], roots.t[1], rest, query);
 }
 #else
-/// Sorts in ascending order by a fixed network of comparisons.
+/// Sorts the roots in ascending order by a fixed network of comparisons.
 FN Roots sorted_roots(IN(Roots) roots)
 {
     Roots sorted = roots;
@@ -29,10 +29,10 @@ FN Roots sorted_roots(IN(Roots) roots)
     return sorted;
 }
 
-/// 1 if the masses of the first KNOWN_NODES nodes are added up, 0 if those of the last. The first are right if all others are
-/// behind, the last if all others are in front. If both are right, the choice is the one with less rounding. If two nodes nearly
-/// coincide, rounding spoils the sum of their masses, so these are better left out. Otherwise the first are better: the error of a
-/// small mass in front is then relative to that mass instead of b_0.
+/// 1 to add up the masses of the first KNOWN_NODES nodes, 0 to add up those of the last. The first are right if all others are
+/// behind; the last are right if all others are in front. If both are right, the result is the choice with less rounding. If two
+/// nodes nearly coincide, rounding spoils the sum of their masses, so these are better left out. Otherwise the first are better:
+/// the error of a small mass in front is then relative to that mass instead of b_0.
 FN float adds_from_front(IN(Roots) nodes, IN(Query) query, IN(Basis) basis)
 {
 #if defined(LINE_BASIS) && ROOT_COUNT == 3
@@ -40,15 +40,16 @@ FN float adds_from_front(IN(Roots) nodes, IN(Query) query, IN(Basis) basis)
 #elif ROOT_COUNT == 2
     return node_behind(nodes.t[1], query, basis);
 #elif defined(LINE_BASIS)
-    // Gaps of the first two nodes and of the last two, both relative to their size, compared as fractions.
+    // The gap of the first two nodes and the gap of the last two, each divided by the size of its nodes. The fractions are compared
+    // without division.
     PRECISE float front = 2.0f * (nodes.t[1] - nodes.t[0]) * (1.0f + max(abs(nodes.t[2]), abs(nodes.t[3])));
     PRECISE float behind = (nodes.t[3] - nodes.t[2]) * (1.0f + max(abs(nodes.t[0]), abs(nodes.t[1])));
     float either = front > behind ? 1.0f : 0.0f;
     return (1.0f - node_in_front(nodes.t[2], query)) * max(1.0f - node_in_front(nodes.t[1], query), either);
 #else
-    // The smallest relative gap of neighbours in front, and of neighbours behind; one of the two may lie in the zone. Conditions
-    // are products of 0 and 1 because compilers do not vectorise nested ones.
-    float front = 1.2f;    // the value of a side with fewer than two nodes
+    // The smallest relative gap between neighbours in front, and between neighbours behind. One of the two neighbours may lie in
+    // the zone. Conditions are products of 0 and 1, because compilers do not vectorise nested conditions.
+    float front = 1.2f;    // for a side with fewer than two nodes
     float behind = 1.2f;
     UNROLL
     for (int l = 1; l < ROOT_COUNT; ++l)
@@ -66,7 +67,7 @@ FN float adds_from_front(IN(Roots) nodes, IN(Query) query, IN(Basis) basis)
 #endif
 }
 
-/// The sum of mass * value over the nodes, in [0, rest]. rest: the mass of all nodes.
+/// The sum of mass times value over all nodes, in [0, rest]. rest: the mass of all nodes.
 FN float mass_in_front(IN(Roots) roots, float rest, IN(Query) query, IN(Factor) factor, IN(Basis) basis)
 {
     Roots nodes = sorted_roots(roots);

@@ -1,20 +1,21 @@
-// moment_transparency.glsl -- Moment Transparency (Sharpe 2018): four power moments over the camera's own depth range, at low
-// resolution if wanted, read in fewer bits, and a second set of moments that knows the first.
+// moment_transparency.glsl -- Moment Transparency (Sharpe 2018). It stores four power moments of the depth between the near and the
+// far plane of the camera. Moments may have a low resolution and may be read in fewer bits. A second set of moments may weigh each
+// fragment by how visible it is according to the first set. Equations and sections are those of Sharpe 2018.
 #define MAX_STATE_FLOATS 16
 #define STATE_SUMS
 #define HAS_SETTINGS
 struct PixelStateSettings { int read_format; int moment_passes; int depth_range; float overestimation; float bias; };
-const int READ_FLOATS = 0;          // read_format: as they are stored
-const int READ_THETA16 = 1;         // 16 bits each, after the transform Theta_4
-const int READ_NLQM64 = 2;          // non-linearly quantised in 64 bits
-const int READ_NLQM32 = 3;          // and in 32 bits
+const int READ_FLOATS = 0;          // read_format: floats, as stored
+const int READ_THETA16 = 1;         // 16 bits per moment, after the transform Theta_4
+const int READ_NLQM64 = 2;          // non-linearly quantised moments of 64 bits
+const int READ_NLQM32 = 3;          // the same of 32 bits
 const int ONE_PASS = 0;             // moment_passes: one set of moments
-const int SECOND_OF_OPACITY = 1;    // a second set, of opacities as the first set lets them be seen
-const int SECOND_OF_VISIBILITY = 2; // a second set, of the visibility itself
-const int DEPTHS_CORRECTED = 0;     // depth_range: [-1, 1], to which the bias vector belongs
+const int SECOND_OF_OPACITY = 1;    // a second set, of opacities times the transmittance that the first set gives
+const int SECOND_OF_VISIBILITY = 2; // a second set, of these products themselves, without the logarithm
+const int DEPTHS_CORRECTED = 0;     // depth_range: [-1, 1], for which the bias vector was made
 const int DEPTHS_PUBLISHED = 1;     // [0, 1]
 #define SECOND_STATE         // second_fragment_state
-#define EXACT_ABSORBANCE_SLOT 5     // where the absorbance of the very pixel stands, which the second pass adds up
+#define EXACT_ABSORBANCE_SLOT 5     // the total absorbance of the pixel itself, which the second pass sums
 #include "pixel_state.glsl"
 #define MOMENT_COUNT 4
 #define MOMENT_BITS 32
@@ -24,9 +25,9 @@ const int DEPTHS_PUBLISHED = 1;     // [0, 1]
 #include "unorm16_storage.glsl"
 #include "nonlinear_quantisation.glsl"
 
-const int SECOND = 8;   // f[0 ... 4]: b_0 ... b_4, f[8 ... 12]: those of the second pass
+const int SECOND = 8;   // f[0 ... 4]: b_0 ... b_4; f[8 ... 12]: the same of the second set
 
-/// Equation 6, and mapped to [-1, 1] unless as published.
+/// The depth that moments are taken of: Equation 6, and then mapped to [-1, 1], unless the published range is chosen.
 FN float moment_depth(IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     return settings.depth_range == DEPTHS_PUBLISHED ? fragment.plane_depth : 2.0f * fragment.plane_depth - 1.0f;
@@ -63,7 +64,7 @@ FN PixelState fragment_state(IN(PixelStateFragment) fragment, IN(PixelStateSetti
     return with_moments(zero_state(), 0, moments);
 }
 
-/// Towards the moments that suit the numbers' rounding (Peters and Klein 2015; Peters et al. 2017).
+/// Biases moments towards the vector for the rounding of the read format (Peters and Klein 2015; Peters et al. 2017).
 FN BiasedMoments biased_for(IN(Moments) moments, IN(PixelStateSettings) settings)
 {
     float target = settings.read_format == READ_THETA16 ? 0.628f : 0.375f;
@@ -79,7 +80,7 @@ FN BiasedMoments biased_for(IN(Moments) moments, IN(PixelStateSettings) settings
     return biased;
 }
 
-/// One set of moments as the read format holds it.
+/// One set of moments, rounded as the read format rounds it.
 FN Moments in_read_format(IN(Moments) moments, IN(PixelStateSettings) settings)
 {
     if (settings.read_format == READ_FLOATS || is_empty(moments)) return moments;
@@ -90,7 +91,7 @@ FN Moments in_read_format(IN(Moments) moments, IN(PixelStateSettings) settings)
         nothing.b0 = 0.0f;
         UNROLL
         for (int i = 0; i < 4; ++i) nothing.b[i] = 0.0f;
-        result = with_fragment(nothing, moments);   // the sum of all fragments is stored as one would be
+        result = with_fragment(nothing, moments);   // the sum of all fragments is stored like a single fragment
         return result;
     }
     BiasedMoments biased = biased_for(moments, settings);
@@ -105,7 +106,7 @@ FN Moments in_read_format(IN(Moments) moments, IN(PixelStateSettings) settings)
     TwoDepths quantised = exact;
     if (settings.read_format == READ_NLQM64) quantised = rounded_to_64_bits(exact);
     else quantised = rounded_to_32_bits(exact);
-    result.b0 = moments.b0;   // stays a float beside them
+    result.b0 = moments.b0;   // b_0 stays a float
     result.b[0] = quantised.near;
     result.b[1] = quantised.far;
     result.b[2] = quantised.weight;
@@ -113,14 +114,15 @@ FN Moments in_read_format(IN(Moments) moments, IN(PixelStateSettings) settings)
     return result;
 }
 
-/// What the second pass reads, before it is filtered.
+/// The state in the read format, before it is filtered. The second pass reads it.
 FN PixelState converted(IN(PixelState) state, IN(PixelStateSettings) settings)
 {
     PixelState first = with_moments(state, 0, in_read_format(moments_in(state, 0), settings));
     return with_moments(first, SECOND, in_read_format(moments_in(state, SECOND), settings));
 }
 
-/// What may be mixed of neighbouring pixels: moments that are not normalised. Non-linearly quantised ones may not.
+/// The state in a form that may be mixed with that of neighbouring pixels: moments that are not normalised. Non-linearly quantised
+/// moments must not be mixed.
 FN PixelState filterable(IN(PixelState) state, IN(PixelStateSettings) settings)
 {
     if (settings.read_format != READ_THETA16) return state;
@@ -128,7 +130,7 @@ FN PixelState filterable(IN(PixelState) state, IN(PixelStateSettings) settings)
     return with_moments(first, SECOND, unpacked_moments(moments_in(state, SECOND)));
 }
 
-/// The share of a set's mass in front of a depth.
+/// The share of the mass of one set that lies in front of a depth, in [0, 1].
 FN float fraction_of(IN(Moments) moments, float depth, IN(PixelStateSettings) settings)
 {
     if (settings.read_format >= READ_NLQM64)
@@ -145,7 +147,7 @@ FN float fraction_of(IN(Moments) moments, float depth, IN(PixelStateSettings) se
         fraction_in_front(reconstruct(factor, make_basis(0.0f), depth), settings.overestimation));
 }
 
-/// Equation 5. state: filterable.
+/// Transmittance to the fragment from the first set (Equation 5). state: result of filterable.
 FN float first_transmittance(IN(PixelState) state, IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     Moments moments = moments_in(state, 0);
@@ -153,7 +155,8 @@ FN float first_transmittance(IN(PixelState) state, IN(PixelStateFragment) fragme
     return transmittance_of(moments.b0 * fraction_of(moments, moment_depth(fragment, settings), settings));
 }
 
-/// What blending adds in the second moment pass; state: filterable, of the first (two readings of Section 4.4).
+/// What blending adds in the second moment pass. state: result of filterable for the first pass. Section 4.4 can be read in two
+/// ways, and both are here.
 FN PixelState second_fragment_state(IN(PixelState) state, IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     float visibility = fragment.opacity * first_transmittance(state, fragment, settings);
@@ -162,8 +165,8 @@ FN PixelState second_fragment_state(IN(PixelState) state, IN(PixelStateFragment)
     return with_moments(zero_state(), SECOND, moments);
 }
 
-/// state: filterable. Readings of two passes: the first pass's total distributed as the second moments say, as absorbance or as
-/// opacity.
+/// Transmittance to the fragment. state: result of filterable. With two sets, the total of the first is distributed over depth like
+/// the second set, either as absorbance or as opacity.
 FN float transmittance_at(IN(PixelState) state, IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     Moments second = moments_in(state, SECOND);

@@ -1,11 +1,12 @@
-// nested_orders.glsl -- reconstruction from as few moments as a fragment needs: the first four where they are as certain as
-// all eight within a tolerance.
+// nested_orders.glsl -- reconstructs each fragment from as few moments as it needs: from the first four if these are as certain as
+// all eight, within a tolerance.
 //
-// The recurrence of the orthogonal polynomials nests: its first two steps are the factor of the first four moments. So the
-// masses w_0 that either order allows at the query depth are known before any root is looked for. That of eight moments is
-// at least the fragment's own absorbance; by as much as that of four exceeds it, four are less certain.
+// The recurrence of the orthogonal polynomials is nested: its first two steps are the factor of the first four moments. So the mass
+// w_0 at the query depth is known for both orders before any root is computed. With eight moments it is at least the absorbance of
+// the fragment itself, as a share of b_0. With four moments it is larger, and the difference says how much less certain four
+// moments are.
 
-/// 1 / K(z_f, z_f) of four and of eight moments.
+/// w_0 = 1 / K(z_f, z_f) for four and for eight moments.
 struct QueryWeights { float of_4; float of_8; };
 
 FN QueryWeights query_weights(IN(Query) query, IN(Factor) factor)
@@ -27,9 +28,9 @@ FN QueryWeights query_weights(IN(Query) query, IN(Factor) factor)
     return weights;
 }
 
-/// The share of eight moments in the result. Up to the tolerance four alone count, beyond twice of it eight alone, so that
-/// the picture is continuous and nothing pops. Certainty is that of T, which is greatest, and falls fastest, at four moments'
-/// lower bound of the absorbance in front.
+/// The share of eight moments in the result. Up to the tolerance, four moments alone count; beyond twice the tolerance, eight
+/// alone. Between them both are mixed, so the picture is continuous and nothing pops. Uncertainty is measured in T. T is greatest,
+/// and falls fastest, where the absorbance in front is least: at the lower bound that four moments give.
 FN float share_of_8(IN(QueryWeights) weights, float lower_bound_of_4, float b0, float tolerance)
 {
     PRECISE float wider = b0 * max(weights.of_4 - weights.of_8, 0.0f);
@@ -40,6 +41,7 @@ FN float share_of_8(IN(QueryWeights) weights, float lower_bound_of_4, float b0, 
     return share;
 }
 
+/// The canonical representation from the first four moments alone.
 FN Reconstruction reconstruct_with_4(IN(Query) query, IN(Factor) factor, IN(Basis) basis)
 {
     Kernel kernel = kernel_of_degree(query, factor, 2);
@@ -47,7 +49,7 @@ FN Reconstruction reconstruct_with_4(IN(Query) query, IN(Factor) factor, IN(Basi
     Roots roots;
     Masses masses;
     UNROLL
-    for (int l = 0; l < ROOT_COUNT; ++l)   // the other nodes are infinitely far and weigh nothing
+    for (int l = 0; l < ROOT_COUNT; ++l)   // nodes beyond the second are infinitely far away and have weight 0
     {
         roots.t[l] = l == 0 ? pair.first : (l == 1 ? pair.second : 0.0f);
         masses.weight[l] = l < 2 ? node_weight_of_degree(roots.t[l], query, factor, 2) : 0.0f;
@@ -56,8 +58,8 @@ FN Reconstruction reconstruct_with_4(IN(Query) query, IN(Factor) factor, IN(Basi
     return representation(kernel.at_query, roots, masses, in_front, query, basis);
 }
 
-/// depth in [-1, 1]. Between the orders, nodes are those of eight moments, scaled to what the mixed mass at the query
-/// leaves.
+/// depth in [-1, 1]. If both orders are mixed, the nodes are those of eight moments. Their masses are scaled to what the mixed mass
+/// at the query depth leaves.
 FN Reconstruction reconstruct(IN(Factor) factor, IN(Basis) basis, float depth)
 {
     Query query = query_at(depth, factor, basis);

@@ -1,15 +1,21 @@
-// nonlinear_quantisation.glsl -- non-linearly quantised moments (Peters 2017): four power moments as the two depths and the weight
-// that have the first three of them, and how far the fourth exceeds theirs, which round more kindly than moments.
+// nonlinear_quantisation.glsl -- non-linearly quantised moments (Peters 2017). Four power moments are stored as two depths, the
+// weight of the second, and an offset. The two depths with their weights have the first three moments. The offset is the amount by
+// which the fourth moment exceeds theirs. Rounding harms these numbers less than moments.
 
-/// Mass 1 - weight at `near` and weight at `far`; offset is what b_4 has beyond these two. All of moments with b_0 = 1.
+/// Mass 1 - weight at `near` and mass weight at `far`. offset: how much b_4 exceeds the fourth moment of these two masses. All for
+/// moments with b_0 = 1.
 struct TwoDepths { float near; float far; float weight; float offset; };
 
 const float MIN_OFFSET = 1.2e-7f;
 const float OFFSET_UNIT = 1.0e-7f;
 const float WARP_LOW = -1.7019834f;    // ln ln 1.2
-const float WARP_HIGH = 2.6900085f;    // ln ln(.25 / 1e-7)
+const float WARP_HIGH = 2.6900085f;    // ln ln(0.25 / 1e-7)
 
-/// b: biased moments b_1 ... b_4, normalised.
+/// b1 to b4: biased moments, normalised to b_0 = 1.
+///
+/// `near` and `far` are the roots of the orthogonal polynomial p_2 = z^2 + p z + q. E[p_2] = 0 and E[z p_2] = 0 give
+/// p = (b_1 b_2 - b_3) / (b_2 - b_1^2) and q = -b_2 - p b_1. The two weights have the mean b_1. The offset is
+/// h_2 = E[p_2^2] = b_4 + p b_3 + q b_2, because E[p_2^2] is 0 for the two masses themselves.
 FN TwoDepths two_depths(float b1, float b2, float b3, float b4)
 {
     PRECISE float variance = max(b2 - b1 * b1, 1.0e-12f);
@@ -28,7 +34,7 @@ FN TwoDepths two_depths(float b1, float b2, float b3, float b4)
     return result;
 }
 
-/// Offsets span seven decades, most of them small: ln ln makes a unit range of them.
+/// Maps an offset to [0, 1]. Offsets span seven decades and most are small, so their double logarithm is stored.
 FN float warped_offset(float offset)
 {
     float bounded = clamp(offset, MIN_OFFSET, 0.25f);
@@ -40,7 +46,7 @@ FN float unwarped_offset(float warped)
     return portable_exp(portable_exp(warped * (WARP_HIGH - WARP_LOW) + WARP_LOW)) * OFFSET_UNIT;
 }
 
-/// What 64 bits hold: four numbers of 16 bits, which are returned as they are read.
+/// The numbers as 64 bits hold them: 16 bits each, converted back.
 FN TwoDepths rounded_to_64_bits(IN(TwoDepths) exact)
 {
     TwoDepths result;
@@ -51,15 +57,15 @@ FN TwoDepths rounded_to_64_bits(IN(TwoDepths) exact)
     return result;
 }
 
-/// The middle of one of 1023 cells of depth.
+/// The depth rounded to the middle of one of 1023 cells.
 FN float rounded_depth(float depth)
 {
     PRECISE float code = floor(clamp(depth, -1.0f, 0.999f) * 511.5f + 511.5f);
     return (code + 0.5f) / 511.5f - 1.0f;
 }
 
-/// What 32 bits hold, read back as the middles of cells: 10 bits for each depth (one of which the order of the two spares), 7 for the root of the weight, 6 for
-/// the offset.
+/// The numbers as 32 bits hold them, converted back to the middles of cells. Each depth takes 10 bits (the order of the two spares
+/// one bit), the square root of the weight 7 and the offset 6.
 FN TwoDepths rounded_to_32_bits(IN(TwoDepths) exact)
 {
     TwoDepths result;
@@ -72,7 +78,9 @@ FN TwoDepths rounded_to_32_bits(IN(TwoDepths) exact)
     return result;
 }
 
-/// Mass at r of the distribution that has mass at 0, 1 and r, in units of the distance between the two depths.
+/// The mass that the canonical representation with a node at r has there: 1 / K(r, r). Depths are in units of the distance between
+/// the two depths, with `near` at 0 and `far` at 1. For masses 1 - w at 0 and w at 1, the terms of K for p_0 and p_1 sum to
+/// (1 - r)^2 / (1 - w) + r^2 / w. The term for p_2 = r (r - 1) with h_2 = offset is (r (r - 1))^2 / offset.
 FN float mass_at(float r, float inverse_near, float inverse_far, float offset)
 {
     PRECISE float s = (1.0f - r) * (1.0f - r);
@@ -81,7 +89,7 @@ FN float mass_at(float r, float inverse_near, float inverse_far, float offset)
 }
 
 /// A(z_f) / b_0 of Algorithm 1 in closed form (Peters 2017). overestimation: the share of the mass at the query depth that counts
-/// as in front.
+/// as in front of it.
 FN float fraction_of_two_depths(IN(TwoDepths) quantised, float depth, float overestimation)
 {
     float weight = clamp(quantised.weight, 5.0e-6f, 1.0f - 5.0e-6f);
@@ -97,12 +105,13 @@ FN float fraction_of_two_depths(IN(TwoDepths) quantised, float depth, float over
     if (n >= 1.0f) in_front = 1.0f - own;
     else if (n > 0.0f)
     {
-        // The canonical representation has two other nodes, of which r < 0 is in front.
+        // The two other nodes are the roots of K(n, r) = 0, which is r^2 + 2 half_p r + q = 0. Their product q is negative; the
+        // root r < 0 is the node in front.
         PRECISE float q = -offset * inverse_near / n;
         PRECISE float half_p = -0.5f * q * (1.0f - n * inverse_far) / (1.0f - n) - 0.5f;
         PRECISE float square = max(half_p * half_p - q, 0.0f);
         PRECISE float root = sqrt(square);
-        PRECISE float r = half_p > 0.0f ? -half_p - root : q / max(root - half_p, 1.0e-30f);   // nothing cancels
+        PRECISE float r = half_p > 0.0f ? -half_p - root : q / max(root - half_p, 1.0e-30f);   // the form in which nothing cancels
         in_front = mass_at(r, inverse_near, inverse_far, offset);
     }
     return in_front + overestimation * own;

@@ -1,24 +1,25 @@
-// pixel_state.glsl -- what a pixel stores under a technique without moments: up to MAX_STATE_FLOATS numbers, which the math
-// file defines before it includes this. A math file says with one of
-//   STATE_SUMS     states of fragments are summed, by additive blending
-//   STATE_OVER     states of fragments are put over what is there, by alpha blending
-//   STATE_ORDERED  with_fragment changes the state, fragment after fragment
-//   STATE_SAMPLES  of states of fragments, f[0] is summed and of all others the least is kept
-//   STATE_NEAREST  of states of fragments, that with the least f[3] is kept, and the latest of such
-// how a state comes about, with HOLDS_COLORS that it contains the pixel's colour, so that there is no second pass, and with
-// WITHOUT_DEPTHS that it knows no transmittance at a depth.
+// pixel_state.glsl -- what a pixel stores with a technique without moments: an array of MAX_STATE_FLOATS numbers. The math file of
+// the technique defines this constant, and these macros, before it includes this file.
+// One macro says how the states of fragments are accumulated:
+//   STATE_SUMS     they are summed, by additive blending
+//   STATE_OVER     they are composited over the stored state, by alpha blending
+//   STATE_ORDERED  with_fragment changes the stored state, one fragment after another
+//   STATE_SAMPLES  f[0] is summed; of all other numbers the least is kept
+//   STATE_NEAREST  the state with the least f[3] is kept; if several have it, the latest of them
+// HOLDS_COLORS: the state contains the colour of the pixel, so there is no second pass.
+// WITHOUT_DEPTHS: the state does not define a transmittance at a depth.
 
 struct PixelState { float f[MAX_STATE_FLOATS]; };
 
-// A technique whose parameters choose something defines HAS_SETTINGS and `struct PixelStateSettings` before it includes this; its
-// twin in C++ is in core/techniques/pixel_state_settings.hpp.
+// A technique with parameters defines HAS_SETTINGS and `struct PixelStateSettings` before it includes this file. The same struct in
+// C++ is in core/techniques/pixel_state_settings.hpp.
 #ifndef HAS_SETTINGS
-struct PixelStateSettings { int none; };   // GLSL asks for a member
+struct PixelStateSettings { int none; };   // GLSL has no empty structs
 #endif
 
-/// One transparent fragment. Depth is 0 at the near end of the depth range and 1 at its far end, window depth that of the
-/// depth buffer, plane depth the same logarithmically; colour is not multiplied by opacity. seed: random_bits.glsl; threshold:
-/// alpha_threshold.glsl.
+/// One transparent fragment. depth: 0 at the near end of the depth range and 1 at its far end. window_depth: as in the depth
+/// buffer. plane_depth: the logarithmic depth from the near plane, 0, to the far plane, 1. Colours are not multiplied by opacity.
+/// seed: see random_bits.glsl. threshold: see alpha_threshold.glsl.
 struct PixelStateFragment
 {
     float depth;
@@ -33,10 +34,10 @@ struct PixelStateFragment
     float threshold;
 };
 
-/// Colour of all fragments, multiplied by what is seen of it, and the transmittance of all.
+/// The colour of all fragments as far as it is seen, and the total transmittance.
 struct Composited { float red; float green; float blue; float transmittance; };
 
-/// Nothing but zeros.
+/// A state of zeros.
 FN PixelState zero_state()
 {
     PixelState state;
@@ -45,7 +46,7 @@ FN PixelState zero_state()
     return state;
 }
 
-/// For states that hold no colour.
+/// The result for states that hold no colour.
 FN Composited transparent(float transmittance)
 {
     Composited result;
@@ -56,15 +57,15 @@ FN Composited transparent(float transmittance)
     return result;
 }
 
-/// Depth of the depth buffer of a perspective projection, in [0, 1]: 0 at the near plane and nearer, 1 at the far plane and
-/// farther. Quotients of depths, unlike their products, stay finite for all floats; 0 < near < far.
+/// The depth that a perspective projection writes to the depth buffer, in [0, 1]: 0 at the near plane and nearer, 1 at the far
+/// plane and farther. Computed from quotients of depths, which stay finite for all floats; products may overflow. 0 < near < far.
 FN float window_depth_of(float view_depth, float near, float far)
 {
     float depth = clamp(view_depth, near, far);
     return (1.0f - near / depth) / (1.0f - near / far);
 }
 
-/// The logarithm of the depth from the near plane, 0, to the far plane, 1 (Sharpe 2018, Equation 6).
+/// The logarithmic depth: 0 at the near plane, 1 at the far plane (Sharpe 2018, Equation 6).
 FN float plane_depth_of(float view_depth, float near, float far)
 {
     float near_log = portable_log(near);

@@ -1,12 +1,12 @@
-// portable_math.glsl -- log, exp and sincos from + - * / alone, so that a GL driver and a C++ compiler
-// compute the same bits (built-in ones differ by up to 1e-4, docs/glsl-subset.md).
+// portable_math.glsl -- log, exp and sincos, computed with + - * / only, so that a GL driver and a C++ compiler get the same bits.
+// Built-in functions differ by up to 1e-4 (docs/glsl-subset.md).
 
 const float PI = 3.14159265f;
 const float LN2_HIGH = 0.693359375f;        // 355/512: n * LN2_HIGH is exact for |n| < 2^14
 const float LN2_LOW = -2.12194440e-4f;      // ln 2 - LN2_HIGH
 
-/// ln((1 + f) 2^e) for 1 + f in [sqrt(1/2), sqrt 2]. ln(1 + f) = 2 atanh(s), s = f / (2 + f), whose series
-/// is cut where it leaves 2e-9 (relative).
+/// ln((1 + f) 2^e) for 1 + f in [sqrt(1/2), sqrt 2]. With s = f / (2 + f), ln(1 + f) = 2 atanh(s) = 2 (s + s^3/3 + s^5/5 + ...).
+/// The series is cut where the rest is 2e-9 (relative).
 FN float log_of_parts(float f, float e)
 {
     PRECISE float s = f / (2.0f + f);
@@ -17,7 +17,7 @@ FN float log_of_parts(float f, float e)
     return result;
 }
 
-/// The exponent e for which x 2^-e lies in [sqrt(1/2), sqrt 2). x: positive, normal.
+/// The exponent e with x 2^-e in [sqrt(1/2), sqrt 2). x: positive, normal.
 FN int balanced_exponent(float x)
 {
     return (floatBitsToInt(x) - 0x3f3504f3) >> 23;   // 0x3f3504f3 = bits of sqrt(1/2)
@@ -29,13 +29,13 @@ FN float inverse_power_of_two(float x)
     return intBitsToFloat((254 - (floatBitsToInt(x) >> 23)) << 23);
 }
 
-/// The same for sqrt(x), from half the exponent.
+/// inverse_power_of_two of sqrt(x), from half of the exponent of x. x: positive, normal.
 FN float inverse_power_of_root(float x)
 {
     return intBitsToFloat((254 - ((floatBitsToInt(x) >> 23) + 127) / 2) << 23);
 }
 
-/// Natural logarithm. x > 0 and normal; within 2 ulp, or 1e-7 where the result is near 0.
+/// Natural logarithm of x > 0, which must be normal. Error: 2 ulp, or 1e-7 where the result is near 0.
 FN float portable_log(float x)
 {
     int e = balanced_exponent(x);
@@ -43,17 +43,19 @@ FN float portable_log(float x)
     return log_of_parts(mantissa - 1.0f, float(e));
 }
 
-/// -ln(1 - x), right also for tiny x, where ln(1 - x) has no digits left. x in [0, 1).
+/// -ln(1 - x) for x in [0, 1). Accurate also for tiny x, where 1 - x has lost the digits of x.
 FN float negative_log_one_minus(float x)
 {
     PRECISE float rest = 1.0f - x;
     int e = balanced_exponent(rest);
     float mantissa = intBitsToFloat(floatBitsToInt(rest) - (e << 23));
-    float f = e == 0 ? -x : mantissa - 1.0f;   // -x is what 1 - x was before it was rounded
+    float f = e == 0 ? -x : mantissa - 1.0f;   // x itself has the digits that 1 - x has lost
     return -log_of_parts(f, float(e));
 }
 
-/// e^x, flushed to the ends of the normal floats outside [-87, 88]; within 2 ulp.
+/// e^x. x is clamped to [-87, 88], so the result stays a normal float. Error: 2 ulp.
+///
+/// With n = round(x / ln 2) and r = x - n ln 2, e^x = 2^n e^r, and e^r is its Taylor series.
 FN float portable_exp(float x)
 {
     PRECISE float bounded = clamp(x, -87.0f, 88.0f);
@@ -68,8 +70,8 @@ FN float portable_exp(float x)
 
 struct SinCos { float sine; float cosine; };
 
-/// sin and cos of an angle in [0, pi], absolute error below 2.2e-7: Taylor series about pi/2, where the
-/// sine is even and the cosine odd.
+/// sin and cos of an angle in [0, pi]. Absolute error below 2.2e-7. Uses the Taylor series about pi/2, where the sine is even and
+/// the cosine is odd.
 FN SinCos portable_sincos(float angle)
 {
     PRECISE float y = (angle - 1.57079637f) + 4.37113883e-8f;   // pi/2 in two parts

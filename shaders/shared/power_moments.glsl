@@ -1,11 +1,11 @@
-// power_moments.glsl -- power moments of the absorbance (Section 4): generation, bias and their matrix. MOMENT_COUNT m is
-// 4, 6 or 8; MOMENT_BITS 16 or 32.
+// power_moments.glsl -- power moments of the absorbance (paper, Section 4): generation, bias and matrix. MOMENT_COUNT m is 4, 6 or
+// 8; MOMENT_BITS is 16 or 32.
 
-#define ALGORITHM_1   // textbook.glsl
+#define ALGORITHM_1   // see textbook.glsl
 #include "line_basis.glsl"
 
 #if MOMENT_BITS == 16
-#define THETA_TRANSFORM   // storage.glsl
+#define THETA_TRANSFORM   // see unorm16_storage.glsl
 #if MOMENT_COUNT == 4     // b* for moments stored in 16 bits (supplementary, Table 1)
 const float BIAS_MOMENTS[4] = {0.0f, 0.628f, 0.0f, 0.628f};
 #elif MOMENT_COUNT == 6
@@ -13,7 +13,7 @@ const float BIAS_MOMENTS[6] = {0.0f, 0.5566f, 0.0f, 0.489f, 0.0f, 0.47869382f};
 #else
 const float BIAS_MOMENTS[8] = {0.0f, 0.424749164f, 0.0f, 0.224078027f, 0.0f, 0.153692308f, 0.0f, 0.129004405f};
 #endif
-#elif MOMENT_COUNT == 4   // the same for floats
+#elif MOMENT_COUNT == 4   // b* for moments stored in floats (supplementary, Table 1)
 const float BIAS_MOMENTS[4] = {0.0f, 0.375f, 0.0f, 0.375f};
 #elif MOMENT_COUNT == 6
 const float BIAS_MOMENTS[6] = {0.0f, 0.48f, 0.0f, 0.451f, 0.0f, 0.45f};
@@ -21,13 +21,13 @@ const float BIAS_MOMENTS[6] = {0.0f, 0.48f, 0.0f, 0.451f, 0.0f, 0.45f};
 const float BIAS_MOMENTS[8] = {0.0f, 0.75f, 0.0f, 0.676666667f, 0.0f, 0.63f, 0.0f, 0.60030303f};
 #endif
 
-/// b*_{i+1}, towards which bias pulls.
+/// b*_{i+1}. Bias pulls the moments towards these.
 FN float bias_moment(int i)
 {
     return BIAS_MOMENTS[i];
 }
 
-/// Moments of one fragment, absorbance * (1, z, ..., z^m). depth z in [-1, 1].
+/// Moments of one fragment: absorbance * (1, z, ..., z^m). depth z in [-1, 1].
 FN Moments fragment_moments(float depth, float absorbance, IN(Basis) basis)
 {
     Moments moments;
@@ -42,13 +42,13 @@ FN Moments fragment_moments(float depth, float absorbance, IN(Basis) basis)
     return moments;
 }
 
-/// Entry i >= j of the Hankel matrix H_ij = b_{i+j}, of moments times unit.
+/// Entry i >= j of the Hankel matrix H_ij = b_{i+j}, times unit.
 FN FloatPair matrix_entry(IN(BiasedMoments) biased, int i, int j, float unit)
 {
     return i == 0 ? make_pair(biased.b0 * unit, 0.0f) : biased_moment(biased, max(i + j - 1, 0), unit);
 }
 
-/// Leading coefficient of the k-th polynomial of the basis: 1 for z^k.
+/// The leading coefficient of the k-th polynomial of the basis: 1, because it is z^k.
 FN float leading_coefficient(int k)
 {
     return 1.0f;

@@ -1,8 +1,7 @@
-// reconstruction.glsl -- from moments to absorbance in front of a depth, the same shape for every basis
-// (Algorithms 1 and 2): bias, factor, kernel polynomial, roots, weights, sum. Every step is a function, and every
-// intermediate result is a value.
+// reconstruction.glsl -- from moments to the absorbance in front of a depth. The steps are the same for every basis (Algorithms 1
+// and 2): bias, factor, kernel polynomial, roots, weights, sum. Every step is a function, and every intermediate result is a value.
 
-/// A pixel that absorbs less than this counts as empty: its T rounds to 1, and products of its moments could underflow.
+/// Pixels that absorb less than this count as empty. Their T rounds to 1, and products of their moments could underflow.
 const float MIN_ABSORBANCE = 1.0e-9f;
 
 FN bool is_empty(IN(Moments) moments)
@@ -10,7 +9,8 @@ FN bool is_empty(IN(Moments) moments)
     return !(moments.b0 >= MIN_ABSORBANCE);
 }
 
-/// Moments pulled towards b* to make up for rounding: (1 - alpha) b + alpha b0 b* (supplementary, 1). bias alpha in [0, 1].
+/// The moments pulled towards b* to compensate for rounding: (1 - alpha) b + alpha b0 b* (supplementary, Section 1). bias: alpha,
+/// in [0, 1].
 FN BiasedMoments biased_moments(IN(Moments) moments, float bias)
 {
     BiasedMoments biased;
@@ -25,15 +25,15 @@ FN BiasedMoments biased_moments(IN(Moments) moments, float bias)
     return biased;
 }
 
-/// The canonical representation at one query depth: a mass of query_weight there and a node for each root, which
-/// together have the given moments.
+/// The canonical representation at one query depth: a mass of query_weight there and a mass at a node for each root. Together they
+/// have the given moments.
 struct Reconstruction
 {
-    float t[ROOT_COUNT];         // where the other nodes are, as 1 / distance (see the basis); 0 is infinitely far
+    float t[ROOT_COUNT];         // places of the nodes, as 1 / distance (see the basis); 0 is infinitely far
     float weight[ROOT_COUNT];    // their masses; with query_weight they sum to 1
     float value[ROOT_COUNT];     // v_l in [0, 1]: the share of a node that counts as in front
     float query_weight;          // w_0 in (0, 1]: the mass at the query depth, and the gap between the bounds
-    float in_front;              // sum of weight * value: the fraction of b0 in front, for beta = 0
+    float in_front;              // sum of weight * value: the fraction of b0 in front of the query depth for beta = 0
 };
 
 #include "mass_in_front.glsl"
@@ -41,14 +41,14 @@ struct Reconstruction
 struct Masses { float weight[ROOT_COUNT]; };
 
 #if ROOT_COUNT >= 3
-/// If the masses do not add up to `sum`, scales those of the two closest nodes: if nodes nearly coincide, rounding makes their
-/// masses and even the sum of these unreliable, while the masses of the others are right.
+/// If the masses do not add up to `sum`, scales the masses of the two closest nodes. If nodes nearly coincide, rounding makes their
+/// masses and even their sum unreliable, while the masses of the others are right.
 FN Masses restore_total_mass(IN(Masses) masses, IN(Roots) roots, float sum)
 {
     PRECISE float total = 0.0f;
     UNROLL
     for (int l = 0; l < ROOT_COUNT; ++l) total = total + masses.weight[l];
-    // Squared distance over squared size of each pair, compared as fractions.
+    // Finds the pair with the least squared distance over squared size. The fractions are compared without division.
     float least = 1.0e30f;
     float of_size = 1.0f;
     float member[ROOT_COUNT];
@@ -86,15 +86,15 @@ FN Masses restore_total_mass(IN(Masses) masses, IN(Roots) roots, float sum)
 }
 #endif
 
-/// 1 - w_0, the mass of all nodes.
+/// 1 - w_0: the mass of all nodes together.
 FN float mass_beside_query(float at_query)
 {
     PRECISE float query_weight = 1.0f / at_query;
     return max(1.0f - query_weight, 0.0f);
 }
 
-/// The canonical representation from the roots of the kernel polynomial and their masses. in_front: the sum of mass * value, which
-/// mass_in_front.glsl computes from a few of the masses.
+/// The canonical representation from the roots of the kernel polynomial and their masses. in_front: the sum of mass * value.
+/// mass_in_front.glsl computes it from only some of the masses.
 FN Reconstruction representation(float at_query, IN(Roots) roots, IN(Masses) node_masses, float in_front, IN(Query) query,
                                  IN(Basis) basis)
 {
@@ -113,7 +113,7 @@ FN Reconstruction representation(float at_query, IN(Roots) roots, IN(Masses) nod
         result.value[l] = node_value(roots.t[l], query, basis);
         weight_sum = weight_sum + result.weight[l];
     }
-    // Scaling absorbs the rounding of the roots.
+    // Rounding of the roots changes the masses. Scaling restores their sum.
     PRECISE float scale = weight_sum > 0.0f ? rest / weight_sum : 0.0f;
     UNROLL
     for (int l = 0; l < ROOT_COUNT; ++l) result.weight[l] = result.weight[l] * scale;
@@ -122,6 +122,7 @@ FN Reconstruction representation(float at_query, IN(Roots) roots, IN(Masses) nod
     return result;
 }
 
+/// The canonical representation from all moments of the factor.
 FN Reconstruction reconstruct_with_all(IN(Query) query, IN(Factor) factor, IN(Basis) basis)
 {
     Kernel kernel = kernel_polynomial(query, factor);
@@ -136,34 +137,35 @@ FN Reconstruction reconstruct_with_all(IN(Query) query, IN(Factor) factor, IN(Ba
 #ifdef NESTED_ORDERS
 #include "nested_orders.glsl"
 #else
-/// depth in [-1, 1].
+/// The canonical representation at a depth in [-1, 1].
 FN Reconstruction reconstruct(IN(Factor) factor, IN(Basis) basis, float depth)
 {
     return reconstruct_with_all(query_at(depth, factor, basis), factor, basis);
 }
 #endif
 
-/// The fraction of b0 in front of the query depth, before it is clamped. overestimation beta in [0, 1] is the share of
-/// the mass at the query depth that counts as in front of it: 0 and 1 give the bounds of power moments.
+/// The fraction of b0 in front of the query depth, not clamped yet. overestimation: beta in [0, 1], the share of the mass at the
+/// query depth that counts as in front of it. 0 and 1 give the bounds of power and Chebyshev moments.
 FN float fraction_in_front(IN(Reconstruction) reconstruction, float overestimation)
 {
     PRECISE float fraction = reconstruction.in_front + overestimation * reconstruction.query_weight;
     return fraction;
 }
 
-/// x clamped to [0, 1]; 0 where it is no number, as GPUs saturate.
+/// x clamped to [0, 1]. NaN becomes 0, as GPUs saturate.
 FN float number_in_unit_range(float x)
 {
     return x >= 0.0f ? min(x, 1.0f) : 0.0f;
 }
 
-/// A(z_f, b, beta): absorbance in front of the query depth, in [0, b0].
+/// A(z_f, b, beta): the absorbance in front of the query depth, in [0, b0].
 FN float absorbance_in_front(IN(Reconstruction) reconstruction, float b0, float overestimation)
 {
     return b0 * number_in_unit_range(fraction_in_front(reconstruction, overestimation));
 }
 
-/// Absorbance in front of a depth straight from stored moments: what the second pass computes for a fragment.
+/// The absorbance in front of a depth from the moments of a pixel, in [0, b0]: what the second pass computes for a fragment.
+/// basis_parameter: the argument of make_basis.
 FN float absorbance_from_moments(IN(Moments) moments, float depth, float bias, float overestimation,
                                  float basis_parameter)
 {

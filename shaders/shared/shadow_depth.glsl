@@ -1,9 +1,10 @@
-// shadow_depth.glsl -- a plain shadow map, whose comparisons are filtered instead of its depths: percentage-closer filtering
-// (Reeves et al. 1987). Depths in [-1, 1].
+// shadow_depth.glsl -- a plain shadow map. Its depths, in [-1, 1], are not filtered. Instead the results of depth comparisons are
+// filtered: percentage-closer filtering (Reeves et al. 1987).
 #define UNFILTERED
 #include "shadow_texel.glsl"
 
-/// By how much a texel must be in front: a surface crosses many depths within one texel and would shadow itself.
+/// By how much a texel must be in front to cast a shadow. A slanted surface covers many depths within one texel. Without slack it
+/// would shadow itself.
 const float DEPTH_SLACK = 0.01f;
 
 FN ShadowTexel shadow_texel(float depth)

@@ -1,5 +1,5 @@
-// shadow_hamburger.glsl -- four moments shadow mapping (Peters and Klein 2015): the greatest lit fraction that four moments allow
-// for depths anywhere on the line. MOMENT_COUNT is 4, MOMENT_BITS 32 or 16.
+// shadow_hamburger.glsl -- shadow maps of four moments (Peters and Klein 2015). The result is the greatest lit fraction that the
+// four moments allow, if depths may lie anywhere on the line. MOMENT_COUNT is 4; MOMENT_BITS is 32 or 16.
 #include "power_moments.glsl"
 
 #if MOMENT_BITS == 16

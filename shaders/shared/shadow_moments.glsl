@@ -1,6 +1,7 @@
-// shadow_moments.glsl -- texels of four real moments, for moment shadow maps of any basis: the math of transparency with b_0 = 1 and
-// beta = 0. Follows the basis; SHADOW_BIAS is its alpha and SHADOW_PARAMETER what its make_basis takes. With MOMENT_BITS 16 texels
-// hold moments after the transform Theta_4. It is affine and b_0 is the same for all, so that such texels can be filtered.
+// shadow_moments.glsl -- texels of moment shadow maps: four real moments of any basis. The mathematics is that of transparency with
+// b_0 = 1 and beta = 0. Include this file after the basis, with SHADOW_BIAS (alpha) and SHADOW_PARAMETER (the argument of
+// make_basis) defined. With MOMENT_BITS 16, texels hold moments after the transform Theta_4. The transform is affine and b_0 is the
+// same for all texels, so such texels can be filtered, too.
 #include "shadow_texel.glsl"
 #include "storage.glsl"
 #include "reconstruction.glsl"
@@ -16,7 +17,7 @@ FN ShadowTexel shadow_texel(float depth)
     return make_shadow_texel(moments.b[0], moments.b[1], moments.b[2], moments.b[3]);
 }
 
-/// Biased moments of a filter region, b_0 = 1.
+/// The biased moments of a filter region, with b_0 = 1.
 FN BiasedMoments region_moments(IN(ShadowTexel) texel)
 {
     Moments moments;
@@ -31,12 +32,13 @@ FN BiasedMoments region_moments(IN(ShadowTexel) texel)
     return biased_moments(moments, SHADOW_BIAS);
 }
 
+/// The canonical representation of a filter region at a depth in [-1, 1].
 FN Reconstruction region_at(IN(BiasedMoments) biased, float depth)
 {
     return reconstruct(factor_moments(biased), make_basis(SHADOW_PARAMETER), depth);
 }
 
-/// The share of the region in front of the depth.
+/// The share of the filter region that lies in front of the depth, in [0, 1].
 FN float share_in_front(IN(Reconstruction) at_depth)
 {
     return number_in_unit_range(fraction_in_front(at_depth, 0.0f));

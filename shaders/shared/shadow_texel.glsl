@@ -1,7 +1,7 @@
-// shadow_texel.glsl -- what a texel of an opaque shadow map stores. A math file says with
-//   shadow_texel       what it stores for the depth of the nearest surface
-//   shadowed_fraction  the share of a filter region that lies in front of a receiver, from the mean of its texels
-// and with UNFILTERED that texels must not be mixed, but their answers may.
+// shadow_texel.glsl -- what a texel of a shadow map of opaque casters stores. A math file defines two functions:
+//   shadow_texel       what the texel stores for the depth of the nearest surface
+//   shadowed_fraction  the share of a filter region that lies in front of a receiver, from the mean of the texels of the region
+// If it defines UNFILTERED, texels must not be averaged; their shadowed fractions are averaged instead.
 
 struct ShadowTexel { float f[4]; };
 

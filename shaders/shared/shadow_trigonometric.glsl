@@ -1,6 +1,6 @@
-// shadow_trigonometric.glsl -- two trigonometric moments of the depth, reconstructed by Algorithm 2 with b_0 = 1 and beta = 0. The
-// trigonometric moment shadow maps of Peters and Klein (2015) ask for the sharp bound, which has no usable closed form: this is an
-// estimate that may be too dark. MOMENT_COUNT is 2, MOMENT_BITS 32.
+// shadow_trigonometric.glsl -- shadow maps of two trigonometric moments, reconstructed by Algorithm 2 with b_0 = 1 and beta = 0.
+// The trigonometric moment shadow maps of Peters and Klein (2015) need the sharp bound, which has no usable closed form. This file
+// gives an estimate instead, which may be too dark. MOMENT_COUNT is 2; MOMENT_BITS is 32.
 #include "trigonometric_moments.glsl"
 
 const float SHADOW_BIAS = 4.0e-7f;

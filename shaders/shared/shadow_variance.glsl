@@ -1,7 +1,8 @@
-// shadow_variance.glsl -- variance shadow maps (Donnelly and Lauritzen 2006): two moments of the depth, in [-1, 1].
+// shadow_variance.glsl -- variance shadow maps (Donnelly and Lauritzen 2006). A texel stores two moments of the depth in [-1, 1].
 #include "shadow_texel.glsl"
 
-/// Of a texel's depths at least: a surface is never as flat as one of its texels. A hundredth of half the depth range, squared.
+/// The least variance that is used. A surface covers more than one depth within a texel. The value is 1/100 of half the depth
+/// range, squared.
 const float MIN_VARIANCE = 1.0e-4f;
 
 FN ShadowTexel shadow_texel(float depth)
@@ -10,7 +11,7 @@ FN ShadowTexel shadow_texel(float depth)
     return make_shadow_texel(depth, square, 0.0f, 0.0f);
 }
 
-/// One minus the greatest lit fraction that a mean and a variance allow (Cantelli's inequality): never too dark.
+/// 1 minus the greatest lit fraction that the mean and the variance allow (Cantelli's inequality). Never too dark.
 FN float shadowed_fraction(IN(ShadowTexel) texel, float depth)
 {
     PRECISE float variance = max(texel.f[1] - texel.f[0] * texel.f[0], MIN_VARIANCE);

@@ -1,15 +1,15 @@
-// stochastic.glsl -- stochastic transparency (Enderton et al. 2010): a fragment covers each sample of its pixel with a
-// probability of its opacity, samples keep the nearest depth, and the share of samples that see a depth estimates its
-// transmittance without bias.
+// stochastic.glsl -- stochastic transparency (Enderton et al. 2010). A fragment covers each sample of its pixel with a probability
+// equal to its opacity. Samples keep the nearest depth. The share of samples in which a depth is visible is an unbiased estimate of
+// its transmittance.
 #define MAX_STATE_FLOATS 68
 #define STATE_SAMPLES
 #define HAS_SETTINGS
 struct PixelStateSettings { int samples; bool alpha_correction; };   // 1 to 64 samples
 #include "pixel_state.glsl"
 
-const float NO_DEPTH = 2.0f;   // of a sample that nothing covers
+const float NO_DEPTH = 2.0f;   // of a sample that no fragment covers
 
-/// f[0]: total absorbance; f[1 + s]: depth of sample s.
+/// f[0]: the total absorbance. f[1 + s]: the depth of sample s.
 FN PixelState empty_state(IN(PixelStateSettings) settings)
 {
     PixelState state;
@@ -26,7 +26,7 @@ FN PixelState fragment_state(IN(PixelStateFragment) fragment, IN(PixelStateSetti
     return state;
 }
 
-/// The share of samples with nothing strictly in front.
+/// The share of samples in which nothing lies strictly in front of the fragment.
 FN float transmittance_at(IN(PixelState) state, IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     float seeing = 0.0f;
@@ -34,7 +34,7 @@ FN float transmittance_at(IN(PixelState) state, IN(PixelStateFragment) fragment,
     return seeing / float(settings.samples);
 }
 
-/// Without alpha correction the background, too, is seen through the samples that nothing covers.
+/// Without alpha correction, the total transmittance is the share of samples that no fragment covers.
 FN Composited composited(IN(PixelState) state, IN(PixelStateSettings) settings)
 {
     float empty = 0.0f;

@@ -1,4 +1,4 @@
-// textbook.glsl -- Algorithms 1 and 2 as they are published, for the bases that they know. Follows the basis.
+// textbook.glsl -- Algorithms 1 and 2 as published, for the bases that have one. Include it after the basis.
 #if defined(ALGORITHM_1)
 #include "textbook_power.glsl"
 #elif defined(ALGORITHM_2)

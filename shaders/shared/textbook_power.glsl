@@ -1,11 +1,12 @@
-// textbook_power.glsl -- Algorithm 1 as it is published (Section 4): Cholesky, roots in closed form, divided differences.
-// The baseline for speed, and the place to see what bias is for: it divides by what bias alone keeps from vanishing.
+// textbook_power.glsl -- Algorithm 1 as published (paper, Section 4): Cholesky decomposition, roots in closed form, divided
+// differences. It is the baseline for speed, and it shows what bias is for: it divides by numbers that only the bias keeps from
+// vanishing.
 
 struct NormalisedMoments { float b[2 * ROOT_COUNT + 1]; };
 struct LineNodes { float z[ORDER]; };         // z_0 = z_f, then the roots
 struct LinePolynomial { float q[ORDER]; };    // sum of q_j z^j
 
-/// q of Algorithm 1: H q = (1, z_f, z_f^2, ...) by LDL^T.
+/// q of Algorithm 1: the solution of H q = (1, z_f, z_f^2, ...), by LDL^T.
 FN LinePolynomial kernel_of_hankel(IN(NormalisedMoments) moments, float depth)
 {
     float lower[ORDER * ORDER];
@@ -15,7 +16,7 @@ FN LinePolynomial kernel_of_hankel(IN(NormalisedMoments) moments, float depth)
     UNROLL
     for (int i = 0; i < ORDER; ++i)
     {
-        // lower holds L D until its pivot is known.
+        // An entry of lower is that of L D until its pivot is known.
         float sum = power;
         UNROLL
         for (int j = 0; j <= i; ++j)
@@ -56,8 +57,7 @@ FN TextbookPair textbook_quadratic(float p, float q)
 #if ROOT_COUNT >= 3
 struct TextbookTriple { float first; float second; float third; };
 
-/// Three real roots of a z^3 + 3 b z^2 + 3 c z + d (Blinn 2007): the greatest from one depressed form, the least from the
-/// reversed polynomial's, and the middle one from both.
+/// The greatest root comes from one depressed form, the least from that of the reversed polynomial, and the middle one from both.
 FN TextbookTriple textbook_cubic(float a, float b, float c, float d)
 {
     float delta1 = a * c - b * b;
@@ -71,14 +71,14 @@ FN TextbookTriple textbook_cubic(float a, float b, float c, float d)
     float scale_a = 2.0f * sqrt(-delta1);
     float a1 = scale_a * cos(angle_a);
     float a3 = scale_a * (-0.5f * cos(angle_a) - SQRT3_HALF * sin(angle_a));
-    float great = (a1 + a3 > 2.0f * b ? a1 : a3) - b;   // over a
+    float great = (a1 + a3 > 2.0f * b ? a1 : a3) - b;   // divided by a below
 
     float depressed_d = 2.0f * c * delta3 - d * delta2;
     float angle_d = abs(atan(d * root, -depressed_d)) / 3.0f;
     float scale_d = 2.0f * sqrt(-delta3);
     float d1 = scale_d * cos(angle_d);
     float d3 = scale_d * (-0.5f * cos(angle_d) - SQRT3_HALF * sin(angle_d));
-    float small = (d1 + d3 < 2.0f * c ? d1 : d3) + c;   // -d over this
+    float small = (d1 + d3 < 2.0f * c ? d1 : d3) + c;   // -d divided by this below
 
     float e = a * small;
     float f = a * d - great * small;
@@ -91,7 +91,7 @@ FN TextbookTriple textbook_cubic(float a, float b, float c, float d)
 }
 #endif
 
-/// The roots of q beside z_f.
+/// z_f and the roots of q.
 FN LineNodes nodes_of_kernel(IN(LinePolynomial) polynomial, float depth)
 {
     LineNodes nodes;
@@ -112,12 +112,12 @@ FN LineNodes nodes_of_kernel(IN(LinePolynomial) polynomial, float depth)
     float b = polynomial.q[2] * inverse;
     float c = polynomial.q[1] * inverse;
     float d = polynomial.q[0] * inverse;
-    // Neumark 1965: with the root y of least magnitude of the resolvent cubic the quartic is the product of two quadratics.
+    // Neumark 1965: from the root y of least magnitude of the resolvent cubic, the quartic is split into two quadratics.
     TextbookTriple resolvent = textbook_cubic(1.0f, -2.0f * b / 3.0f, (a * c + b * b - 4.0f * d) / 3.0f,
                                               a * a * d - a * b * c + c * c);
     float y = abs(resolvent.second) < abs(resolvent.first) ? resolvent.second : resolvent.first;
     y = abs(resolvent.third) < abs(y) ? resolvent.third : y;
-    // Two ways to split; the one that cancels less (Herbison-Evans 1995).
+    // There are two ways to split. Take the one in which less cancels (Herbison-Evans 1995).
     float linear2 = a * a - 4.0f * y;
     float rest = b - y;
     float constant2 = rest * rest - 4.0f * d;
@@ -137,7 +137,7 @@ FN LineNodes nodes_of_kernel(IN(LinePolynomial) polynomial, float depth)
     return nodes;
 }
 
-/// A(z_f, b, beta) / b_0 as Algorithm 1 gives it, unclamped; NaN where it breaks. moments: not normalised.
+/// A(z_f, b, beta) / b_0 as Algorithm 1 returns it, not clamped; NaN if the algorithm breaks down. moments: not normalised.
 FN float textbook_fraction(IN(Moments) moments, float depth, float bias, float overestimation, IN(Basis) basis)
 {
     NormalisedMoments biased;
@@ -149,7 +149,7 @@ FN float textbook_fraction(IN(Moments) moments, float depth, float bias, float o
         biased.b[i + 1] = normalised + bias * (bias_moment(i) - normalised);
     }
     LineNodes nodes = nodes_of_kernel(kernel_of_hankel(biased, depth), depth);
-    // The polynomial that takes the values v_l at the nodes, by divided differences; its expectation is the result.
+    // Divided differences give the polynomial that has the values v_l at the nodes. Its expectation is the result.
     float difference[ORDER];
     UNROLL
     for (int l = 0; l < ORDER; ++l) difference[l] = l == 0 ? overestimation : (nodes.z[l] < depth ? 1.0f : 0.0f);

@@ -1,4 +1,4 @@
-// textbook_trigonometric.glsl -- Algorithm 2 as it is published (Section 5): the same steps as Algorithm 1 with complex numbers.
+// textbook_trigonometric.glsl -- Algorithm 2 as published (paper, Section 5): the same steps as Algorithm 1 with complex numbers.
 
 struct CircleNodes { Complex x[ORDER]; };         // x_0 = x(z_f), then the roots
 struct CirclePolynomial { Complex q[ORDER]; };
@@ -28,7 +28,7 @@ FN float squared_length(IN(Complex) a)
     return a.re * a.re + a.im * a.im;
 }
 
-/// The square root with a real part that is not negative.
+/// The square root whose real part is not negative.
 FN Complex square_root(IN(Complex) a)
 {
     float length = sqrt(squared_length(a));
@@ -45,16 +45,16 @@ FN Complex cube_root(IN(Complex) a)
     return make_complex(length * cos(angle), length * sin(angle));
 }
 
-/// b_i of Toeplitz matrices: conjugate for negative i.
+/// b_i of a Toeplitz matrix; for negative i the conjugate of b_{-i}.
 FN Complex toeplitz_moment(IN(CirclePolynomial) b, int i)
 {
     return i < 0 ? conjugate(b.q[max(-i, 0)]) : b.q[max(i, 0)];
 }
 
-/// q of Algorithm 2: G q = (1, x_0, x_0^2, ...) with G_ij = b_{i-j}, by LDL^H.
+/// q of Algorithm 2: the solution of G q = (1, x_0, x_0^2, ...) with G_ij = b_{i-j}, by LDL^H.
 FN CirclePolynomial kernel_of_toeplitz(IN(CirclePolynomial) b, IN(Complex) x0)
 {
-    Complex lower[ORDER * ORDER];   // L D until the pivot is known
+    Complex lower[ORDER * ORDER];   // an entry is that of L D until its pivot is known
     float inverse_pivot[ORDER];
     CirclePolynomial polynomial;
     Complex power = make_complex(1.0f, 0.0f);
@@ -110,7 +110,7 @@ struct ComplexTriple { Complex first; Complex second; Complex third; };
 FN ComplexTriple complex_cubic(IN(Complex) a, IN(Complex) b, IN(Complex) c)
 {
     Complex shift = scaled(a, -1.0f / 3.0f);
-    Complex p = sum(scaled(b, 1.0f / 3.0f), scaled(product(shift, shift), -1.0f));   // y^3 + 3 p y + 2 q
+    Complex p = sum(scaled(b, 1.0f / 3.0f), scaled(product(shift, shift), -1.0f));   // of y^3 + 3 p y + 2 q, with x = shift + y
     Complex q = scaled(sum(c, product(shift, difference(b, scaled(product(shift, shift), 2.0f)))), 0.5f);
     Complex root = square_root(sum(product(q, q), product(p, product(p, p))));
     Complex one = difference(root, q);
@@ -129,7 +129,7 @@ FN ComplexTriple complex_cubic(IN(Complex) a, IN(Complex) b, IN(Complex) c)
 }
 #endif
 
-/// The roots of sum conj(q_j) x^j beside x_0. Without the conjugates, which the paper's text has lost, weights are negative.
+/// x_0 and the roots of sum conj(q_j) x^j. The text of the paper lost these conjugates; without them, weights are negative.
 FN CircleNodes nodes_of_circle_kernel(IN(CirclePolynomial) polynomial, IN(Complex) x0)
 {
     CircleNodes nodes;
@@ -157,7 +157,7 @@ FN CircleNodes nodes_of_circle_kernel(IN(CirclePolynomial) polynomial, IN(Comple
     ComplexTriple resolvent = complex_cubic(
         scaled(b, -2.0f), difference(sum(ac, product(b, b)), scaled(d, 4.0f)),
         sum(difference(product(product(a, a), d), product(b, ac)), product(c, c)));
-    // Any root will do; the one that leaves the largest radicand cancels least.
+    // Any root y will do. The one with the largest radicand cancels least.
     Complex y = resolvent.first;
     Complex linear2 = difference(product(a, a), scaled(y, 4.0f));
     Complex other = difference(product(a, a), scaled(resolvent.second, 4.0f));
@@ -182,7 +182,7 @@ FN CircleNodes nodes_of_circle_kernel(IN(CirclePolynomial) polynomial, IN(Comple
     return nodes;
 }
 
-/// v_l of Eq. 6 by the order psi of phases.
+/// v_l of Eq. 6, from the order psi of the phases.
 FN float textbook_value(IN(Complex) x, float query_order, IN(Basis) basis)
 {
     float order = phase_order(x);
@@ -190,7 +190,7 @@ FN float textbook_value(IN(Complex) x, float query_order, IN(Basis) basis)
     return order < query_order ? 1.0f : ramp;
 }
 
-/// A(z_f, b, beta) / b_0 as Algorithm 2 gives it, unclamped; NaN where it breaks. moments: not normalised.
+/// A(z_f, b, beta) / b_0 as Algorithm 2 returns it, not clamped; NaN if the algorithm breaks down. moments: not normalised.
 FN float textbook_fraction(IN(Moments) moments, float depth, float bias, float overestimation, IN(Basis) basis)
 {
     CirclePolynomial b;

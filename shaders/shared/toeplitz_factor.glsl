@@ -1,18 +1,18 @@
-// toeplitz_factor.glsl -- the factor of the Toeplitz matrix of trigonometric moments.
+// toeplitz_factor.glsl -- factors the Toeplitz matrix of trigonometric moments.
 //
-// No PRECISE here: glslangValidator takes forever to follow it through these arrays, and every sum that could be
-// re-associated is in a function that has it.
+// There is no PRECISE here. glslangValidator takes forever to follow it through these arrays, and every sum that a compiler could
+// re-associate is in a function that has it.
 
 struct Factor
 {
     float b0;
-    Complex gamma[MOMENT_COUNT];   // Szego recurrence (Verblunsky) coefficients
-    float inverse_h[ORDER];        // 1 / pivot, h_k = E[|p_k|^2]
-    int floored;                   // how many pivots were raised to the floor
+    Complex gamma[MOMENT_COUNT];   // Verblunsky coefficients, those of the Szego recurrence
+    float inverse_h[ORDER];        // 1 / h_k; h_k = E[|p_k|^2] is a pivot
+    int floored;                   // number of pivots that were raised to the floor
 };
 
-/// What a pixel stores of its factor, so that the second pass need not factor again: gamma_k, then 1 / h_k for k > 0, and
-/// h_0 = 1 always.
+/// What a pixel stores of its factor, so that the second pass need not factor again: gamma_k, then 1 / h_k for k > 0. h_0 is always
+/// 1.
 #define FACTOR_FLOATS (3 * MOMENT_COUNT)
 struct StoredFactor { float x[FACTOR_FLOATS]; };
 
@@ -29,7 +29,7 @@ FN StoredFactor packed_factor(IN(Factor) factor)
     return stored;
 }
 
-/// b0: the total absorbance, which stands beside it.
+/// b0: the total absorbance, which is stored separately.
 FN Factor unpacked_factor(IN(StoredFactor) stored, float b0)
 {
     Factor factor;
@@ -45,10 +45,10 @@ FN Factor unpacked_factor(IN(StoredFactor) stored, float b0)
     return factor;
 }
 
-struct LowerMatrix { Complex entry[ORDER * ORDER]; };   // entry (i, j) at i ORDER + j for i > j; 1 on the diagonal
+struct LowerMatrix { Complex entry[ORDER * ORDER]; };   // L: (i, j) at i ORDER + j for i > j; its diagonal is 1
 
-/// x, moved to the unit circle if it lies beyond. Verblunsky coefficients of a measure never do; those of moments that no
-/// measure has, because rounding spoilt them, would let the polynomials overflow.
+/// x; if it lies outside of the unit circle, it is moved onto the circle. Verblunsky coefficients of a distribution never lie
+/// outside. After rounding, moments may belong to no distribution; then larger coefficients would let the polynomials overflow.
 FN Complex within_unit_disc(IN(Complex) x)
 {
     PRECISE float length2 = x.re * x.re + x.im * x.im;
@@ -56,7 +56,10 @@ FN Complex within_unit_disc(IN(Complex) x)
     return make_complex(x.re * inverse_length, x.im * inverse_length);
 }
 
-/// gamma_k = p_{k+1}(0), from x^i = sum_j L_ij p_j(x) at x = 0.
+/// The Verblunsky coefficients gamma_k = p_{k+1}(0).
+///
+/// From G = L D L^H with G_ij = E[x^i conj(x^j)] follows x^i = sum of L_ij p_j(x). At x = 0 this is 0 for i > 0, and the diagonal
+/// of L is 1. So p_i(0) = -(sum over j < i of L_ij p_j(0)), beginning with p_0(0) = 1.
 FN Factor with_recurrence(IN(Factor) pivots, IN(LowerMatrix) lower)
 {
     Factor factor = pivots;
@@ -80,9 +83,9 @@ FN Factor with_recurrence(IN(Factor) pivots, IN(LowerMatrix) lower)
     return factor;
 }
 
-struct HermitianMatrix { FloatPair re[ORDER * ORDER]; FloatPair im[ORDER * ORDER]; };   // entries with i >= j
+struct HermitianMatrix { FloatPair re[ORDER * ORDER]; FloatPair im[ORDER * ORDER]; };   // (i, j) at i ORDER + j for i >= j
 
-/// G_ij = b_{i-j} times a power of two.
+/// The matrix G_ij = b_{i-j} of biased moments, times a power of two.
 FN HermitianMatrix toeplitz_matrix(IN(BiasedMoments) biased, float power_of_two)
 {
     HermitianMatrix matrix;
@@ -102,11 +105,11 @@ FN HermitianMatrix toeplitz_matrix(IN(BiasedMoments) biased, float power_of_two)
     return matrix;
 }
 
-/// LDL^H of the Hermitian Toeplitz matrix of biased moments, normalised to b_0 = 1. Pivots come from this elimination, not
-/// from h_k (1 - |gamma_k|^2), which loses the small ones.
+/// Factors the Hermitian Toeplitz matrix of biased moments, normalised to b_0 = 1, into L D L^H. The pivots h_k come from this
+/// elimination. The recurrence h_{k+1} = h_k (1 - |gamma_k|^2) would lose the digits of small ones.
 FN Factor factor_moments(IN(BiasedMoments) biased)
 {
-    float unit = inverse_power_of_two(biased.b0);   // brings b_0 into [1, 2) exactly, so that no product underflows
+    float unit = inverse_power_of_two(biased.b0);   // brings b_0 into [1, 2) without rounding, so no product underflows
     HermitianMatrix rest = toeplitz_matrix(biased, unit);
     LowerMatrix lower;
     Factor factor;

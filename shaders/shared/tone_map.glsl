@@ -1,7 +1,7 @@
-// tone_map.glsl -- from linear colour, which has no upper end, to what a screen can show.
+// tone_map.glsl -- maps linear colours, which have no upper limit, to what a screen can show.
 
-/// curve: 0 none, 1 Reinhard, 2 filmic, as the registry of parameters lists them. linear >= 0 per channel; the result is
-/// not cut at 1.
+/// One channel of a colour. linear >= 0. curve: 0 none, 1 Reinhard, 2 filmic, as in the registry of parameters. The result is not
+/// clamped to 1.
 FN float tone_mapped(float linear, int curve)
 {
     if (curve == 1) return linear / (1.0f + linear);

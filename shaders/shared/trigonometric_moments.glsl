@@ -1,15 +1,17 @@
-// trigonometric_moments.glsl -- trigonometric moments of the absorbance (Section 5): generation, bias,
-// factorisation, and the kernel polynomial about a query depth. MOMENT_COUNT m is 2, 3 or 4.
+// trigonometric_moments.glsl -- trigonometric moments of the absorbance (paper, Section 5): generation, bias, and the kernel
+// polynomial about a query depth. MOMENT_COUNT m is 2, 3 or 4.
 //
-// Depths lie on the unit circle, x(z) = exp(i phi), phi = (z + 1)(pi - theta/2) (Eq. 5). Algorithm 2's polynomial is the
-// kernel of the monic Szego polynomials, p_{k+1}(x) = x p_k(x) + gamma_k x^k conj(p_k(x)) on the circle. In the frame
-// turned so that the query is x = 1, with t = cot((phi - phi_f)/2), x = (t + i)/(t - i), the polynomials
-// q_k(t) = (t - i)^k p_k obey q_{k+1} = y + gamma_k conj(y) with y = (t + i) q_k: real arithmetic throughout.
+// Depths lie on the unit circle: x(z) = exp(i phi) with phi = (z + 1)(pi - theta/2) (paper, Eq. 5). The polynomial of Algorithm 2
+// is the kernel of the monic Szego polynomials. On the circle these obey p_{k+1}(x) = x p_k(x) + gamma_k x^k conj(p_k(x)).
+//
+// The circle is turned so that the query is at x = 1. With t = cot((phi - phi_f)/2), x = (t + i)/(t - i). Let q_k(t) = (t - i)^k
+// p_k and multiply the recurrence by (t - i)^(k+1). Since x (t - i) = t + i and conj(t - i) = t + i, the result is
+// q_{k+1} = y + gamma_k conj(y) with y = (t + i) q_k. So all arithmetic is real, on the real and imaginary parts of coefficients.
 
-#define ALGORITHM_2   // textbook.glsl
+#define ALGORITHM_2   // see textbook.glsl
 #define ROOT_COUNT MOMENT_COUNT
 #define MOMENT_FLOATS (2 * MOMENT_COUNT)
-#define ORDER (MOMENT_COUNT + 1)   // of the Toeplitz matrix
+#define ORDER (MOMENT_COUNT + 1)   // number of rows of the Toeplitz matrix
 #include "moments.glsl"
 #include "complex.glsl"
 #include "depth_circle.glsl"
@@ -18,13 +20,14 @@
 #include "toeplitz_factor.glsl"
 #include "real_roots.glsl"
 
-/// Bias pulls towards the uniform distribution on the circle, whose other moments are 0 (supplementary, Table 1).
+/// b* = 0: bias pulls towards the uniform distribution on the circle, whose moments are 0 except for the zeroth (supplementary,
+/// Table 1).
 FN float bias_moment(int i)
 {
     return 0.0f;
 }
 
-/// Moments of one fragment, absorbance * (1, x, ..., x^m).
+/// Moments of one fragment: absorbance * (1, x, ..., x^m). depth in [-1, 1].
 FN Moments fragment_moments(float depth, float absorbance, IN(Basis) basis)
 {
     Moments moments;
@@ -42,7 +45,8 @@ FN Moments fragment_moments(float depth, float absorbance, IN(Basis) basis)
     return moments;
 }
 
-/// The query depth as the reconstruction needs it: half its phase, and gamma_k in the frame where it is x = 1.
+/// The query depth in the form that the reconstruction needs: half its phase, and gamma_k on the circle that is turned so that the
+/// query is at x = 1.
 struct Query { Complex half_phase; Complex gamma[MOMENT_COUNT]; };
 
 FN Query query_at(float depth, IN(Factor) factor, IN(Basis) basis)
@@ -60,10 +64,11 @@ FN Query query_at(float depth, IN(Factor) factor, IN(Basis) basis)
     return query;
 }
 
-/// Coefficients of t^j on the way to the kernel: of q_k, and of the sum of conj(p_k(1)) / h_k q_k (t - i)^(m-k) so far.
+/// Coefficients of t^j while the kernel is computed: those of q_k, and those of the sum of conj(p_k(1)) / h_k q_k (t - i)^(m-k) so
+/// far.
 struct KernelTerms { float re[ORDER]; float im[ORDER]; float sum_re[ORDER]; float sum_im[ORDER]; };
 
-/// From q_k to q_{k+1} = y + gamma conj(y), y = (t + i) q_k, and the sum times (t - i).
+/// The next terms: q_{k+1} = y + gamma conj(y) with y = (t + i) q_k, and the sum times (t - i).
 FN KernelTerms next_terms(IN(KernelTerms) terms, IN(Complex) gamma)
 {
     KernelTerms next;
@@ -72,7 +77,7 @@ FN KernelTerms next_terms(IN(KernelTerms) terms, IN(Complex) gamma)
     UNROLL
     for (int j = 0; j < ORDER; ++j)
     {
-        int below = max(j - 1, 0);   // multiplying by t moves coefficients up
+        int below = max(j - 1, 0);   // multiplication by t moves coefficients up
         PRECISE float y_re = (j == 0 ? 0.0f : terms.re[below]) - terms.im[j];
         PRECISE float y_im = (j == 0 ? 0.0f : terms.im[below]) + terms.re[j];
         PRECISE float sum_re = (j == 0 ? 0.0f : terms.sum_re[below]) + terms.sum_im[j];
@@ -87,7 +92,8 @@ FN KernelTerms next_terms(IN(KernelTerms) terms, IN(Complex) gamma)
     return next;
 }
 
-/// (t - i)^m K(1, x(t)) = at_query (t^m + e[0] t^(m-1) + ...), real for real t; at_query = 1 / w_0 >= 1.
+/// The kernel with the query at x = 1: (t - i)^m K(1, x(t)) = at_query (t^m + e[0] t^(m-1) + ...). It is real for real t.
+/// at_query = K(1, 1) = 1 / w_0 >= 1.
 struct Kernel { float at_query; MonicPolynomial in_t; };
 
 FN Kernel kernel_polynomial(IN(Query) query, IN(Factor) factor)
@@ -101,7 +107,7 @@ FN Kernel kernel_polynomial(IN(Query) query, IN(Factor) factor)
         terms.sum_re[j] = terms.re[j];
         terms.sum_im[j] = 0.0f;
     }
-    // The leading coefficient is a sum of squares. As the sum of leading coefficients it would cancel.
+    // The leading coefficient, computed as a sum of squares. As a sum of leading coefficients it would cancel.
     PRECISE float at_query = 1.0f;
     UNROLL
     for (int k = 0; k < MOMENT_COUNT; ++k)
@@ -127,7 +133,7 @@ FN Kernel kernel_polynomial(IN(Query) query, IN(Factor) factor)
     return kernel;
 }
 
-/// Weight 1 / K(x, x) of the node x(t). (t + i) is scaled to length 1, so that nothing overflows.
+/// The weight 1 / K(x, x) of the node x(t). t + i is scaled so that nothing overflows.
 FN float node_weight(float t, IN(Query) query, IN(Factor) factor)
 {
     PRECISE float s = 1.0f / max(abs(t), 1.0f);
@@ -150,18 +156,19 @@ FN float node_weight(float t, IN(Query) query, IN(Factor) factor)
     return power / kernel;
 }
 
-/// The number of masses that mass_in_front.glsl adds up. The wrapping zone holds no depths. So at most one node in it is heavier
-/// than the mass that bias puts there, and one mass can always be left out.
+/// The number of nodes whose masses mass_in_front.glsl adds up. The wrapping zone holds no depths. So at most one node in it is
+/// heavier than the mass that bias puts there, and one mass can always be left out.
 #define KNOWN_NODES (ROOT_COUNT - 1)
 
-/// 1 for a node in front of the query depth, t < -cot(phi_f / 2), else 0.
+/// 1 for a node in front of the query depth, that is t < -cot(phi_f / 2), otherwise 0.
 FN float node_in_front(float t, IN(Query) query)
 {
     PRECISE float gap = t * query.half_phase.im + query.half_phase.re;
     return gap < 0.0f ? 1.0f : 0.0f;
 }
 
-/// 1 for a node behind it, t > -cot((phi_f + theta) / 2), else 0. A node that is neither lies in the wrapping zone.
+/// 1 for a node behind the query depth, that is t > -cot((phi_f + theta) / 2), otherwise 0. A node that is neither in front nor
+/// behind lies in the wrapping zone.
 FN float node_behind(float t, IN(Query) query, IN(Basis) basis)
 {
     PRECISE float end_sine = query.half_phase.im * basis.quarter_cosine + query.half_phase.re * basis.quarter_sine;
@@ -170,7 +177,7 @@ FN float node_behind(float t, IN(Query) query, IN(Basis) basis)
     return gap > 0.0f ? 1.0f - node_in_front(t, query) : 0.0f;
 }
 
-/// v of Eq. 6: 1 for a node in front of the query depth, 0 behind, and a ramp in the wrapping zone.
+/// v_l of Eq. 6: 1 for a node in front of the query depth, 0 for a node behind it, and a ramp in the wrapping zone.
 FN float node_value(float t, IN(Query) query, IN(Basis) basis)
 {
     PRECISE float s = 1.0f / max(abs(t), 1.0f);
@@ -180,8 +187,8 @@ FN float node_value(float t, IN(Query) query, IN(Basis) basis)
     Complex x = product(half_x, half_x);
     PRECISE float order = phase_order(make_complex(x.re * inverse_length2, x.im * inverse_length2));
     float ramp = clamp(order * basis.ramp_scale + basis.ramp_offset, 0.0f, 1.0f);
-    // The zone ends at depth -1, where the phase is 2 pi. Rounding takes a node there a hair further, and phase_order, at
-    // least 3 within the zone, begins again at -1.
+    // The zone ends at depth -1, where the phase is 2 pi. Rounding may take a node there slightly further. Then phase_order, which
+    // is at least 3 within the zone, begins again at -1.
     ramp = order < 1.0f ? 1.0f : ramp;
     float in_zone = (1.0f - node_in_front(t, query)) * (1.0f - node_behind(t, query, basis));
     return node_in_front(t, query) + in_zone * ramp;

@@ -1,9 +1,9 @@
-// unorm16_storage.glsl -- moments stored in 16 bits each: normalised by b_0 and moved into [0, 1] by an affine transform, so
-// that fragments cannot be blended but are read, added and written in order (supplementary, Section 2). b_0 is a half float.
+// unorm16_storage.glsl -- moments stored in 16 bits each (supplementary, Section 2). They are divided by b_0 and moved into [0, 1]
+// by an affine transform. So blending cannot sum fragments; they are read, added and written in order. b_0 is a half float.
 #include "rounding.glsl"
 
-/// The linear part of the transform, or its inverse; linear, so it may act on moments that are not normalised. Theta*_m for
-/// power moments; b/2 + 1/2 for bases that make good use of [-1, 1] as they are.
+/// The linear part of the transform, or its inverse if `back`. Being linear, it may be applied to moments that are not normalised.
+/// For power moments it is that of Theta*_m. For bases that make good use of [-1, 1] as they are, the transform is b/2 + 1/2.
 FN Moments transformed(IN(Moments) moments, bool back)
 {
     Moments result;
@@ -31,7 +31,7 @@ FN Moments transformed(IN(Moments) moments, bool back)
     return result;
 }
 
-/// What the transform adds.
+/// The constant that the transform adds to number i.
 FN float transform_offset(int i)
 {
 #ifdef THETA_TRANSFORM
@@ -41,8 +41,8 @@ FN float transform_offset(int i)
 #endif
 }
 
-/// What a pixel stores after one more fragment: b0 and b[i] in [0, 1]. stored: what it stored before, 0 at first;
-/// fragment: from fragment_moments (supplementary, Section 2, last equation).
+/// What a pixel stores after one more fragment: b0, and b[i] in [0, 1]. stored: what it stored before; 0 at first. fragment: result
+/// of fragment_moments (supplementary, Section 2, last equation).
 FN Moments with_fragment(IN(Moments) stored, IN(Moments) fragment)
 {
     Moments added = transformed(fragment, false);
@@ -59,7 +59,7 @@ FN Moments with_fragment(IN(Moments) stored, IN(Moments) fragment)
     return sum;
 }
 
-/// The moments that stored numbers stand for, not normalised.
+/// The moments that the stored numbers represent, not normalised.
 FN Moments unpacked_moments(IN(Moments) stored)
 {
     Moments scaled;

@@ -10,7 +10,7 @@ FN PixelState empty_state(IN(PixelStateSettings) settings)
     return zero_state();
 }
 
-/// Premultiplied colour and opacity.
+/// Colour multiplied by opacity, and opacity.
 FN PixelState fragment_state(IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     PixelState state = zero_state();

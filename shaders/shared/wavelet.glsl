@@ -1,5 +1,5 @@
-// wavelet.glsl -- wavelet opacity (Aizenshtein, Smal and McGuire 2022): the absorbance over depth in Haar wavelets. Settings: size
-// is the rank R; 2^(R+1) coefficients.
+// wavelet.glsl -- wavelet opacity (Aizenshtein, Smal and McGuire 2022). The absorbance as a function of depth is stored in Haar
+// wavelets of rank R = 3, with 2^(R+1) = 16 coefficients. No settings.
 #define MAX_STATE_FLOATS 16
 #define STATE_SUMS
 #include "pixel_state.glsl"
@@ -12,20 +12,20 @@ FN PixelState empty_state(IN(PixelStateSettings) settings)
     return zero_state();
 }
 
-/// 2^(p/2).
+/// 2^(level/2), for levels 0 to 3.
 FN float level_scale(int level)
 {
     float odd = level % 2 == 1 ? 1.41421356f : 1.0f;
     return level >= 2 ? 2.0f * odd : odd;
 }
 
-/// The greatest depth lies within the last cell.
+/// The depth, scaled so that the greatest depth lies within the last of the 16 cells.
 FN float cell_depth(float depth)
 {
     return clamp(depth, 0.0f, 1.0f) * (15.0f / 16.0f);
 }
 
-/// Integrals of the fragment's step against every wavelet; the last number is that of the scaling function.
+/// Integrals of the step function of the fragment against every wavelet. The last number belongs to the scaling function.
 FN PixelState fragment_state(IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     PixelState state = zero_state();
@@ -37,7 +37,7 @@ FN PixelState fragment_state(IN(PixelStateFragment) fragment, IN(PixelStateSetti
     {
         int level = node >= 7 ? 3 : (node >= 3 ? 2 : (node >= 1 ? 1 : 0));
         float cells = float(1 << level);
-        PRECISE float place = depth * cells - float(node + 1 - (1 << level));   // within the node in [0, 1)
+        PRECISE float place = depth * cells - float(node + 1 - (1 << level));   // in [0, 1) within the interval of the node
         float height = place < 0.5f ? place : 1.0f - place;
         float within = place >= 0.0f && place < 1.0f ? height : 0.0f;
         state.f[node] = absorbance * level_scale(level) * within / cells;
@@ -45,7 +45,7 @@ FN PixelState fragment_state(IN(PixelStateFragment) fragment, IN(PixelStateSetti
     return state;
 }
 
-/// Mean of A over cell `leaf` of 16.
+/// The mean of A over the cell `leaf`, one of 16.
 FN float mean_absorbance(IN(PixelState) state, int leaf)
 {
     PRECISE float sum = state.f[COEFFICIENTS - 1];
@@ -61,7 +61,7 @@ FN float mean_absorbance(IN(PixelState) state, int leaf)
     return sum;
 }
 
-/// Linear between the means of the cells.
+/// Absorbance in front of a depth in [0, 1]: linear interpolation between the means of the cells.
 FN float absorbance_at(IN(PixelState) state, float depth)
 {
     PRECISE float x = cell_depth(depth) * 16.0f;
@@ -77,7 +77,7 @@ FN float transmittance_at(IN(PixelState) state, IN(PixelStateFragment) fragment,
     return transmittance_of(max(absorbance_at(state, fragment.depth), 0.0f));
 }
 
-/// All of A lies before the last cell's end, so its mean there is exact.
+/// No absorbance lies beyond the start of the last cell, so the mean of A over it is the exact total.
 FN Composited composited(IN(PixelState) state, IN(PixelStateSettings) settings)
 {
     return transparent(transmittance_of(max(mean_absorbance(state, COEFFICIENTS - 1), 0.0f)));

@@ -1,10 +1,10 @@
-// weighted.glsl -- weighted blended transparency (McGuire and Bavoil 2013): colours weighted by a guess of what is seen of them,
-// from their own depth and opacity alone.
+// weighted.glsl -- weighted blended transparency (McGuire and Bavoil 2013). Each colour has a weight that guesses how much of the
+// fragment is seen, from its own depth and opacity alone.
 #define MAX_STATE_FLOATS 8
 #define STATE_SUMS
 #define HOLDS_COLORS
 #define HAS_SETTINGS
-struct PixelStateSettings { int weight; };   // one of these:
+struct PixelStateSettings { int weight; };   // weight: one of the following
 const int WEIGHT_OF_WINDOW_DEPTH = 0;
 const int WEIGHT_OF_VIEW_DEPTH = 1;          // McGuire and Bavoil 2013
 const int WEIGHT_OF_G3D = 2;                 // McGuire and Mara 2017
@@ -15,7 +15,8 @@ FN PixelState empty_state(IN(PixelStateSettings) settings)
     return zero_state();
 }
 
-/// Of window depth z and opacity alpha: clamp((10 (1 - .99 z) alpha)^3, .01, 30).
+/// The weight of a fragment. For WEIGHT_OF_WINDOW_DEPTH, with window depth z and opacity alpha, it is
+/// clamp((10 (1 - 0.99 z) alpha)^3, 0.01, 30).
 FN float blending_weight(IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     float near_and_opaque = 10.0f * (1.0f - 0.99f * fragment.window_depth) * fragment.opacity;
@@ -30,7 +31,7 @@ FN float blending_weight(IN(PixelStateFragment) fragment, IN(PixelStateSettings)
     return settings.weight == WEIGHT_OF_G3D ? g3d_weight : phenomenological;
 }
 
-/// Weighted colour, weighted opacity, absorbance.
+/// The state holds weighted colour, weighted opacity and absorbance.
 FN PixelState fragment_state(IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     PixelState state = zero_state();
@@ -43,7 +44,7 @@ FN PixelState fragment_state(IN(PixelStateFragment) fragment, IN(PixelStateSetti
     return state;
 }
 
-/// What is seen of the fragment, relative to its opacity: its share of the coverage. Not bounded by 1.
+/// How much of the fragment is seen, relative to its opacity: its share of the coverage. It may exceed 1.
 FN float transmittance_at(IN(PixelState) state, IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
     float coverage = 1.0f - transmittance_of(state.f[4]);

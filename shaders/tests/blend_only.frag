@@ -1,5 +1,5 @@
-// blend_only.frag -- for first_pass_bench: blends opacities into as many numbers as the first pass of a technique, and computes
-// nothing of them. Where the scene has alpha maps, both must read them.
+// blend_only.frag -- for first_pass_bench: blends opacities into as many numbers as the first pass of a technique, but computes
+// nothing from them. If the scene has alpha maps, both must read them.
 #include "passes/blocks.glsl"
 #include "passes/shading.glsl"
 #include "passes/transparent_fragment.glsl"

@@ -1,4 +1,4 @@
-// One item per pixel of a picture that is 512 wide.
+// evaluate.frag -- evaluates one item per pixel of a picture that is 512 pixels wide.
 #include "tests/evaluate.glsl"
 
 void main()

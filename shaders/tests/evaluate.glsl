@@ -1,4 +1,4 @@
-// evaluate.glsl -- runs the shared source on a list of inputs; only tests compile it (tests/gl/bit_equality_test.cpp).
+// evaluate.glsl -- runs the shared source on a list of inputs. Only tests use it (tests/gl/bit_equality_test.cpp).
 #include "shared/portable_math.glsl"
 #include "shared/fragment.glsl"
 #include "technique"
