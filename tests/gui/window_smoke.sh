@@ -38,11 +38,11 @@ open_window() {
     done
     fail "The window drew no picture within a minute."
 }
-# Waits until no frame was drawn for half a second.
+# Waits until no frame was drawn for half a second and none is being drawn.
 settle() {
     local before=-1
     for _ in $(seq 120); do
-        [ "$before" != "$(frames)" ] || return 0
+        [ "$before" != "$(frames)" ] || [ "$(tail -n 1 log)" = "drawing…" ] || return 0
         before=$(frames)
         sleep 0.5
     done

@@ -44,7 +44,7 @@ refused() {
 }
 refused "Shard 4/4 is missing" "$momentscope" merge chart-1.csv chart-2.csv chart-3.csv -o x.csv
 refused "are both shard 1/4" "$momentscope" merge chart-1.csv chart-1.csv chart-2.csv chart-3.csv -o x.csv
-refused "of another run" "$momentscope" merge chart-1.csv stress-2.csv -o x.csv
+refused "belongs to another run" "$momentscope" merge chart-1.csv stress-2.csv -o x.csv
 refused "not of chart" "$momentscope" merge stress-whole.csv -o x.html
 for kind in md svg html png; do
     "$momentscope" merge merged.csv -o "merged.$kind" >/dev/null
