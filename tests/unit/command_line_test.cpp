@@ -165,10 +165,10 @@ TEST_F(CommandLine, RefusesWrongBoundsOfAdvice) {
     expect_refused("advise --scene planes", "--max-error is required");
     for (const char* error : {"0", "-1", "nan", "inf"})
         expect_refused(advise + "--max-error " + error, "give a number above 0");
-    expect_refused(advise + "--max-error much", "no greatest error");
+    expect_refused(advise + "--max-error much", "not a greatest error");
     expect_refused(advise + "--max-error 0.1 --max-bits 0", "number of bits per pixel");
     expect_refused(advise + "--max-error 0.1 --max-ms 0", "above 0 milliseconds");
-    expect_refused(advise + "--max-error 0.1 --max-ms soon", "no time in milliseconds");
+    expect_refused(advise + "--max-error 0.1 --max-ms soon", "not a time in milliseconds");
     expect_refused(advise + "--max-error 2 --metric flip", "never above 1");
     expect_refused(advise + "--max-error 0.1 --metric psnr", "no metric 'psnr'");
     expect_refused(advise + "--max-error 0.1 --technique nothing", "no technique 'nothing'");
@@ -185,7 +185,7 @@ TEST_F(CommandLine, AdviceTakesTheRowsOfAChart) {
         "chart --scene planes --size 32x18 --repeat 1 --technique wboit,power4-32,power8-32 -o x.csv");
     const std::string advise = "advise --chart x.csv ";
     expect_refused(advise + "--scene spheres --max-error 0.1",
-                   "no rows of the scene 'spheres', but of planes");
+                   "no rows of the scene 'spheres', only of planes");
     expect_refused(advise + "--scene planes --max-error 0.1 --technique at", "no rows of these techniques");
     expect_refused(advise + "--scene planes --max-error 0.1 --beta 0", "leave --chart out");
     expect_refused("advise --chart ray.json --scene planes --max-error 0.1", "to which run");
