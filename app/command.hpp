@@ -1,5 +1,5 @@
-// command.hpp -- the registry of commands of the command line. --help, docs/cli.md and the dispatch are built
-// from it.
+// command.hpp -- the registry of commands of the command line. --help and docs/cli.md are made from it, and
+// it decides which function runs a command.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -10,20 +10,21 @@
 
 namespace momentscope {
 
-/// The files that the user named for a command: the files it reads, and the files it writes, each with the
-/// option that names it. The check against overwriting inputs uses them.
+/// The files that the user named for a command. inputs: the files that the command reads. outputs: the files
+/// that it writes, each with the option that names it. output_conflicts.hpp uses them to refuse an output
+/// that is also an input or another output.
 struct FileUse {
     std::vector<std::string> inputs = {};
     std::vector<std::pair<const char*, std::string>> outputs = {};
 };
 
-/// A command with its own options. The constructor adds the options to CLI11, and parsing the words sets
-/// their values. All functions throw Error.
+/// A command with its own options. The constructor adds the options to CLI11. When CLI11 parses the command
+/// line, it sets their values. Every function may throw Error.
 class ParsedCommand {
 public:
     explicit ParsedCommand(CLI::App& app) : app_(app) {}
     virtual ~ParsedCommand() = default;
-    ParsedCommand(const ParsedCommand&) = delete;  // CLI11 writes into the members
+    ParsedCommand(const ParsedCommand&) = delete;  // CLI11 writes into this object's members
     ParsedCommand& operator=(const ParsedCommand&) = delete;
 
     /// Throws Error if the user gave an option that has no effect together with the other options.
@@ -46,10 +47,10 @@ struct Command {
     std::vector<const char*> examples;  // the words after "momentscope"
 };
 
-/// In the order of --help. The first command runs if the user names none.
+/// All commands, in the order of --help. The first one runs if the user names no command.
 std::span<const Command> command_rows();
 
-// add_render and the like: each in a file of its own.
+// Declares add_render, add_inspect and so on. Each is defined in app/<name>_command.cpp.
 #define COMMAND(name, ...) std::unique_ptr<ParsedCommand> add_##name(CLI::App& app);
 #include "app/commands.def"
 #undef COMMAND

@@ -1,5 +1,5 @@
-// parameters.hpp -- the registry of parameters. Sliders, options, JSON keys, docs and cache invalidation all
-// follow from it.
+// parameters.hpp -- the registry of parameters. Sliders, options, JSON keys and docs follow from it, and also
+// which stages a change makes stale.
 #pragma once
 #include <array>
 #include <optional>
@@ -14,9 +14,9 @@
 
 namespace momentscope {
 
-/// The stages of the pipeline, in the order in which data flows. A change invalidates its stage and all later
-/// ones. shading: opaque surfaces are shaded again, and then everything from the second pass on runs again;
-/// the first pass stays, because it stores no colours.
+/// The stages of the pipeline, in the order in which they run. A change makes its stage and all later ones
+/// stale. nothing: no stage is stale. shading: opaque surfaces are shaded again, and then everything from the
+/// second pass on runs again; the first pass runs again only if it stores colours.
 enum class Stage { scene, opaque, moments, shading, color, composite, display, nothing };
 
 enum class ParameterId : std::size_t {
@@ -43,10 +43,10 @@ struct Parameter {
     const char* unit;  // "" if it has no unit
     float minimum;
     float maximum;
-    std::optional<float> default_value;  // nullopt: `auto`, a value that the technique recommends
+    std::optional<float> default_value;  // nullopt: `auto`, a value of the technique or of the scene
     Scale scale;
     Stage invalidates;                          // first stage that a change makes stale
-    const char* help;                           // one or two sentences: what it does, when to change it
+    const char* help;                           // a few sentences: what it does, when to change it
     const char* source;                         // paper and section
     std::span<const char* const> choices = {};  // names of the values 0, 1, ...; only for Scale::choice
 };
@@ -61,7 +61,8 @@ inline constexpr std::array SHADOW_PARAMETERS = {ParameterId::shadow_technique, 
                                                  ParameterId::shadow_radius,    ParameterId::light_azimuth,
                                                  ParameterId::light_elevation,  ParameterId::light_distance};
 
-/// ParameterOf<Enum>::ID is the parameter whose values are named by this enum of parameter_choices.def.
+/// The parameter that an enum of parameter_choices.def belongs to: ParameterOf<Solver>::ID is
+/// ParameterId::solver.
 template <typename Choice>
 struct ParameterOf;
 #define CHOICE(type, parameter, ...)                              \
@@ -77,7 +78,8 @@ std::span<const Parameter> parameters();
 const Parameter& parameter(ParameterId id);
 const Parameter* find_parameter(std::string_view key);  // nullptr if there is none
 
-/// A value for every parameter. A new object has the default values. Each getter is for rows of one Scale.
+/// A value for every parameter. A new object has the default values. get and number_of_choice are for rows
+/// with Scale::choice, is_on for Scale::toggle, count for whole numbers; number and [] are for all rows.
 /// Values that `set` accepts are always in the range of their row.
 class ParameterValues {
 public:
@@ -89,7 +91,8 @@ public:
         return static_cast<Choice>(number_of_choice(ParameterOf<Choice>::ID));
     }
 
-    /// The value of a choice as an index from 0, for choices that come from other registries.
+    /// The value of a choice as an index from 0, for choices without an enum: their names are the rows of
+    /// another registry, as with shadow_technique.
     std::size_t number_of_choice(ParameterId id) const { return static_cast<std::size_t>(count(id)); }
 
     /// The value of a switch (Scale::toggle).
@@ -127,8 +130,9 @@ using ParameterSettings = std::vector<std::pair<ParameterId, float>>;
 /// The default values except for these settings. Throws Error as ParameterValues::set does.
 ParameterValues values_with(const ParameterSettings& settings);
 
-/// The value of a text on the command line or in a file: a number, `auto` (nullopt), on or off, or the name
-/// of a choice. Throws Error if it is none of these.
+/// Reads a value from a text on the command line or in a file: a number, `auto` (nullopt), on, off, true or
+/// false for a switch, or the name of a choice. Throws Error if it is none of these. It does not check the
+/// range; ParameterValues::set does.
 std::optional<float> parse_parameter(const Parameter& row, std::string_view text);
 
 /// The text of a value; for a choice, its name.

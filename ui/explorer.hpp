@@ -29,8 +29,8 @@
 
 namespace momentscope::ui {
 
-/// The time for a picture during a drag. It allows 20 updates a second, including the plot and the rest of
-/// the window.
+/// During a drag, a picture that takes more milliseconds than this is replaced by a draft. With the plot and
+/// the rest of the window, this allows 20 updates a second.
 constexpr double DRAG_MILLISECONDS = 40;
 
 struct ExplorerOptions {
@@ -38,15 +38,15 @@ struct ExplorerOptions {
     bool show_times = true;  // milliseconds in the status line; off if pictures must repeat bit by bit
     // While the mouse drags, a picture that takes longer is replaced by a draft.
     double most_milliseconds = std::numeric_limits<double>::infinity();
-    // before_long_picture is called before a picture that is expected to take longer than this, or whose
-    // time is unknown; the window can then show draw_waiting.
+    // before_long_picture is called before a picture that is expected to take longer than this, or whose time
+    // is unknown. The caller can then call draw_waiting.
     double most_silent_milliseconds = 100;
     std::function<void()> before_long_picture = {};
 };
 
 /// What a frame had to compute. All false if nothing changed.
 struct FrameReport {
-    bool draft = false;  // at a reduced resolution
+    bool draft = false;  // a draft was drawn instead of the full picture
     bool opaque = false, first_pass = false, second_pass = false, composite = false;
     bool failures = false, reference = false, comparison = false, capture = false, plot = false,
          query = false;
@@ -64,17 +64,19 @@ public:
     /// as a message, and the last good picture stays. Throws Error only if there was no good picture yet.
     void frame();
 
-    /// Draws the notice over the last frame while a long picture is drawn; before the first picture it fills
-    /// the window.
+    /// Draws the word "drawing…" over the last frame while a long picture is drawn. Before the first picture,
+    /// fills the window with the names of the program and of the scene.
     void draw_waiting(ImDrawList& list) const;
 
-    /// Does the window lag behind the state, so that another frame is needed even without input?
+    /// Is another frame needed without input? True if the window does not show the state yet, and while long
+    /// work runs.
     bool wants_frame() const {
         return !(state_ == shown_state_) || is_loading_scene() || has_background_work() || worst_wanted_ ||
                shows_draft() || chart_panel_.busy();
     }
 
-    /// Is a draft shown? The full picture replaces it as soon as the mouse rests.
+    /// Is a draft shown? The full picture replaces it when the view has not changed for 0.2 s or the mouse
+    /// button is released.
     bool shows_draft() const { return draft_view_.technique != nullptr; }
 
     /// Is background work running? Frames are then needed to show its progress.
@@ -116,11 +118,12 @@ public:
     const ChartPanel& chart_panel() const { return chart_panel_; }
     const FrameReport& report() const { return report_; }
     const std::string& message() const { return message_; }
-    /// The number of pixels with failures, while failures are marked.
+    /// The number of pixels with failures. nullopt while failures are not marked, or if the technique
+    /// reconstructs nothing.
     const std::optional<FailureCounts>& failures() const { return picture_.failures; }
 
-    /// The parts that the scene is shown without. It is also the scene's first message; empty if nothing is
-    /// missing.
+    /// The text that says which parts of the scene are missing; empty if none is. The window shows it as a
+    /// message when the scene is loaded.
     std::string warning() const;
     const WidgetRects& widget_rects() const { return widget_rects_; }
     bool shows_reference() const { return flipped_; }
@@ -128,7 +131,8 @@ public:
     bool shows_palette() const { return palette_.is_open(); }
     bool shows_file_dialog() const { return files_.is_open(); }
 
-    /// The file to which the current window shall be written. Call it once per frame.
+    /// The file to which this frame of the window shall be written; nullopt if there is none. Call this
+    /// function exactly once per frame, because it counts the frames until the export.
     std::optional<std::filesystem::path> take_window_export();
 
     /// Shows a message, for instance about a failure.
@@ -217,7 +221,7 @@ private:
     bool breakdown_stale_ = true;
     Comparison comparison_;
     bool pair_stale_ = true;     // picture or reference changed since the last comparison
-    bool worst_wanted_ = false;  // pick it as soon as it is known
+    bool worst_wanted_ = false;  // the next worst pixel is picked as soon as it is known
 
     ScenePanel scene_panel_;
     ScenePicture picture_;
@@ -230,7 +234,7 @@ private:
     ChartPanel chart_panel_;
     BackgroundWork<std::optional<TuneResult>> tuning_;
     const Technique* tuned_technique_ = nullptr;
-    struct SharpBoundsInput {  // besides the ray
+    struct SharpBoundsInput {  // what the sharp bounds depend on, besides the ray
         const Technique* technique;
         float theta;
         Range depths;
@@ -239,7 +243,7 @@ private:
     BackgroundWork<std::optional<SharpBounds>> sharp_bounds_;
     std::optional<SharpBoundsInput> sharp_input_;  // of the last request; nullopt: none for this ray
     bool help_ = false;
-    bool escape_is_taken_ = false;  // by a popup, dialog or text field that it closes
+    bool escape_is_taken_ = false;  // by a popup, dialog, text field or scene that is read
     std::optional<ParameterId> to_type_;
     bool focus_go_to_ = false;
     std::optional<std::filesystem::path> window_export_;

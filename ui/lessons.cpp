@@ -81,8 +81,8 @@ constexpr Lesson LESSONS[] = {
      "in depth.",
      prepare_wrapping_zone},
     {"bias", "Moment bias",
-     "The moment bias α is 0 here, and hatched pixels have a fragment whose matrix was singular. For up to four "
-     "surfaces it is singular even in exact arithmetic; for more, rounding to 32-bit floats makes it singular. "
+     "The moment bias α is 0 here. In hatched pixels, the matrix of moments was singular. For up to four surfaces "
+     "it is singular even in exact arithmetic; for more, rounding to 32-bit floats makes it singular. "
      "The dashed curve is the \"exact, no bias\" curve.",
      "Tick auto beside the moment bias α: which pixels recover, and what does the bias cost?",
      "With the bias of Table 1 of the supplementary no matrix is singular, and the hatching disappears. The "

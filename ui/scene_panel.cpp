@@ -102,8 +102,8 @@ void ScenePanel::draw_tools(const Ui& ui, const Measurement& m, const ScenePictu
     if (toggle_button("failures", state.failures)) state.failures = !state.failures;
     explain(
         "scene.failures",
-        "Marks pixels with a fragment whose matrix was singular in floats (hatched), or whose sum left [0, 1] "
-        "and was clamped (plain).",
+        "Marks pixels whose reconstruction failed (hatched), for example because the matrix of moments was "
+        "singular in floats, and pixels where a sum left [0, 1] and was clamped (plain).",
         "O");
     next("flip");
     ImGui::Button("flip");

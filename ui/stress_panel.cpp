@@ -53,7 +53,8 @@ void StressPanel::draw(const Ui& ui, ExplorerState& state, std::string& message)
         if (ImGui::Button("run")) start(state);
         ui.record_widget_rect("stress.run");
         tooltip(
-            "Tests every technique under every condition with the current solver, bias and β, and counts failures.");
+            "Tests every technique with moments under every condition, with the current solver, bias and β, and "
+            "counts failures.");
         ImGui::SameLine();
         ImGui::SetNextItemWidth(9 * em());
         ImGui::SliderInt("##rays", &rays_, 10, 1000, "%d rays a cell",

@@ -1,6 +1,6 @@
-// exact.hpp -- what a technique would compute in exact arithmetic. It uses core/reference, which shares no
-// code with shaders/. Tests and `stress` compare with it, and the window draws it as the unbiased exact
-// curve.
+// exact.hpp -- what a technique would compute in exact arithmetic, here in long double. It uses
+// core/reference, which shares no code with shaders/. Tests and `stress` compare with it, and the window
+// draws it as the unbiased exact curve.
 #pragma once
 #include <functional>
 #include <optional>
@@ -12,7 +12,8 @@ namespace momentscope {
 
 using Real = long double;
 
-/// Fractions of b0: the fraction in front of a depth for beta = 0, and the mass w_0 at the depth.
+/// Two fractions of b0 at one depth. in_front: the fraction in front of it for beta = 0. query_weight: the
+/// mass w_0 at the depth itself.
 struct ExactFraction {
     Real in_front = 0;
     Real query_weight = 0;
@@ -20,19 +21,21 @@ struct ExactFraction {
 };
 using ExactFunction = std::function<ExactFraction(Real depth)>;
 
-/// The function for the exact moments of a ray, with theta and alpha of the parameters. nullopt if the biased
-/// matrix of moments is not positive definite, because there is no such function then. Also nullopt without
-/// fragments, and for bases that core/reference does not have.
+/// The exact function for the moments of a ray. It reads theta, alpha and the tolerance of the parameters,
+/// but not beta. nullopt if the biased matrix of moments is not positive definite, because no such function
+/// exists then. Also nullopt if no fragment has an opacity above 0, for techniques without moments, and for
+/// bases that core/reference does not have.
 std::optional<ExactFunction> exact_function(const ViewRay& ray, const Technique& technique,
                                             const ResolvedParameters& parameters);
 
-/// The same for moments as stored, with all their rounding.
+/// The same, but from the moments as a pixel stores them, which were already rounded.
 std::optional<ExactFunction> exact_function_of_stored(const MomentVector& stored, const Technique& technique,
                                                       const ResolvedParameters& parameters);
 
-/// A(z, b, beta) of an exact function at `depths`, in [0, b0], where b0 is that of the ray. Without a
-/// function, the matrix is singular and the moments determine the distribution. Then this is the truth, plus
-/// beta times the mass at the depth itself.
+/// The absorbance in front of each of the depths, from an exact function; in [0, b0], where b0 is the total
+/// absorbance of the ray. If `exact` is nullopt, the result is the truth, plus beta times the mass at the
+/// depth itself. This is right if the matrix is singular, because the moments then determine the
+/// distribution.
 std::vector<double> exact_absorbance(const std::optional<ExactFunction>& exact, const ViewRay& ray,
                                      float beta, std::span<const float> depths);
 

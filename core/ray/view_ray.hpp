@@ -10,28 +10,29 @@ namespace momentscope {
 
 /// One transparent fragment of a pixel.
 struct Fragment {
-    float depth = 0;         // warped, in [-1, 1]
-    float view_depth = 0;    // distance from the camera plane in scene units, > 0; depth if there is no warp
-    float opacity = 0;       // alpha_l, in [0, 1]
-    glm::vec3 color{0};      // linear RGB, shaded, >= 0
-    std::uint32_t draw = 0;  // index of the draw call, in submission order
+    float depth = 0;              // warped, in [-1, 1]
+    float view_depth = 0;         // distance from the camera plane in scene units, > 0; without a warp: depth
+    float opacity = 0;            // alpha_l, in [0, 1]
+    glm::vec3 color{0};           // linear RGB, shaded, >= 0
+    std::uint32_t draw = 0;       // index of the draw call, in submission order
     std::uint32_t primitive = 0;  // index of the triangle in this draw call
-    std::uint32_t seed = 0;       // of its random numbers, for stochastic techniques
-    float threshold = 0.5f;       // of hashed alpha testing, in [0, 1]
+    std::uint32_t seed = 0;       // seed of its random numbers, for stochastic techniques
+    float threshold = 0.5f;       // in [0, 1]; with `hashed` it is opaque if its opacity reaches this
     friend bool operator==(const Fragment&, const Fragment&) = default;
 };
 
 /// How view depth is mapped to depth: logarithmically for the eye (paper, Section 3.3), linearly for the
-/// light (paper, Section 6). Without a warp both are equal.
+/// light (paper, Section 6). Without a warp, view depth and depth are the same number.
 struct DepthWarp {
     enum class Kind { none, logarithmic, linear } kind = Kind::none;
-    float z_min = -1;  // this view depth maps to -1, z_max to 1; 0 < z_min < z_max unless none
+    float z_min = -1;  // maps to -1, and z_max to 1; 0 < z_min < z_max, except if kind is none
     float z_max = 1;
     bool has_view_depths() const { return kind != Kind::none; }
     friend bool operator==(const DepthWarp&, const DepthWarp&) = default;
 };
 
-/// The fragments of one low-resolution pixel from which a pixel reads moments, and its weight in the mixture.
+/// One low-resolution pixel from which a pixel of the picture reads moments: its fragments, and its weight in
+/// the mixture.
 struct LowResolutionSource {
     float weight = 1;  // in [0, 1]; the weights of a pixel sum to 1
     std::vector<Fragment> fragments;
@@ -66,8 +67,8 @@ float transmittance(float absorbance);
 float to_depth(float view_depth, const DepthWarp& warp);
 float to_view_depth(float depth, const DepthWarp& warp);
 
-/// The members of DepthWarpFactors (shaders/shared/fragment.glsl): origin, scale, linear (0 or 1). The kind
-/// must not be none.
+/// The warp in the form that shaders use, DepthWarpFactors of shaders/shared/fragment.glsl: origin, scale and
+/// linear (0 or 1). The kind must not be none.
 glm::vec3 depth_warp_factors(const DepthWarp& warp);
 
 /// The sum of all absorbances, b0.
@@ -83,8 +84,8 @@ std::string fragment_count_text(std::size_t count);
 /// order.
 std::vector<double> true_absorbance(const ViewRay& ray, std::span<const float> depths);
 
-/// Indices of the fragments from front to back. At equal depths, the fragment that was submitted later lies
-/// in front, as in sorted.frag.
+/// Indices of the fragments from front to back. They are compared by depth, then by view depth. If both are
+/// equal, the fragment that was submitted later lies in front, as in sorted.frag.
 std::vector<std::size_t> front_to_back(const ViewRay& ray);
 
 }  // namespace momentscope

@@ -1,4 +1,5 @@
-// renderer.hpp -- draws pictures of a scene by any technique, and captures the exact fragments of a pixel.
+// renderer.hpp -- draws pictures of a scene by any technique, and captures all transparent fragments of a
+// pixel.
 #pragma once
 #include <memory>
 #include <optional>
@@ -23,8 +24,9 @@ struct PassTimes {
     double opaque = 0, moments = 0, color = 0, composite = 0;
 };
 
-/// How many pixels cannot be trusted. failed: pixels with a fragment whose matrix was singular. clamped:
-/// other pixels with a fragment whose sum left [0, 1] and was clamped.
+/// How many pixels cannot be trusted (failures.frag). failed, robust solver: pixels whose matrix of moments
+/// had a pivot below the floor, or with a NaN. failed, textbook solver: pixels with a NaN, or with a sum
+/// outside [0, 1] by more than 1e-4. clamped, robust solver: other pixels with such a sum.
 struct FailureCounts {
     long failed = 0, clamped = 0;
 };
@@ -32,8 +34,8 @@ struct FailureCounts {
 /// A pixel as the GL computed it. `transmittance` is parallel to ray.fragments.
 struct PixelCapture {
     ViewRay ray;
-    std::vector<float> transmittance;  // of the second pass at each fragment; empty if the technique has none
-    std::optional<MomentVector> stored;  // by the first pass, as read through the texture units
+    std::vector<float> transmittance;    // T from the second pass; empty if the technique computes none
+    std::optional<MomentVector> stored;  // moments of the first pass, as shaders read them; nullopt: none
     glm::vec3 behind{0.2f};              // linear RGB of the opaque surface behind; grey without a scene
 };
 
@@ -45,7 +47,8 @@ public:
     /// the GL is older than 4.5.
     explicit Renderer(std::shared_ptr<ProgramCache> programs = std::make_shared<ProgramCache>());
 
-    /// The same, but as if the GL had this ordered access. Used to see what is reported if there is none.
+    /// The same, but the renderer behaves as if the GL had this kind of ordered access. Tests use it to see
+    /// the message for a GL that has none.
     explicit Renderer(OrderedAccess access,
                       std::shared_ptr<ProgramCache> programs = std::make_shared<ProgramCache>());
     ~Renderer();
@@ -53,7 +56,9 @@ public:
     void set_scene(const Scene& scene);
 
     /// Runs only those stages that are stale after the change since the last picture. Throws Error if the GL
-    /// fails; the next call starts afresh.
+    /// fails; the next call then runs all stages. Also throws Error if the view cannot be drawn, for instance
+    /// because its parameters make no sense together, its size is not allowed, or the light stands among the
+    /// casters.
     void render(const View& view);
 
     /// Runs all stages of the technique again, to measure their times. The last picture must have been drawn
@@ -70,14 +75,15 @@ public:
     /// surfaces.
     PixelCapture capture_pixel(glm::ivec2 pixel);
 
-    /// The light that reaches a point: the one that a pixel of the last picture shows at this view depth. The
-    /// picture must have shadows.
+    /// What the light's maps hold for a point, and the fragments and depths that it comes from. The point is
+    /// the one that a pixel of the last picture shows at this view depth. The picture must have shadows.
     ShadowFilterSamples capture_light(glm::ivec2 pixel, float view_depth);
 
-    /// The place in the world that the middle of a pixel of the last picture shows at this view depth.
+    /// The point in world coordinates at this view depth behind the centre of a pixel of the last picture.
     glm::vec3 world_place(glm::ivec2 pixel, float view_depth) const;
 
-    /// The depth of the opaque surface of a pixel and how it is lit; nullopt if there is none.
+    /// The depth of the opaque surface in a pixel, and how this surface is lit; nullopt if the pixel shows no
+    /// opaque surface. The picture must have shadows.
     struct LitSurface {
         float view_depth = 0;
         float shadowed = 0;       // share of the filter region with an opaque caster in front
@@ -99,7 +105,7 @@ public:
     /// not lie within the picture.
     Image read_region(glm::ivec2 corner, glm::ivec2 extent) const;
 
-    /// Counts failed and clamped reconstructions of the last picture, and draws their places into
+    /// Counts the pixels of the last picture with failed or clamped reconstructions, and marks them in
     /// failure_texture(). nullopt, and nothing is drawn, if the technique reconstructs nothing.
     std::optional<FailureCounts> draw_failures();
 
@@ -153,7 +159,7 @@ private:
 
     GlQuery timer_;
     std::unique_ptr<ShadowMaps> shadow_maps_;  // made at first use
-    GlTexture probe_;                          // of light_probe.frag; made at first use
+    GlTexture probe_;                          // target of light_probe.frag; made at first use
     GlFramebuffer probe_target_;
     bool probed_ = false;  // does probe_ belong to the last picture?
 

@@ -1,4 +1,5 @@
-// basis.hpp -- the registry of bases: the functions of depth that moments are taken of.
+// basis.hpp -- the registry of bases. A basis is a set of functions of depth; a moment is the sum of
+// absorbance times such a function.
 #pragma once
 #include <span>
 
@@ -19,14 +20,14 @@ struct Basis {
     const char* key;  // shaders/shared/<key>_moments.glsl
     BasisFamily family;
     BasisDomain domain;
-    float length;        // length of the depth range in the variable of the polynomials
-    bool chooses_order;  // per fragment, by the parameter `tolerance`
+    float length;        // of the depth range in the variable of the polynomials: 2 if that is depth itself
+    bool chooses_order;  // each fragment uses as few moments as the parameter `tolerance` allows
 
     bool on_circle() const { return domain == BasisDomain::circle; }
     bool has_bounds() const { return domain == BasisDomain::line; }
     bool has_wrapping_zone() const { return on_circle(); }
 
-    /// The depth that a step of 1 in the variable of the polynomials covers.
+    /// The change of depth when the variable of the polynomials changes by 1. Not meaningful on the circle.
     float depth_per_unit() const { return 2 / length; }
 };
 

@@ -17,7 +17,7 @@ struct ReconstructionSettings;
 
 /// A technique that stores moments of the absorbance and reconstructs the transmittance from them.
 struct MomentMath {
-    const MomentKernel* kernel;  // evaluates it in C++, on a view ray; never null
+    const MomentKernel* kernel;  // its functions in C++, of moments and depths; never null
     const Basis* basis;          // never null
     int moment_count;            // m
     float recommended_bias;      // alpha = auto with the preset table1
@@ -30,7 +30,7 @@ struct PixelStateMath {
     const char* math_file;                                   // shaders/shared/<math_file>.glsl
     PixelStateSettings (*settings)(const ParameterValues&);  // its settings, from parameters
     int (*floats)(const PixelStateSettings&);                // numbers per pixel with these settings
-    int (*bits)(const PixelStateSettings&);                  // bits per pixel of these numbers, as published
+    int (*bits)(const PixelStateSettings&);                  // bits per pixel, as in the published technique
 };
 
 /// The exact picture, whatever it costs.
@@ -47,7 +47,7 @@ struct Technique {
     const char* source;       // paper, section, algorithm
     std::variant<MomentMath, PixelStateMath, GroundTruth> math;
     std::vector<ParameterId> parameters = {};  // parameters that it reads
-    int geometry_passes = 1;                   // of the transparent geometry; 0: grows with the layers
+    int geometry_passes = 1;                   // of the transparent geometry; 0: one per layer
     bool order_dependent = false;              // does the order of submission change the picture?
 
     bool uses(ParameterId parameter_id) const;
@@ -65,9 +65,8 @@ struct Technique {
 
     // False for techniques without moments.
     bool on_circle() const { return has_moments() && moments().basis->on_circle(); }
-    bool has_bounds() const {  // do beta = 0 and beta = 1 bound the distributions with the biased moments?
-        return has_moments() && moments().basis->has_bounds();
-    }
+    // Are the results for beta = 0 and beta = 1 bounds for all distributions with the biased moments?
+    bool has_bounds() const { return has_moments() && moments().basis->has_bounds(); }
     bool is_of(BasisFamily family) const { return has_moments() && moments().basis->family == family; }
 };
 
@@ -79,8 +78,8 @@ const Technique* find_technique(std::string_view id);     // nullptr if there is
 /// The technique with this id. Throws Error, with a list of all ids, if there is none.
 const Technique& require_technique(std::string_view id);
 
-/// The least wrapping zone, in radians: 1/125 of the circle. Without a zone, depths -1 and 1 are the same
-/// point, and rounding alone decides at which of them a surface lies (docs/stability.md).
+/// The least wrapping zone, in radians: about 1/126 of the circle. Without a zone, depths -1 and 1 are the
+/// same point, and rounding alone decides at which of them a surface lies (docs/stability.md).
 constexpr float MIN_WRAPPING_ZONE = 0.05f;
 
 /// The values that a technique computes with. `auto` is replaced by a recommendation, and theta is at least
@@ -89,7 +88,7 @@ struct ResolvedParameters {
     float beta = 0, theta = 0, alpha = 0;
     bool textbook = false;       // solver: Algorithm 1 or 2 as published
     bool factored_once = false;  // moments are factored once per pixel, between the passes
-    float tolerance = 0;         // epsilon, if the order is chosen per fragment
+    float tolerance = 0;         // epsilon; used if the number of moments is chosen per fragment
     bool ordered = false;        // fragments are added in order, not by blending
     bool renormalize = true;
     PixelStateSettings pixel_state = {};
@@ -100,9 +99,9 @@ ResolvedParameters resolve(const ParameterValues& values, const Technique& techn
 /// they grow with the number of fragments.
 int stored_bits(const Technique& technique, const ParameterValues& values);
 
-/// Bits per pixel that are needed with these parameters: stored_bits, or the bits of the factor if these are
-/// more and the parameters ask for one factor per pixel. The factor takes the place of the moments between
-/// the passes.
+/// Bits per pixel that are needed with these parameters. If they ask for one factor per pixel, this is the
+/// greater of stored_bits and the bits of the factor with b0, because the factor may replace the moments
+/// between the passes. (Momentscope itself keeps both.) Otherwise it is stored_bits.
 int bits_with_factor(const Technique& technique, const ParameterValues& values);
 
 /// The text for a result of stored_bits or bits_with_factor: "160", "none" or "grows with the fragments".
@@ -112,16 +111,17 @@ std::string bits_text(const Technique& technique, int bits);
 /// they do make sense.
 const char* why_refused(const Technique& technique, const ParameterValues& values);
 
-/// True if fragments of a pixel must be read, changed and written in order, whatever the parameters.
+/// True if the fragments of a pixel must be added in order, whatever the parameters: each of them reads the
+/// pixel, changes it and writes it.
 bool needs_order(const Technique& technique);
 
-/// True if the plot has a curve of the technique beside the truth.
+/// True if the technique defines a function of depth, which the plot can draw beside the truth.
 bool has_function(const Technique& technique);
 
 /// The value of alpha = auto for the technique with the preset in these values.
 float automatic_bias(const ParameterValues& values, const Technique& technique);
 
-/// The argument of make_basis in shaders: epsilon for nested orders, otherwise theta.
+/// The argument of make_basis in shaders: epsilon for the basis `nested`, otherwise theta.
 float basis_parameter(const ResolvedParameters& parameters, const Technique& technique);
 
 /// The settings of a kernel from resolved parameters.

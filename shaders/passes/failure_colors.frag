@@ -1,4 +1,4 @@
-// failure_colors.frag -- draws the counts of failures.frag as an overlay: hatched vermilion where a matrix was singular, yellow
+// failure_colors.frag -- draws the counts of failures.frag as an overlay: hatched vermilion where a reconstruction failed, yellow
 // where a sum was clamped. The patterns differ, too, for people who cannot tell the colours apart.
 layout(binding = 0) uniform sampler2D failed_clamped;
 

@@ -6,7 +6,7 @@ struct Factor
     float b0;
     float a[ROOT_COUNT];       // a_k of the recurrence
     float ratio[ROOT_COUNT];   // h_k / h_{k-1}; [0] unused
-    float inverse_h[ORDER];    // 1 / h_k; h_k is the norm of p_k
+    float inverse_h[ORDER];    // 1 / h_k; h_k = E[p_k^2] is the squared norm of p_k
     int floored;               // number of pivots that were raised to the floor
 };
 

@@ -1,8 +1,9 @@
 // mass_in_front.glsl -- the share of b_0 in front of the query depth, computed from the masses of as few nodes as possible.
 //
-// In ascending order of t come first the nodes in front of the query, then those in the wrapping zone, then those behind. Together
-// they have the mass 1 - w_0. So the masses of the nodes in front are enough, or those of all other nodes. The basis defines
-// KNOWN_NODES, the number of masses that are needed. With two nodes on the line no mass is needed.
+// The nodes are sorted by t. The nodes in front of the query come first, then those in the wrapping zone, then those behind. All
+// nodes together have the mass 1 - w_0. So it is enough to know the masses of the nodes in front and in the zone, or those of the
+// nodes in the zone and behind. The basis defines KNOWN_NODES, the number of masses that are needed. With two nodes on the line no
+// mass is needed.
 
 #if defined(LINE_BASIS) && ROOT_COUNT == 2
 FN float mass_in_front(IN(Roots) roots, float rest, IN(Query) query, IN(Factor) factor, IN(Basis) basis)
@@ -29,10 +30,11 @@ FN Roots sorted_roots(IN(Roots) roots)
     return sorted;
 }
 
-/// 1 to add up the masses of the first KNOWN_NODES nodes, 0 to add up those of the last. The first are right if all others are
-/// behind; the last are right if all others are in front. If both are right, the result is the choice with less rounding. If two
-/// nodes nearly coincide, rounding spoils the sum of their masses, so these are better left out. Otherwise the first are better:
-/// the error of a small mass in front is then relative to that mass instead of b_0.
+/// Returns 1 if the masses of the first KNOWN_NODES nodes shall be added up, and 0 if those of the last KNOWN_NODES nodes shall.
+/// Adding up the first is right if all other nodes are behind. Adding up the last is right if all other nodes are in front. If both
+/// are right, the one with less rounding is chosen. If two nodes nearly coincide, rounding spoils the sum of their masses, so these
+/// are better left out. Otherwise the first are better: the error is then relative to the mass in front, which may be small, and
+/// not to b_0.
 FN float adds_from_front(IN(Roots) nodes, IN(Query) query, IN(Basis) basis)
 {
 #if defined(LINE_BASIS) && ROOT_COUNT == 3
@@ -40,15 +42,17 @@ FN float adds_from_front(IN(Roots) nodes, IN(Query) query, IN(Basis) basis)
 #elif ROOT_COUNT == 2
     return node_behind(nodes.t[1], query, basis);
 #elif defined(LINE_BASIS)
-    // The gap of the first two nodes and the gap of the last two, each divided by the size of its nodes. The fractions are compared
-    // without division.
+    // The gap of the first two nodes and the gap of the last two, each divided by the size of its nodes. Both are multiplied by
+    // both sizes, so no division is needed. The first gap counts twice: the first nodes are added up unless the gap of the last two
+    // is at least twice as large.
     PRECISE float front = 2.0f * (nodes.t[1] - nodes.t[0]) * (1.0f + max(abs(nodes.t[2]), abs(nodes.t[3])));
     PRECISE float behind = (nodes.t[3] - nodes.t[2]) * (1.0f + max(abs(nodes.t[0]), abs(nodes.t[1])));
     float either = front > behind ? 1.0f : 0.0f;
     return (1.0f - node_in_front(nodes.t[2], query)) * max(1.0f - node_in_front(nodes.t[1], query), either);
 #else
-    // The smallest relative gap between neighbours in front, and between neighbours behind. One of the two neighbours may lie in
-    // the zone. Conditions are products of 0 and 1, because compilers do not vectorise nested conditions.
+    // front: the smallest relative gap between two neighbours of which one is in front and the other is in front or in the zone.
+    // behind: the same for nodes behind. A term of 2 excludes all other pairs. Conditions are products of 0 and 1, because
+    // compilers do not vectorise nested conditions.
     float front = 1.2f;    // for a side with fewer than two nodes
     float behind = 1.2f;
     UNROLL

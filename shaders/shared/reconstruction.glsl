@@ -1,5 +1,5 @@
 // reconstruction.glsl -- from moments to the absorbance in front of a depth. The steps are the same for every basis (Algorithms 1
-// and 2): bias, factor, kernel polynomial, roots, weights, sum. Every step is a function, and every intermediate result is a value.
+// and 2): bias, factor, kernel polynomial, roots, weights, sum. Every step is a function that returns its result as a value.
 
 /// Pixels that absorb less than this count as empty. Their T rounds to 1, and products of their moments could underflow.
 const float MIN_ABSORBANCE = 1.0e-9f;
@@ -9,8 +9,8 @@ FN bool is_empty(IN(Moments) moments)
     return !(moments.b0 >= MIN_ABSORBANCE);
 }
 
-/// The moments pulled towards b* to compensate for rounding: (1 - alpha) b + alpha b0 b* (supplementary, Section 1). bias: alpha,
-/// in [0, 1].
+/// The moments, and what bias adds to them as separate numbers. Their sum is (1 - alpha) b + alpha b0 b*: the moments pulled
+/// towards b* to compensate for rounding (supplementary, Section 1). bias: alpha, in [0, 1].
 FN BiasedMoments biased_moments(IN(Moments) moments, float bias)
 {
     BiasedMoments biased;
@@ -29,10 +29,11 @@ FN BiasedMoments biased_moments(IN(Moments) moments, float bias)
 /// have the given moments.
 struct Reconstruction
 {
-    float t[ROOT_COUNT];         // places of the nodes, as 1 / distance (see the basis); 0 is infinitely far
-    float weight[ROOT_COUNT];    // their masses; with query_weight they sum to 1
+    float t[ROOT_COUNT];         // places of the nodes: on the line 1 / (z_l - z_f), where 0 is infinitely far; on the circle
+                                 // cot((phi_l - phi_f) / 2)
+    float weight[ROOT_COUNT];    // their masses as shares of b0; with query_weight they sum to 1
     float value[ROOT_COUNT];     // v_l in [0, 1]: the share of a node that counts as in front
-    float query_weight;          // w_0 in (0, 1]: the mass at the query depth, and the gap between the bounds
+    float query_weight;          // w_0 in (0, 1]: the mass at the query depth; on the line also the gap between the bounds
     float in_front;              // sum of weight * value: the fraction of b0 in front of the query depth for beta = 0
 };
 
@@ -48,7 +49,8 @@ FN Masses restore_total_mass(IN(Masses) masses, IN(Roots) roots, float sum)
     PRECISE float total = 0.0f;
     UNROLL
     for (int l = 0; l < ROOT_COUNT; ++l) total = total + masses.weight[l];
-    // Finds the pair with the least squared distance over squared size. The fractions are compared without division.
+    // Finds the pair (a, b) with the least (a - b)^2 / (1 + a^2 + b^2). To compare two such fractions without division, each
+    // numerator is multiplied by the other denominator.
     float least = 1.0e30f;
     float of_size = 1.0f;
     float member[ROOT_COUNT];
@@ -86,7 +88,7 @@ FN Masses restore_total_mass(IN(Masses) masses, IN(Roots) roots, float sum)
 }
 #endif
 
-/// 1 - w_0: the mass of all nodes together.
+/// 1 - w_0: the mass of all nodes together. at_query: K(z_f, z_f) = 1 / w_0.
 FN float mass_beside_query(float at_query)
 {
     PRECISE float query_weight = 1.0f / at_query;
@@ -113,7 +115,7 @@ FN Reconstruction representation(float at_query, IN(Roots) roots, IN(Masses) nod
         result.value[l] = node_value(roots.t[l], query, basis);
         weight_sum = weight_sum + result.weight[l];
     }
-    // Rounding of the roots changes the masses. Scaling restores their sum.
+    // The roots are rounded, so the masses do not sum to `rest` exactly. Scaling corrects their sum.
     PRECISE float scale = weight_sum > 0.0f ? rest / weight_sum : 0.0f;
     UNROLL
     for (int l = 0; l < ROOT_COUNT; ++l) result.weight[l] = result.weight[l] * scale;
@@ -122,7 +124,7 @@ FN Reconstruction representation(float at_query, IN(Roots) roots, IN(Masses) nod
     return result;
 }
 
-/// The canonical representation from all moments of the factor.
+/// The canonical representation from all moments. (nested_orders.glsl has one from the first four moments.)
 FN Reconstruction reconstruct_with_all(IN(Query) query, IN(Factor) factor, IN(Basis) basis)
 {
     Kernel kernel = kernel_polynomial(query, factor);
@@ -152,7 +154,7 @@ FN float fraction_in_front(IN(Reconstruction) reconstruction, float overestimati
     return fraction;
 }
 
-/// x clamped to [0, 1]. NaN becomes 0, as GPUs saturate.
+/// x clamped to [0, 1]. NaN becomes 0, as when a GPU clamps.
 FN float number_in_unit_range(float x)
 {
     return x >= 0.0f ? min(x, 1.0f) : 0.0f;
