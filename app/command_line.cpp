@@ -24,7 +24,8 @@ namespace {
 constexpr const char* ABOUT = "Momentscope: an oscilloscope for moment-based order-independent transparency.";
 
 const std::vector<Command> COMMANDS = {
-#define EXAMPLES(...) {__VA_ARGS__}
+#define EXAMPLES(...) \
+    { __VA_ARGS__ }
 #define COMMAND(name, help, examples) {#name, help, add_##name, examples},
 #include "app/commands.def"
 #undef COMMAND
