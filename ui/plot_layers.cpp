@@ -252,7 +252,7 @@ void draw_layers(ImDrawList& list, const PlotAxes& axes, const Palette& colors, 
     if (!m.unbiased_exact.empty())
         draw_dashed(list, points_of(axes, curve.depth, m.unbiased_exact),
                     tint_of(input, Series::unbiased_exact, colors.unbiased_exact),
-                    width_of(input, Series::unbiased_exact, 1.8f), GHOST_DASH);
+                    width_of(input, Series::unbiased_exact, 1.8f), UNBIASED_EXACT_DASH);
     if (has_function(*curve.technique) && shows(input, Series::reconstruction))
         draw_line(list, points_of(axes, curve.depth, curve.reconstructed),
                   tint_of(input, Series::reconstruction, colors.reconstruction),

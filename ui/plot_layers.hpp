@@ -21,7 +21,7 @@ void draw_small_layers(ImDrawList& list, const PlotAxes& axes, const Palette& co
                        const Curve& curve);
 
 /// The dashes of the unbiased exact curve and of the sharp bounds.
-inline const ImVec2 GHOST_DASH = {7, 4};
+inline const ImVec2 UNBIASED_EXACT_DASH = {7, 4};
 inline const ImVec2 SHARP_DASH = {2, 3};
 
 /// The dash lengths of the i-th compared technique: pixels on and off.

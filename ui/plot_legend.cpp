@@ -37,7 +37,7 @@ std::optional<Series> draw_legend(const Ui& ui, const Measurement& m, ExplorerSt
     for (const SeriesRow& row : series_rows()) {
         if (!has_series(row.id, technique)) continue;
         bool& shown = state.plot.shown[static_cast<std::size_t>(row.id)];
-        const ImVec2 dash = row.id == Series::unbiased_exact ? GHOST_DASH
+        const ImVec2 dash = row.id == Series::unbiased_exact ? UNBIASED_EXACT_DASH
                             : row.id == Series::sharp        ? SHARP_DASH
                                                              : ImVec2(0, 0);
         if (legend_entry(ui, series_name(row, technique), ui.colors.*row.color, dash, shown, right, first,

@@ -152,7 +152,7 @@ TEST_F(PlotTest, AChangeRecomputesNoMoreThanItNeeds) {
     EXPECT_TRUE(computed("click " + on_scene({300, 300}))) << "another ray";
 }
 
-TEST_F(PlotTest, TheGhostIsComputedOnlyWhileItIsShown) {
+TEST_F(PlotTest, TheUnbiasedExactCurveIsComputedOnlyWhileItIsShown) {
     open("spheres", "power8-32");
     EXPECT_TRUE(measurement().unbiased_exact.empty());
     play("key X");

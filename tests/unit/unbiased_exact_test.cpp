@@ -26,7 +26,7 @@ ResolvedParameters without_bias(float beta, float theta = 0.3f) {
 }
 
 // m power moments determine m/2 surfaces, m trigonometric ones m. Then the unbiased exact curve is the truth.
-TEST(Ghost, IsTheTruthWhereMomentsDetermineIt) {
+TEST(UnbiasedExact, IsTheTruthWhereMomentsDetermineIt) {
     const ViewRay two = ray_of({{-0.25f, 0.5f}, {0.5f, 0.75f}});
     const float depths[] = {-1, -0.5f, 0, 0.499f, 0.501f, 1};
     const auto truth = true_absorbance(two, depths);
@@ -39,7 +39,7 @@ TEST(Ghost, IsTheTruthWhereMomentsDetermineIt) {
     }
 }
 
-TEST(Ghost, CountsBetaOfAMassAtItsOwnDepth) {
+TEST(UnbiasedExact, CountsBetaOfAMassAtItsOwnDepth) {
     const ViewRay one = ray_of({{0.25f, 0.5f}});
     const float at[] = {0.25f};
     const Technique& technique = require_technique("power6-32");
@@ -48,7 +48,7 @@ TEST(Ghost, CountsBetaOfAMassAtItsOwnDepth) {
                     static_cast<double>(beta) * std::log(2.0), 1e-6);
 }
 
-TEST(Ghost, IsEmptyWithoutMomentsAndZeroWithoutFragments) {
+TEST(UnbiasedExact, IsEmptyWithoutMomentsAndZeroWithoutFragments) {
     const float at[] = {0, 0.5f};
     EXPECT_TRUE(
         unbiased_absorbance(ray_of({}), require_technique("sorted"), without_bias(0.25f), at).empty());
@@ -58,7 +58,7 @@ TEST(Ghost, IsEmptyWithoutMomentsAndZeroWithoutFragments) {
 
 // With a bias so large that floats do not matter, kernel and reference agree if both use the same bias. The
 // unbiased exact curve is this reference with a bias of 0, and a small bias approaches it.
-TEST(Ghost, IsWhatSmallBiasApproaches) {
+TEST(UnbiasedExact, IsWhatSmallBiasApproaches) {
     std::mt19937 random(5);
     const float depths[] = {-0.9f, -0.3f, 0.1f, 0.7f};
     for (const char* id : {"power4-32", "trig2-32"}) {
