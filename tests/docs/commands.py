@@ -28,6 +28,7 @@ SMALLER = {
     "chart": ["--size 32x18", "--repeat 1", "--technique wboit", "--scene planes,ties"],
     "advise": ["--size 32x18", "--repeat 1", "--technique wboit,power6-32", "--scene planes"],
     "explore": ["--size 800x500"],
+    "render": ["--size 96x54"],
     "stress": ["--rays 2"],
     "needed": ["--size 32x18"],
 }
@@ -58,14 +59,16 @@ def smaller(command):
     name = re.search(r"momentscope (\w+)", command)
     options = list(SMALLER.get(name[1], [])) if name else []
     if "--shadows" in command:
-        options = [o for o in options if not o.startswith("--technique")]
-        options += ["--shadow-size 64"] if name[1] == "chart" else []
+        options = [o for o in options if not o.startswith("--technique")] + ["--shadow-size 64"]
+    if "--compare" in command:
+        options += ["--scene planes"]
     for option in options:
         key, value = option.split()
         command = re.sub(rf" {key} \S+", "", command)   # each time that it stands there
         command = re.sub(r"(momentscope \w+)", rf"\1 {key} {value}", command, count=1)
     command = re.sub(r"--random \d+", "--random 50", command)
-    return command.replace("figure all -o docs/figures", "figure fig4 -o figures")
+    command = re.sub(r" --shard \S+", "", command)   # tests/shards runs shards
+    return re.sub(r"figure \w+ -o \S+", "figure fig4 -o figures", command)
 
 
 def options_of(command):
@@ -81,8 +84,9 @@ def prepare(folder, program):
     (folder / "build/release/momentscope").symlink_to(program)
     fragments = [{"depth": -0.2, "opacity": 0.5}, {"depth": 0.4, "opacity": 0.7, "color": [1, 0.5, 0]}]
     (folder / "ray.json").write_text(json.dumps({"fragments": fragments}))
-    run = f"{program} advise --scene planes --max-error 1 --size 16x9 --repeat 1 --technique wboit -o momentscope.json"
-    subprocess.run(run.split(), cwd=folder, check=True, stdout=subprocess.DEVNULL)
+    for run in ("advise --scene planes --max-error 1 --size 16x9 --repeat 1 --technique wboit -o momentscope.json",
+                "chart --scene planes --size 16x9 --repeat 1 --technique wboit -o chart-1.csv"):
+        subprocess.run([program, *run.split()], cwd=folder, check=True, stdout=subprocess.DEVNULL)
 
 
 def main():
@@ -100,6 +104,8 @@ def main():
                 command = PROGRAM.sub("build/release/momentscope", written)
                 if command.startswith("build/"):
                     command = headless(command)
+                elif not as_written:
+                    continue   # shards side by side
                 if not as_written:
                     command = smaller(command)
                 kind = command if as_written else options_of(command)
