@@ -24,11 +24,11 @@ namespace {
 
 PixelRegion parse_region(const std::string& text, const Image& image) {
     if (text.empty()) return {0, 0, image.width, image.height};
-    constexpr int MOST = 99'999;  // pixels; sums of two must not overflow
+    constexpr int MAX_COORDINATE = 99'999;  // pixels; sums of two must not overflow
     std::vector<int> numbers;
     for (const std::string& part : split_list({text})) {
         const auto number = parse_number<int>(part);
-        if (number && *number >= 0 && *number <= MOST) numbers.push_back(*number);
+        if (number && *number >= 0 && *number <= MAX_COORDINATE) numbers.push_back(*number);
     }
     if (numbers.size() != 4 || split_list({text}).size() != 4)
         throw Error(

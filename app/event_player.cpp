@@ -228,9 +228,9 @@ void EventPlayer::play_line(const std::string& line) {
     if (what == "wait") {
         wait(static_cast<double>(need_number(words, 1, 0, 1e6f)));
     } else if (what == "resize") {
-        constexpr float MOST = MAX_PICTURE_SIDE;
-        window_.resize({static_cast<int>(need_number(words, 1, 1, MOST)),
-                        static_cast<int>(need_number(words, 2, 1, MOST))});
+        constexpr float MAX_SIDE = MAX_PICTURE_SIDE;
+        window_.resize({static_cast<int>(need_number(words, 1, 1, MAX_SIDE)),
+                        static_cast<int>(need_number(words, 2, 1, MAX_SIDE))});
         window_.settle();
     } else if (what == "where") {
         std::size_t next = 1;

@@ -102,17 +102,8 @@ public:
     }
 
     void run() const override {
-        const bool all = figure_ == "all";
-        std::vector<const Figure*> chosen;
-        for (const Figure& figure : figures())
-            if (all || &figure == &require_figure(figure_)) chosen.push_back(&figure);
-        std::filesystem::path folder = absolute_path(output_).lexically_normal();
-        if (!folder.has_filename()) folder = folder.parent_path();  // the name ends in a slash
-        std::error_code code;
-        std::filesystem::create_directories(folder, code);
-        if (code)
-            throw Error(fmt::format("The folder '{}' cannot be created: {}; give another -o.",
-                                    folder.string(), code.message()));
+        const std::vector<const Figure*> chosen = this->chosen();
+        const std::filesystem::path folder = made_folder();
         std::atomic<std::size_t> done = 0;
         Progress progress("Drawing figures", [&] {
             if (done == 0)
@@ -141,10 +132,28 @@ public:
             ++done;
         }
         progress.show(chosen.size(), chosen.size());
-        if (all) write_file(page, std::filesystem::path(folder).concat(".md"));
+        if (figure_ == "all") write_file(page, std::filesystem::path(folder).concat(".md"));
     }
 
 private:
+    std::vector<const Figure*> chosen() const {
+        if (figure_ != "all") return {&require_figure(figure_)};
+        std::vector<const Figure*> all;
+        for (const Figure& figure : figures()) all.push_back(&figure);
+        return all;
+    }
+
+    std::filesystem::path made_folder() const {
+        std::filesystem::path folder = absolute_path(output_).lexically_normal();
+        if (!folder.has_filename()) folder = folder.parent_path();  // the name ends in a slash
+        std::error_code code;
+        std::filesystem::create_directories(folder, code);
+        if (code)
+            throw Error(fmt::format("The folder '{}' cannot be created: {}; give another -o.",
+                                    folder.string(), code.message()));
+        return folder;
+    }
+
     std::string figure_;
     std::string output_ = "figures";
 };

@@ -38,8 +38,9 @@ CodePoint first_code_point(std::string_view text) {
         if ((byte(i) & 0xC0U) != 0x80) return NONE;
         value = value << 6 | (byte(i) & 0x3FU);
     }
-    constexpr char32_t LEAST[] = {0, 0, 0x80, 0x800, 0x10000};  // smaller values have shorter encodings
-    if (value < LEAST[bytes] || value > 0x10FFFF || (value >= 0xD800 && value < 0xE000)) return NONE;
+    constexpr char32_t MIN_BY_BYTES[] = {0, 0, 0x80, 0x800,
+                                         0x10000};  // smaller values have shorter encodings
+    if (value < MIN_BY_BYTES[bytes] || value > 0x10FFFF || (value >= 0xD800 && value < 0xE000)) return NONE;
     return {value, bytes};
 }
 

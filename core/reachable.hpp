@@ -6,7 +6,7 @@
 namespace momentscope {
 
 /// Throws Error if the system refuses to look up the path: a name is too long, a folder must not be entered,
-/// or links form a circle. A missing file is no error.
+/// or links form a circle. It does not throw if the file is missing.
 void require_reachable(const std::filesystem::path& path);
 
 /// The absolute path. Throws Error if the path is relative and the working folder was deleted.

@@ -17,6 +17,7 @@
 #include "ui/comparison.hpp"
 #include "ui/draft_picture.hpp"
 #include "ui/file_dialog.hpp"
+#include "ui/frame_report.hpp"
 #include "ui/history.hpp"
 #include "ui/measurement.hpp"
 #include "ui/picture_times.hpp"
@@ -42,17 +43,6 @@ struct ExplorerOptions {
     // is unknown. The caller can then call draw_waiting.
     double most_silent_milliseconds = 100;
     std::function<void()> before_long_picture = {};
-};
-
-/// What a frame had to compute. All false if nothing changed.
-struct FrameReport {
-    bool draft = false;  // a draft was drawn instead of the full picture
-    bool opaque = false, first_pass = false, second_pass = false, composite = false;
-    bool failures = false, reference = false, comparison = false, capture = false, plot = false,
-         query = false;
-
-    /// Such as "second pass, composite, plot"; "" if nothing was computed.
-    std::string text() const;
 };
 
 /// Draws ImGui frames. The GL context of the renderer must be current, and an ImGui frame must have begun.

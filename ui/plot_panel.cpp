@@ -8,6 +8,7 @@
 #include "core/inspect/exact.hpp"
 #include "ui/plot_layers.hpp"
 #include "ui/plot_legend.hpp"
+#include "ui/plot_notes.hpp"
 
 namespace momentscope::ui {
 
@@ -174,34 +175,15 @@ bool contains(const Rect& rect, ImVec2 at) {
 
 }  // namespace
 
-std::string band_note(const Measurement& m) {
-    if (m.curve.beta0.empty() || m.exit.where.empty()) return "";
-    const std::string where = fmt::format(
-        "Near z = {:.2f} the truth is outside the band by {:.3g}: ", m.exit.worst_depth, m.exit.worst);
-    if (m.canonical.floored_pivots > 0)
-        return where + "the matrix of the moments is singular in floats; increase the moment bias α.";
-    return where + (m.curve.technique->has_bounds()
-                        ? "the bounds are for the biased moments, not for the exact ones."
-                        : "for trigonometric moments, β = 0 and β = 1 give no bounds.");
-}
-
-std::string failure_note(const Measurement& m) {
-    if (m.failure.where.empty()) return "";
-    return fmt::format(
-        "At the depths ticked along the top, the result of the textbook solver is {}outside [0, b₀]: the matrix of the "
-        "moments is singular in floats. Increase the moment bias α, or use the robust solver.",
-        m.failure.no_number ? "NaN (drawn as 0) or " : "");
-}
-
 void PlotPanel::zoom(const PlotAxes& axes, PlotState& plot, bool depth, bool value, float notches) const {
     const float factor = std::pow(0.85f, notches);
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const auto around = [&](const Range& range, float fixed) {
         return Range{fixed + (range.low - fixed) * factor, fixed + (range.high - fixed) * factor};
     };
-    constexpr float LEAST = 1e-4f, MOST = 1e4f;  // beyond, floats have too few digits for ticks
+    constexpr float MIN_EXTENT = 1e-4f, MAX_EXTENT = 1e4f;  // beyond, floats have too few digits for ticks
     const auto sensible = [](const Range& range) {
-        return range.high - range.low > LEAST && range.high - range.low < MOST;
+        return range.high - range.low > MIN_EXTENT && range.high - range.low < MAX_EXTENT;
     };
     const Range new_depth = around(axes.depth, axes.depth_at(mouse.x));
     const Range new_value = around(axes.value, axes.value_at(mouse.y));

@@ -25,10 +25,4 @@ private:
     bool grips_value_ = true;
 };
 
-/// One sentence about where and why the truth leaves the band; empty if it does not.
-std::string band_note(const Measurement& measurement);
-
-/// Why the solver fails at some depths; "" if it does not fail.
-std::string failure_note(const Measurement& measurement);
-
 }  // namespace momentscope::ui

@@ -69,7 +69,7 @@ void require_sensible(const AdviceBounds& bounds) {
         throw Error(fmt::format("Only the ground truth has an error of at most {:g}; give a number above 0.",
                                 bounds.max_error));
     if (bounds.metric == Metric::flip && bounds.max_error >= 1)
-        throw Error(fmt::format("{} is never above 1, so {:g} is no bound; give a number below 1.",
+        throw Error(fmt::format("{} is never above 1, so {:g} limits nothing; give a number below 1.",
                                 metric.symbol, bounds.max_error));
     if (bounds.max_bits && *bounds.max_bits < 1)
         throw Error(

@@ -15,7 +15,7 @@ struct Chart {
     std::vector<ChartRow> rows;  // scene by scene
 };
 
-/// The chart in a table. Throws Error if the table is no chart; `name` is what the sentence calls it.
+/// The chart in a table. Throws Error if the table is not a chart; `name` is what the sentence calls it.
 Chart chart_of(const RunTable& table, std::string_view name);
 
 /// The rows of each scene, in order.

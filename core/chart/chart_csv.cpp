@@ -14,7 +14,8 @@ namespace momentscope {
 namespace {
 
 constexpr std::size_t FIELDS = 20;
-constexpr double MOST = std::numeric_limits<float>::max();  // errors are floats, and no time is that long
+constexpr double MAX_NUMBER =
+    std::numeric_limits<float>::max();  // errors are floats, and no time is that long
 constexpr const char* COLUMNS =
     "scene,configuration,moments_ms,moments_range_ms,color_ms,color_range_ms,composite_ms,composite_range_ms,"
     "total_ms,total_range_ms,differential_ms,differential_range_ms,stored_bits,bits_with_factor,geometry_passes,rmse,delta_e,"
@@ -28,11 +29,11 @@ public:
         if (fields_.size() != FIELDS) refuse(line);
     }
     std::string text() { return fields_[next_++]; }
-    /// A finite number within +-MOST.
+    /// A finite number within +-MAX_NUMBER.
     double number() {
         const std::string& field = fields_[next_++];
         const auto value = parse_number<double>(field);
-        if (!value || std::abs(*value) > MOST) refuse(field);
+        if (!value || std::abs(*value) > MAX_NUMBER) refuse(field);
         return *value;
     }
     double at_least_zero() {

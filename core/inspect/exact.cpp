@@ -14,12 +14,12 @@ namespace {
 using Masses = std::span<const reference::PointMass<Real>>;
 
 std::vector<reference::PointMass<Real>> exact_masses(const ViewRay& ray) {
-    constexpr Real MOST = 10;  // as OPACITY_CAP in shaders/shared/fragment.glsl
+    constexpr Real MAX_ABSORBANCE = 10;  // as OPACITY_CAP in shaders/shared/fragment.glsl
     std::vector<reference::PointMass<Real>> masses;
     for (const Fragment& fragment : ray.fragments)
         if (fragment.opacity > 0)
             masses.push_back({static_cast<Real>(fragment.depth),
-                              std::min(-std::log1p(-static_cast<Real>(fragment.opacity)), MOST)});
+                              std::min(-std::log1p(-static_cast<Real>(fragment.opacity)), MAX_ABSORBANCE)});
     return masses;
 }
 

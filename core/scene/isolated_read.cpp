@@ -126,8 +126,8 @@ private:
 /// memory may send anything.
 std::optional<LoadedMesh> Receiver::read_mesh(const ReadReport& report) const {
     Header header{};
-    constexpr std::size_t MOST = 3 * MAX_MESH_TRIANGLES;
-    if (!read(&header, sizeof header) || header.vertex_count > MOST || header.index_count > MOST ||
+    constexpr std::size_t MAX_COUNT = 3 * MAX_MESH_TRIANGLES;
+    if (!read(&header, sizeof header) || header.vertex_count > MAX_COUNT || header.index_count > MAX_COUNT ||
         header.warning_bytes > MAX_TEXT || header.index_count % 3 != 0)
         return std::nullopt;
     const std::string triangles = std::to_string(header.index_count / 3) + " triangles";

@@ -17,10 +17,10 @@ double transmittance_of_fraction(float fraction, float b0) {
 }
 
 std::vector<float> some_own_depths(const ViewRay& ray) {
-    constexpr std::size_t MOST = 8;
-    const std::size_t step = std::max<std::size_t>(ray.fragments.size() / MOST, 1);
+    constexpr std::size_t MAX_DEPTHS = 8;
+    const std::size_t step = std::max<std::size_t>(ray.fragments.size() / MAX_DEPTHS, 1);
     std::vector<float> depths;
-    for (std::size_t i = 0; i < ray.fragments.size() && depths.size() < MOST; i += step)
+    for (std::size_t i = 0; i < ray.fragments.size() && depths.size() < MAX_DEPTHS; i += step)
         depths.push_back(ray.fragments[i].depth);
     return depths;
 }

@@ -1,5 +1,7 @@
 #include "core/techniques/basis.hpp"
 
+#include <cstddef>
+
 namespace momentscope {
 
 namespace {
@@ -12,10 +14,6 @@ constexpr Basis BASES[] = {
 };
 
 }  // namespace
-
-std::span<const Basis> bases() {
-    return BASES;
-}
 
 const Basis& basis(BasisId id) {
     return BASES[static_cast<std::size_t>(id)];

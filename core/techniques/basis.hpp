@@ -1,8 +1,6 @@
 // basis.hpp -- the registry of bases. A basis is a set of functions of depth; a moment is the sum of
 // absorbance times such a function.
 #pragma once
-#include <span>
-
 namespace momentscope {
 
 enum class BasisId {
@@ -31,8 +29,6 @@ struct Basis {
     float depth_per_unit() const { return 2 / length; }
 };
 
-/// All bases, in the order of BasisId.
-std::span<const Basis> bases();
 const Basis& basis(BasisId id);
 
 /// "power", "Chebyshev" or "trigonometric".

@@ -8,9 +8,9 @@
 namespace momentscope::fuzz {
 
 Input read_input(const std::filesystem::path& path) {
-    constexpr std::uintmax_t MOST = std::uintmax_t{1} << 30;
+    constexpr std::uintmax_t MAX_SOURCE_BYTES = std::uintmax_t{1} << 30;
     return {std::filesystem::absolute(path).parent_path().filename().string(), path.extension().string(),
-            read_input_file(path, MOST, "input")};
+            read_input_file(path, MAX_SOURCE_BYTES, "input")};
 }
 
 std::vector<std::filesystem::path> files_below(const std::filesystem::path& folder) {

@@ -1,6 +1,7 @@
 // plot_test.cpp -- mouse actions in the plot, and the plot's notes.
 #include "tests/gui/gui_fixture.hpp"
 #include "ui/parameter_controls.hpp"
+#include "ui/plot_notes.hpp"
 #include "ui/plot_panel.hpp"
 #include "ui/series.hpp"
 
