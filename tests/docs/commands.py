@@ -5,7 +5,7 @@ Usage: commands.py MOMENTSCOPE [--as-written]
 
 A command is an indented line with `momentscope` in a .md file, or such a text between backticks. Each must end with exit code 0.
 What takes long is made small: fewer pixels, rays and rounds, and of commands with the same options the first one is run.
---as-written changes nothing but what needs a display, runs all commands, and takes a quarter of an hour.
+--as-written runs all commands and changes nothing but what needs a display; its charts take many minutes.
 """
 import json
 import pathlib
