@@ -8,12 +8,12 @@
 #include "app/ignored_options.hpp"
 #include "app/progress.hpp"
 #include "app/terminal.hpp"
-#include "core/chart/advice_text.hpp"
-#include "core/chart/chart_run.hpp"
-#include "core/chart/held_out.hpp"
-#include "core/error.hpp"
-#include "core/output_file.hpp"
+#include "core/bench/chart_run.hpp"
+#include "core/bench/held_out.hpp"
+#include "core/report/advice_text.hpp"
 #include "core/scene/scene_content.hpp"
+#include "core/support/error.hpp"
+#include "core/support/output_file.hpp"
 #include "ui/session.hpp"
 
 namespace momentscope {

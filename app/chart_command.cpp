@@ -10,11 +10,11 @@
 #include "app/progress.hpp"
 #include "app/shadow_chart.hpp"
 #include "app/terminal.hpp"
+#include "core/bench/chart_run.hpp"
 #include "core/chart/chart.hpp"
-#include "core/chart/chart_run.hpp"
-#include "core/error.hpp"
-#include "core/output_file.hpp"
 #include "core/scene/scene_content.hpp"
+#include "core/support/error.hpp"
+#include "core/support/output_file.hpp"
 
 namespace momentscope {
 

@@ -6,12 +6,12 @@
 
 #include "app/gl_context.hpp"
 #include "app/gui_session.hpp"
-#include "core/chart/chart_drawing.hpp"
-#include "core/chart/chart_html.hpp"
-#include "core/error.hpp"
 #include "core/image/image.hpp"
-#include "core/output_file.hpp"
 #include "core/render/view.hpp"
+#include "core/report/chart_drawing.hpp"
+#include "core/report/chart_html.hpp"
+#include "core/support/error.hpp"
+#include "core/support/output_file.hpp"
 #include "ui/drawing_painter.hpp"
 #include "ui/theme.hpp"
 

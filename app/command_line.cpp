@@ -15,7 +15,7 @@
 #include "app/output_conflicts.hpp"
 #include "app/progress.hpp"
 #include "app/terminal.hpp"
-#include "core/error.hpp"
+#include "core/support/error.hpp"
 
 namespace momentscope {
 

@@ -6,8 +6,8 @@
 #include <cctype>
 
 #include "app/command.hpp"
-#include "core/markup.hpp"
-#include "core/parameters.hpp"
+#include "core/parameters/parameters.hpp"
+#include "core/support/markup.hpp"
 
 namespace momentscope {
 

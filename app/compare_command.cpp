@@ -11,12 +11,12 @@
 #include "app/terminal.hpp"
 #include "core/compare/difference.hpp"
 #include "core/compare/false_color.hpp"
-#include "core/error.hpp"
 #include "core/image/finite_pixels.hpp"
-#include "core/memory.hpp"
-#include "core/output_file.hpp"
-#include "core/parse_number.hpp"
 #include "core/render/renderer.hpp"
+#include "core/support/error.hpp"
+#include "core/support/memory.hpp"
+#include "core/support/output_file.hpp"
+#include "core/support/parse_number.hpp"
 
 namespace momentscope {
 

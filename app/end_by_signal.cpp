@@ -4,7 +4,7 @@
 
 #include <csignal>
 
-#include "core/output_file.hpp"
+#include "core/support/output_file.hpp"
 
 namespace momentscope {
 

@@ -7,12 +7,12 @@
 #include <optional>
 #include <sstream>
 
-#include "core/bounded_json.hpp"
-#include "core/error.hpp"
-#include "core/input_file.hpp"
-#include "core/json_text.hpp"
-#include "core/parse_number.hpp"
-#include "core/reachable.hpp"
+#include "core/support/bounded_json.hpp"
+#include "core/support/error.hpp"
+#include "core/support/input_file.hpp"
+#include "core/support/json_text.hpp"
+#include "core/support/parse_number.hpp"
+#include "core/support/reachable.hpp"
 #include "ui/session.hpp"
 #include "ui/shortcut.hpp"
 

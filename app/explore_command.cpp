@@ -9,11 +9,11 @@
 #include "app/lost_display.hpp"
 #include "app/output_conflicts.hpp"
 #include "app/terminal.hpp"
-#include "core/error.hpp"
 #include "core/image/image.hpp"
-#include "core/output_file.hpp"
-#include "core/parse_number.hpp"
 #include "core/ray/ray_json.hpp"
+#include "core/support/error.hpp"
+#include "core/support/output_file.hpp"
+#include "core/support/parse_number.hpp"
 #include "ui/session.hpp"
 
 namespace momentscope {

@@ -12,13 +12,13 @@
 #include "app/gl_context.hpp"
 #include "app/progress.hpp"
 #include "app/terminal.hpp"
-#include "core/error.hpp"
 #include "core/figures/figure.hpp"
-#include "core/output_file.hpp"
-#include "core/reachable.hpp"
-#include "core/render/light_view.hpp"
+#include "core/render/view_from_light.hpp"
 #include "core/scene/camera.hpp"
 #include "core/scene/scenes.hpp"
+#include "core/support/error.hpp"
+#include "core/support/output_file.hpp"
+#include "core/support/reachable.hpp"
 #include "ui/theme.hpp"
 
 namespace momentscope {

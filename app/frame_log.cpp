@@ -9,8 +9,8 @@
 #include <system_error>
 #include <utility>
 
-#include "core/error.hpp"
-#include "core/output_file.hpp"
+#include "core/support/error.hpp"
+#include "core/support/output_file.hpp"
 #include "ui/session.hpp"
 
 namespace momentscope {

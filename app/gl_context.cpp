@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "core/error.hpp"
+#include "core/support/error.hpp"
 
 namespace momentscope {
 

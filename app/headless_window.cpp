@@ -4,8 +4,8 @@
 #include <thread>
 #include <utility>
 
-#include "core/error.hpp"
 #include "core/image/image.hpp"
+#include "core/support/error.hpp"
 
 namespace momentscope {
 

@@ -5,18 +5,18 @@
 #include "app/ignored_options.hpp"
 #include "app/progress.hpp"
 #include "app/terminal.hpp"
-#include "core/error.hpp"
-#include "core/inspect/curve_output.hpp"
 #include "core/inspect/error_breakdown.hpp"
 #include "core/inspect/sharp_bounds.hpp"
 #include "core/inspect/steps.hpp"
-#include "core/output_file.hpp"
-#include "core/parse_number.hpp"
 #include "core/ray/ray_json.hpp"
 #include "core/ray/submission_order.hpp"
-#include "core/render/light_view.hpp"
+#include "core/render/view_from_light.hpp"
+#include "core/report/curve_output.hpp"
 #include "core/scene/camera.hpp"
 #include "core/shadow/cast_ray.hpp"
+#include "core/support/error.hpp"
+#include "core/support/output_file.hpp"
+#include "core/support/parse_number.hpp"
 
 namespace momentscope {
 

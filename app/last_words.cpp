@@ -7,7 +7,7 @@
 #include <ctime>
 #include <optional>
 
-#include "core/error.hpp"
+#include "core/support/error.hpp"
 #include "ui/session.hpp"
 
 namespace momentscope {

@@ -5,12 +5,12 @@
 #include "app/command.hpp"
 #include "app/command_line_page.hpp"
 #include "app/terminal.hpp"
-#include "core/error.hpp"
 #include "core/figures/figure.hpp"
-#include "core/json_text.hpp"
-#include "core/markup.hpp"
+#include "core/report/techniques_page.hpp"
 #include "core/stress/condition.hpp"
-#include "core/techniques/techniques_page.hpp"
+#include "core/support/error.hpp"
+#include "core/support/json_text.hpp"
+#include "core/support/markup.hpp"
 #include "ui/commands.hpp"
 
 namespace momentscope {

@@ -5,7 +5,7 @@
 #include "app/ignored_options.hpp"
 #include "app/terminal.hpp"
 #include "core/chart/chart.hpp"
-#include "core/plain_text.hpp"
+#include "core/support/plain_text.hpp"
 
 namespace momentscope {
 

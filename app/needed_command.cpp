@@ -8,11 +8,11 @@
 #include "app/needed_picture.hpp"
 #include "app/progress.hpp"
 #include "app/terminal.hpp"
-#include "core/error.hpp"
 #include "core/inspect/moments_needed.hpp"
-#include "core/json_text.hpp"
-#include "core/output_file.hpp"
 #include "core/render/renderer.hpp"
+#include "core/support/error.hpp"
+#include "core/support/json_text.hpp"
+#include "core/support/output_file.hpp"
 
 namespace momentscope {
 

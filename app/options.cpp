@@ -9,9 +9,9 @@
 #include "app/progress.hpp"
 #include "app/terminal.hpp"
 #include "core/chart/grid.hpp"
-#include "core/error.hpp"
-#include "core/parse_number.hpp"
 #include "core/render/view.hpp"
+#include "core/support/error.hpp"
+#include "core/support/parse_number.hpp"
 
 namespace momentscope {
 

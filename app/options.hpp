@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/chart/measure.hpp"
+#include "core/bench/measure.hpp"
 #include "core/compare/difference.hpp"
 #include "core/scene/scenes.hpp"
 #include "core/table/run_table.hpp"

@@ -4,8 +4,8 @@
 
 #include <string_view>
 
-#include "core/error.hpp"
-#include "core/reachable.hpp"
+#include "core/support/error.hpp"
+#include "core/support/reachable.hpp"
 
 namespace momentscope {
 

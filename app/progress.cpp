@@ -13,7 +13,7 @@
 
 #include "app/end_by_signal.hpp"
 #include "app/terminal.hpp"
-#include "core/output_file.hpp"
+#include "core/support/output_file.hpp"
 
 namespace momentscope {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <thread>
 
-#include "core/error.hpp"
+#include "core/support/error.hpp"
 
 namespace momentscope {
 

@@ -2,9 +2,9 @@
 #include "app/gl_context.hpp"
 #include "app/ignored_options.hpp"
 #include "app/progress.hpp"
-#include "core/error.hpp"
-#include "core/output_file.hpp"
 #include "core/render/renderer.hpp"
+#include "core/support/error.hpp"
+#include "core/support/output_file.hpp"
 
 namespace momentscope {
 

@@ -8,9 +8,9 @@
 #include "app/gl_context.hpp"
 #include "app/progress.hpp"
 #include "app/terminal.hpp"
-#include "core/chart/shadow_chart.hpp"
-#include "core/error.hpp"
-#include "core/output_file.hpp"
+#include "core/bench/shadow_chart.hpp"
+#include "core/support/error.hpp"
+#include "core/support/output_file.hpp"
 
 namespace momentscope {
 

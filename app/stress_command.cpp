@@ -8,9 +8,9 @@
 #include "app/progress.hpp"
 #include "app/stress_picture.hpp"
 #include "app/terminal.hpp"
-#include "core/error.hpp"
-#include "core/output_file.hpp"
-#include "core/stress/stress_report.hpp"
+#include "core/report/stress_report.hpp"
+#include "core/support/error.hpp"
+#include "core/support/output_file.hpp"
 #include "core/techniques/moment_kernel.hpp"
 
 namespace momentscope {

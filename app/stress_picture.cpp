@@ -2,9 +2,9 @@
 
 #include "app/gl_context.hpp"
 #include "app/gui_session.hpp"
-#include "core/error.hpp"
 #include "core/image/image.hpp"
-#include "core/stress/stress_report.hpp"
+#include "core/report/stress_report.hpp"
+#include "core/support/error.hpp"
 #include "ui/stress_map.hpp"
 
 namespace momentscope {

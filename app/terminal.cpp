@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <string>
 
-#include "core/error.hpp"
-#include "core/plain_text.hpp"
+#include "core/support/error.hpp"
+#include "core/support/plain_text.hpp"
 
 namespace momentscope {
 

@@ -7,11 +7,11 @@
 #include "app/ignored_options.hpp"
 #include "app/progress.hpp"
 #include "app/terminal.hpp"
-#include "core/error.hpp"
-#include "core/parse_number.hpp"
 #include "core/ray/ray_json.hpp"
 #include "core/render/renderer.hpp"
 #include "core/stress/tune.hpp"
+#include "core/support/error.hpp"
+#include "core/support/parse_number.hpp"
 #include "core/techniques/moment_kernel.hpp"
 
 namespace momentscope {

@@ -6,7 +6,7 @@ if(status EQUAL 0 AND NOT commit STREQUAL "")
     string(APPEND VERSION "+${commit}")
 endif()
 file(CONFIGURE OUTPUT ${OUTPUT} @ONLY CONTENT
-"#include \"core/version.hpp\"
+"#include \"core/support/version.hpp\"
 
 namespace momentscope {
 

@@ -3,13 +3,13 @@
 
 #include <cstdio>
 
-#include "core/error.hpp"
 #include "core/gl/loop_writer.hpp"
 #include "core/gl/program.hpp"
-#include "core/output_file.hpp"
 #include "core/render/moment_passes.hpp"
 #include "core/render/shader_lighting.hpp"
 #include "core/render/state_passes.hpp"
+#include "core/support/error.hpp"
+#include "core/support/output_file.hpp"
 #include "core/techniques/moment_kernel.hpp"
 
 namespace {

@@ -8,7 +8,7 @@ namespace momentscope::ui {
 
 namespace {
 
-constexpr std::size_t BLOCK = 6;  // configurations that take turns in a round, as in core/chart/chart_run.cpp
+constexpr std::size_t BLOCK = 6;  // configurations that take turns in a round, as in core/bench/chart_run.cpp
 
 using Clock = std::chrono::steady_clock;
 

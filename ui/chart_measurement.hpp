@@ -6,9 +6,9 @@
 #include <memory>
 #include <vector>
 
+#include "core/bench/held_out.hpp"
+#include "core/bench/measure.hpp"
 #include "core/chart/advice.hpp"
-#include "core/chart/held_out.hpp"
-#include "core/chart/measure.hpp"
 #include "core/scene/scene_content.hpp"
 
 namespace momentscope::ui {

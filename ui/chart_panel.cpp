@@ -6,14 +6,14 @@
 #include <array>
 #include <cmath>
 
+#include "core/bench/chart_run.hpp"
 #include "core/chart/chart_csv.hpp"
-#include "core/chart/chart_drawing.hpp"
-#include "core/chart/chart_html.hpp"
-#include "core/chart/chart_run.hpp"
 #include "core/chart/family.hpp"
 #include "core/chart/grid.hpp"
-#include "core/error.hpp"
-#include "core/output_file.hpp"
+#include "core/report/chart_drawing.hpp"
+#include "core/report/chart_html.hpp"
+#include "core/support/error.hpp"
+#include "core/support/output_file.hpp"
 #include "ui/drawing_painter.hpp"
 
 namespace momentscope::ui {

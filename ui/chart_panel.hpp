@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/chart/drawing.hpp"
+#include "core/report/drawing.hpp"
 #include "ui/chart_measurement.hpp"
 #include "ui/state.hpp"
 #include "ui/ui.hpp"

@@ -1,7 +1,7 @@
 // chart_panel_advice.cpp -- the bounds on error and bits, and the techniques that meet them.
 #include <fmt/format.h>
 
-#include "core/chart/advice_text.hpp"
+#include "core/report/advice_text.hpp"
 #include "ui/chart_panel.hpp"
 
 namespace momentscope::ui {

@@ -7,7 +7,7 @@
 
 #include "core/compare/difference.hpp"
 #include "core/gl/handle.hpp"
-#include "ui/background_work.hpp"
+#include "core/support/background_work.hpp"
 #include "ui/state.hpp"
 
 namespace momentscope::ui {

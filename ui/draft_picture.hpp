@@ -3,7 +3,7 @@
 #include <future>
 #include <memory>
 
-#include "core/render/light_view.hpp"
+#include "core/render/view_from_light.hpp"
 
 namespace momentscope::ui {
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <imgui.h>
 
-#include "core/chart/drawing.hpp"
+#include "core/report/drawing.hpp"
 
 namespace momentscope::ui {
 

@@ -7,9 +7,9 @@
 #include <chrono>
 #include <utility>
 
-#include "core/error.hpp"
 #include "core/scene/camera.hpp"
 #include "core/scene/scenes.hpp"
+#include "core/support/error.hpp"
 
 namespace momentscope::ui {
 

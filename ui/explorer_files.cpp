@@ -1,11 +1,11 @@
 // explorer_files.cpp -- files that the window opens and saves.
 #include <fmt/format.h>
 
-#include "core/error.hpp"
-#include "core/inspect/curve_output.hpp"
-#include "core/json_text.hpp"
-#include "core/output_file.hpp"
 #include "core/ray/ray_json.hpp"
+#include "core/report/curve_output.hpp"
+#include "core/support/error.hpp"
+#include "core/support/json_text.hpp"
+#include "core/support/output_file.hpp"
 #include "ui/explorer.hpp"
 #include "ui/session.hpp"
 

@@ -1,7 +1,7 @@
 // explorer_tuning.cpp -- the button that searches for the best parameters in the background.
 #include <fmt/format.h>
 
-#include "core/error.hpp"
+#include "core/support/error.hpp"
 #include "core/techniques/moment_kernel.hpp"
 #include "ui/explorer.hpp"
 

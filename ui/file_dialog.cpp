@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "core/error.hpp"
-#include "core/output_file.hpp"
+#include "core/support/error.hpp"
+#include "core/support/output_file.hpp"
 #include "ui/shortcut.hpp"
 
 namespace momentscope::ui {

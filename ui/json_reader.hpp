@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
+#include "core/support/error.hpp"
 
 namespace momentscope::ui {
 

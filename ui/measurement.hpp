@@ -7,10 +7,11 @@
 #include "core/inspect/canonical.hpp"
 #include "core/inspect/curve.hpp"
 #include "core/inspect/error_breakdown.hpp"
+#include "core/inspect/pixel_capture.hpp"
 #include "core/inspect/pixel_history.hpp"
 #include "core/inspect/sharp_bounds.hpp"
 #include "core/inspect/steps.hpp"
-#include "core/render/light_view.hpp"
+#include "core/shadow/light_view.hpp"
 #include "ui/state.hpp"
 
 namespace momentscope::ui {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
+#include "core/support/error.hpp"
 
 namespace momentscope::ui {
 

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
 #include "core/image/image.hpp"
 #include "core/inspect/pixel_color.hpp"
-#include "core/json_text.hpp"
 #include "core/ray/random_ray.hpp"
 #include "core/ray/ray_json.hpp"
 #include "core/ray/ray_presets.hpp"
+#include "core/support/error.hpp"
+#include "core/support/json_text.hpp"
 #include "ui/plot_axes.hpp"
 
 namespace momentscope::ui {

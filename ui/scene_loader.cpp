@@ -5,9 +5,9 @@
 #include <cassert>
 #include <utility>
 
-#include "core/memory.hpp"
 #include "core/render/scene_size.hpp"
 #include "core/scene/scenes.hpp"
+#include "core/support/memory.hpp"
 
 namespace momentscope::ui {
 

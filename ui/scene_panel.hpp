@@ -2,6 +2,7 @@
 #pragma once
 #include <string>
 
+#include "core/render/failure_marks.hpp"
 #include "ui/comparison.hpp"
 #include "ui/measurement.hpp"
 #include "ui/pixel_lens.hpp"

@@ -4,9 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/bounded_json.hpp"
-#include "core/error.hpp"
 #include "core/ray/ray_json.hpp"
+#include "core/support/bounded_json.hpp"
+#include "core/support/error.hpp"
 #include "ui/json_reader.hpp"
 #include "ui/lessons.hpp"
 #include "ui/series.hpp"

@@ -3,12 +3,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/error.hpp"
-#include "core/input_file.hpp"
-#include "core/json_text.hpp"
-#include "core/output_file.hpp"
-#include "core/plain_text.hpp"
 #include "core/scene/scenes.hpp"
+#include "core/support/error.hpp"
+#include "core/support/input_file.hpp"
+#include "core/support/json_text.hpp"
+#include "core/support/output_file.hpp"
+#include "core/support/plain_text.hpp"
 
 namespace momentscope::ui {
 

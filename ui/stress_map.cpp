@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/stress/stress_report.hpp"
+#include "core/report/stress_report.hpp"
 
 namespace momentscope::ui {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/stress/stress_report.hpp"
+#include "core/report/stress_report.hpp"
 #include "ui/ray_editor.hpp"
 #include "ui/stress_map.hpp"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/stress/stress.hpp"
-#include "ui/background_work.hpp"
+#include "core/support/background_work.hpp"
 #include "ui/state.hpp"
 #include "ui/ui.hpp"
 

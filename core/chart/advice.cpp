@@ -8,7 +8,7 @@
 #include <limits>
 #include <tuple>
 
-#include "core/error.hpp"
+#include "core/support/error.hpp"
 
 namespace momentscope {
 

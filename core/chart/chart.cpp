@@ -8,8 +8,8 @@
 
 #include "core/chart/chart_csv.hpp"
 #include "core/chart/pareto.hpp"
-#include "core/markup.hpp"
-#include "core/plain_text.hpp"
+#include "core/support/markup.hpp"
+#include "core/support/plain_text.hpp"
 
 namespace momentscope {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "core/error.hpp"
-#include "core/markup.hpp"
-#include "core/parse_number.hpp"
+#include "core/support/error.hpp"
+#include "core/support/markup.hpp"
+#include "core/support/parse_number.hpp"
 
 namespace momentscope {
 

@@ -3,7 +3,7 @@
 #include <glm/glm.hpp>
 #include <span>
 
-#include "core/chart/drawing.hpp"
+#include "core/report/drawing.hpp"
 #include "core/techniques/technique.hpp"
 
 namespace momentscope {

@@ -9,7 +9,7 @@
 
 #include "core/compare/color_spaces.hpp"
 #include "core/compare/flip.hpp"
-#include "core/error.hpp"
+#include "core/support/error.hpp"
 
 namespace momentscope {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/compare/difference.hpp"
-#include "core/parameters.hpp"
+#include "core/parameters/parameters.hpp"
 #include "core/ray/view_ray.hpp"
 #include "core/techniques/technique.hpp"
 

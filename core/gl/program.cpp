@@ -6,10 +6,10 @@
 #include <iterator>
 #include <sstream>
 
-#include "core/error.hpp"
 #include "core/gl/loop_writer.hpp"
 #include "core/gl/shader_namespace.hpp"
 #include "core/gl/shader_sources.hpp"
+#include "core/support/error.hpp"
 
 namespace momentscope {
 

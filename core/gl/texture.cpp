@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "core/error.hpp"
+#include "core/support/error.hpp"
 
 namespace momentscope {
 

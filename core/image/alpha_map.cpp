@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <system_error>
 
-#include "core/error.hpp"
 #include "core/image/picture_file.hpp"
+#include "core/support/error.hpp"
 
 namespace momentscope {
 

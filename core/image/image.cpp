@@ -8,11 +8,11 @@
 #include <optional>
 #include <string_view>
 
-#include "core/error.hpp"
 #include "core/image/picture_file.hpp"
 #include "core/image/picture_module.hpp"
-#include "core/output_file.hpp"
-#include "core/reachable.hpp"
+#include "core/support/error.hpp"
+#include "core/support/output_file.hpp"
+#include "core/support/reachable.hpp"
 
 namespace momentscope {
 

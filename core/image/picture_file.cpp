@@ -7,10 +7,10 @@
 #include <system_error>
 #include <utility>
 
-#include "core/error.hpp"
 #include "core/image/picture_module.hpp"
-#include "core/memory.hpp"
-#include "core/reachable.hpp"
+#include "core/support/error.hpp"
+#include "core/support/memory.hpp"
+#include "core/support/reachable.hpp"
 
 namespace momentscope {
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "core/caught_stderr.hpp"
+#include "core/support/caught_stderr.hpp"
 #include "pictures/picture_codec.hpp"
 
 namespace momentscope {

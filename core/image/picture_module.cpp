@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "core/error.hpp"
+#include "core/support/error.hpp"
 
 namespace momentscope {
 

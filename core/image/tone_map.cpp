@@ -1,6 +1,6 @@
 #include "core/image/tone_map.hpp"
 
-#include "core/glsl.hpp"
+#include "core/support/glsl.hpp"
 
 namespace momentscope {
 

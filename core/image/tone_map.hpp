@@ -1,6 +1,6 @@
 // tone_map.hpp -- the tone map from linear colours to those of a screen.
 #pragma once
-#include "core/parameter_choices.hpp"
+#include "core/parameters/parameter_choices.hpp"
 
 namespace momentscope {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
 #include "core/inspect/curve.hpp"
+#include "core/support/error.hpp"
 
 namespace momentscope {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
-#include "core/glsl.hpp"
 #include "core/scene/camera.hpp"
+#include "core/support/glsl.hpp"
 
 namespace momentscope {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/bounded_json.hpp"
-#include "core/error.hpp"
-#include "core/input_file.hpp"
+#include "core/support/bounded_json.hpp"
+#include "core/support/error.hpp"
+#include "core/support/input_file.hpp"
 
 namespace momentscope {
 

@@ -1,6 +1,6 @@
 // submission_order.hpp -- the order in which objects, triangles or the fragments of a ray are submitted.
 #pragma once
-#include "core/parameters.hpp"
+#include "core/parameters/parameters.hpp"
 #include "core/ray/random_ray.hpp"
 
 namespace momentscope {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/glsl.hpp"
+#include "core/support/glsl.hpp"
 
 namespace momentscope {
 

@@ -1,28 +1,27 @@
-// deep_shadow_map.cpp -- the map of the light with all fragments of every texel: the ground truth of shadows.
+#include "core/render/deep_shadow_map.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
 #include "core/gl/texture.hpp"
-#include "core/render/shadow_maps.hpp"
+#include "core/support/error.hpp"
 
 namespace momentscope {
 
-// Makes a list of the steps of T for each texel. The CPU sorts them; this is a ground truth and not fast.
-void ShadowMaps::draw_deep(const SceneBuffers& scene) {
-    const int size = settings_->size;
+DeepShadowMap make_deep_shadow_map(CasterTexels& texels, const SceneBuffers& scene, GLuint frame_block,
+                                   int size) {
     std::vector<glm::uvec2> lists(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
     std::vector<glm::vec2> steps;
     GLint64 most_bytes = 0;
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most_bytes);
     for (int y = 0, rows = size; y < size; y += rows) {
         rows = std::min(rows, size - y);
-        auto nodes = capture_texels(scene, {0, y}, {size, rows});
+        auto nodes = texels.capture(scene, frame_block, {0, y}, {size, rows});
         while (!nodes && rows > 1) {
             rows = (rows + 1) / 2;
-            nodes = capture_texels(scene, {0, y}, {size, rows});
+            nodes = texels.capture(scene, frame_block, {0, y}, {size, rows});
         }
         if (!nodes ||
             (steps.size() + nodes->size()) * sizeof(glm::vec2) > static_cast<std::size_t>(most_bytes))
@@ -47,14 +46,16 @@ void ShadowMaps::draw_deep(const SceneBuffers& scene) {
             ++lists[at].y;
         }
     }
-    deep_.lists = make_texture(GL_RG32UI, glm::ivec2(size));
-    glTextureSubImage2D(deep_.lists, 0, 0, 0, size, size, GL_RG_INTEGER, GL_UNSIGNED_INT, lists.data());
+    DeepShadowMap map;
+    map.lists = make_texture(GL_RG32UI, glm::ivec2(size));
+    glTextureSubImage2D(map.lists, 0, 0, 0, size, size, GL_RG_INTEGER, GL_UNSIGNED_INT, lists.data());
     GLuint name = 0;
     glCreateBuffers(1, &name);
-    deep_.steps = GlBuffer(name);
+    map.steps = GlBuffer(name);
     if (steps.empty()) steps.emplace_back(0.0f, 1.0f);  // GL does not accept empty storage
-    glNamedBufferStorage(deep_.steps, static_cast<GLsizeiptr>(steps.size() * sizeof(glm::vec2)), steps.data(),
+    glNamedBufferStorage(map.steps, static_cast<GLsizeiptr>(steps.size() * sizeof(glm::vec2)), steps.data(),
                          0);
+    return map;
 }
 
 }  // namespace momentscope

@@ -1,6 +1,6 @@
 #include "core/render/low_footprint.hpp"
 
-#include "core/glsl.hpp"
+#include "core/support/glsl.hpp"
 
 namespace momentscope {
 

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "core/error.hpp"
 #include "core/gl/texture.hpp"
 #include "core/render/geometry_pass.hpp"
+#include "core/support/error.hpp"
 #include "core/techniques/moment_kernel.hpp"
 #include "core/techniques/quantisation_glsl.hpp"
 

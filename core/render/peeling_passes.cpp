@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "core/error.hpp"
 #include "core/gl/texture.hpp"
+#include "core/support/error.hpp"
 
 namespace momentscope {
 

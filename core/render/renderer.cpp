@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
+#include <glm/gtc/matrix_transform.hpp>
 
-#include "core/error.hpp"
 #include "core/gl/texture.hpp"
 #include "core/render/geometry_pass.hpp"
 #include "core/render/uniform_blocks.hpp"
 #include "core/scene/camera.hpp"
+#include "core/support/error.hpp"
 
 namespace momentscope {
 
@@ -93,10 +94,9 @@ void Renderer::resize(glm::ivec2 size) {
         throw Error(fmt::format("A picture of {}x{} pixels cannot be drawn; give a size from 1x1 to {}x{}.",
                                 size.x, size.y, MAX_PICTURE_SIDE, MAX_PICTURE_SIDE));
     transparency_.reset();
-    pixel_list_.reset();
-    failure_counts_ = {};
-    probe_ = {};
-    probed_ = false;
+    capture_.reset();
+    failures_.reset();
+    probe_.reset();
     opaque_color_ = make_texture(GL_RGBA16F, size);
     depth_ = make_texture(GL_DEPTH_COMPONENT32F, size);
     picture_ = make_texture(GL_RGBA32F, size);
@@ -104,7 +104,7 @@ void Renderer::resize(glm::ivec2 size) {
     opaque_target_ = make_framebuffer({opaque_color_}, depth_);
     picture_target_ = make_framebuffer({picture_}, 0);
     display_target_ = make_framebuffer({display_color_}, 0);
-    pixel_list_ = std::make_unique<FragmentList>(size, PIXEL_LIST_CAPACITY, depth_);
+    capture_ = std::make_unique<FragmentCapture>(size, depth_);
     check_gl(fmt::format("making textures of {}x{} pixels", size.x, size.y));
 }
 
@@ -176,7 +176,7 @@ void Renderer::redraw() {
 }
 
 void Renderer::run_from(Stage stage) {
-    probed_ = false;
+    probe_.reset();
     glViewport(0, 0, view_.size.x, view_.size.y);
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
@@ -228,37 +228,48 @@ Image Renderer::read_region(glm::ivec2 corner, glm::ivec2 extent) const {
     return image;
 }
 
+DrawnPicture Renderer::drawn() const {
+    assert(transparency_ != nullptr && "there is no picture");
+    return {view_, pass_input(), *transparency_, warp_, frame_block_, shadow_maps()};
+}
+
+PixelCapture Renderer::capture_pixel(glm::ivec2 pixel) {
+    return capture_region(pixel, {1, 1}).front();
+}
+
+std::vector<PixelCapture> Renderer::capture_region(glm::ivec2 corner, glm::ivec2 extent) {
+    return capture_->region(drawn(), corner, extent);
+}
+
+std::vector<float> Renderer::fragment_lights(glm::ivec2 pixel) {
+    return capture_->lights(drawn(), pixel);
+}
+
+std::optional<LitSurface> Renderer::lit_surface(glm::ivec2 pixel) {
+    if (probe_ == nullptr) probe_ = std::make_unique<LightProbe>(drawn(), depth_);
+    return probe_->surface(pixel);
+}
+
+glm::vec3 Renderer::world_place(glm::ivec2 pixel, float view_depth) const {
+    const glm::vec2 size(view_.size);
+    const glm::mat4 projection = projection_matrix(view_.camera, size.x / size.y);
+    const glm::vec2 place((static_cast<float>(pixel.x) + 0.5f) / size.x * 2 - 1,
+                          1 - (static_cast<float>(pixel.y) + 0.5f) / size.y * 2);
+    const glm::dvec4 eye(place.x * view_depth / projection[0][0], place.y * view_depth / projection[1][1],
+                         -view_depth, 1);
+    return {glm::inverse(glm::dmat4(view_matrix(view_.camera))) * eye};
+}
+
+ShadowFilterSamples Renderer::capture_light(glm::ivec2 pixel, float view_depth) {
+    assert(lit() && "the picture has no shadows");
+    const ShadowMapPosition place =
+        light_place(shadow_maps_->frame(), shadow_maps_->settings().size, world_place(pixel, view_depth));
+    return shadow_maps_->capture(*buffers_, place);
+}
+
 std::optional<FailureCounts> Renderer::draw_failures() {
-    if (failure_counts_ == 0) {
-        failure_counts_ = make_texture(GL_RG16F, view_.size);
-        failure_color_ = make_texture(GL_RGBA8, view_.size);
-        failure_target_ = make_framebuffer({failure_counts_}, depth_);
-        failure_color_target_ = make_framebuffer({failure_color_}, 0);
-    }
-    const float zero[4] = {0, 0, 0, 0};
-    glClearNamedFramebufferfv(failure_target_, GL_COLOR, 0, zero);
-    glViewport(0, 0, view_.size.x, view_.size.y);
-    glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_block_);
-    glBindFramebuffer(GL_FRAMEBUFFER, failure_target_);
-    if (!transparency_->draw_failures(pass_input())) return std::nullopt;
-    glBindFramebuffer(GL_FRAMEBUFFER, failure_color_target_);
-    glUseProgram(programs_->get("passes/fullscreen.vert", "passes/failure_colors.frag"));
-    glBindTextureUnit(0, failure_counts_);
-    draw_fullscreen();
-    leave_nothing_bound();
-    std::vector<glm::vec2> counts(static_cast<std::size_t>(view_.size.x) *
-                                  static_cast<std::size_t>(view_.size.y));
-    glGetTextureImage(failure_counts_, 0, GL_RG, GL_FLOAT,
-                      static_cast<GLsizei>(counts.size() * sizeof(glm::vec2)), counts.data());
-    check_gl("marking failed reconstructions");
-    FailureCounts total;
-    for (const glm::vec2& count : counts) {
-        if (count.x > 0.5f)
-            ++total.failed;
-        else if (count.y > 0.5f)
-            ++total.clamped;
-    }
-    return total;
+    if (failures_ == nullptr) failures_ = std::make_unique<FailureMarks>(view_.size, depth_);
+    return failures_->draw(drawn());
 }
 
 }  // namespace momentscope

@@ -6,8 +6,10 @@
 #include <string>
 
 #include "core/image/image.hpp"
-#include "core/ray/view_ray.hpp"
-#include "core/render/fragment_list.hpp"
+#include "core/inspect/pixel_capture.hpp"
+#include "core/render/failure_marks.hpp"
+#include "core/render/fragment_capture.hpp"
+#include "core/render/light_probe.hpp"
 #include "core/render/pass_timing.hpp"
 #include "core/render/shadow_maps.hpp"
 #include "core/render/view.hpp"
@@ -22,21 +24,6 @@ struct PassCounts {
 /// Milliseconds that each stage took when it last ran; 0 if it never ran.
 struct PassTimes {
     double opaque = 0, moments = 0, color = 0, composite = 0;
-};
-
-/// How many pixels cannot be trusted (failures.frag). failed, robust solver: pixels whose matrix of moments
-/// had a pivot below the floor, or with a NaN. failed, textbook solver: pixels with a NaN, or with a sum
-/// outside [0, 1] by more than 1e-4. clamped, robust solver: other pixels with such a sum.
-struct FailureCounts {
-    long failed = 0, clamped = 0;
-};
-
-/// A pixel as the GL computed it. `transmittance` is parallel to ray.fragments.
-struct PixelCapture {
-    ViewRay ray;
-    std::vector<float> transmittance;    // T from the second pass; empty if the technique computes none
-    std::optional<MomentVector> stored;  // moments of the first pass, as shaders read them; nullopt: none
-    glm::vec3 behind{0.2f};              // linear RGB of the opaque surface behind; grey without a scene
 };
 
 /// Draws pictures into its own textures. Needs a current OpenGL 4.5 context during its whole life. Pixels
@@ -84,11 +71,6 @@ public:
 
     /// The depth of the opaque surface in a pixel, and how this surface is lit; nullopt if the pixel shows no
     /// opaque surface. The picture must have shadows.
-    struct LitSurface {
-        float view_depth = 0;
-        float shadowed = 0;       // share of the filter region with an opaque caster in front
-        float transmittance = 1;  // of the transparent casters in front
-    };
     std::optional<LitSurface> lit_surface(glm::ivec2 pixel);
 
     /// The share of the light that reaches each transparent fragment of a pixel, as the GL computes it.
@@ -109,8 +91,8 @@ public:
     /// failure_texture(). nullopt, and nothing is drawn, if the technique reconstructs nothing.
     std::optional<FailureCounts> draw_failures();
 
-    /// sRGB with alpha, to be drawn over display_texture(). Valid after draw_failures().
-    GLuint failure_texture() const { return failure_color_; }
+    /// sRGB with alpha, to be drawn over display_texture(). Call it only after draw_failures().
+    GLuint failure_texture() const { return failures_->texture(); }
 
     const std::shared_ptr<ProgramCache>& programs() const { return programs_; }
     OrderedAccess ordered_access() const { return access_; }
@@ -126,13 +108,7 @@ private:
     PassInput pass_input() const;
     bool lit() const;
     void update_shadows(const View& view);
-    void draw_probe();
-    GLuint capture_program(bool& has_transmittance);
-    std::vector<PixelCapture> sort_captures(std::vector<FragmentNode> nodes, glm::ivec2 lower_left,
-                                            glm::ivec2 extent, bool has_transmittance) const;
-
-    void add_shares(std::vector<PixelCapture>& captures, const Transparency::LowTarget& low,
-                    glm::ivec2 lower_left, glm::ivec2 extent);
+    DrawnPicture drawn() const;
 
     template <typename Draw>
     void timed(double& milliseconds, const Draw& draw);
@@ -155,16 +131,12 @@ private:
     std::shared_ptr<ProgramCache> programs_;
     std::unique_ptr<Transparency> transparency_;
     const Technique* transparency_of_ = nullptr;
-    std::unique_ptr<FragmentList> pixel_list_;
+    std::unique_ptr<FragmentCapture> capture_;
 
     GlQuery timer_;
     std::unique_ptr<ShadowMaps> shadow_maps_;  // made at first use
-    GlTexture probe_;                          // target of light_probe.frag; made at first use
-    GlFramebuffer probe_target_;
-    bool probed_ = false;  // does probe_ belong to the last picture?
-
-    GlTexture failure_counts_, failure_color_;  // made at first use
-    GlFramebuffer failure_target_, failure_color_target_;
+    std::unique_ptr<LightProbe> probe_;        // of the last picture; made at first use
+    std::unique_ptr<FailureMarks> failures_;   // made at first use
 };
 
 }  // namespace momentscope

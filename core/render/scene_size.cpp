@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/error.hpp"
-#include "core/memory.hpp"
 #include "core/render/uniform_blocks.hpp"
+#include "core/support/error.hpp"
+#include "core/support/memory.hpp"
 
 namespace momentscope {
 

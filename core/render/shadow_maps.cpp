@@ -4,11 +4,11 @@
 
 #include <utility>
 
-#include "core/error.hpp"
 #include "core/gl/texture.hpp"
 #include "core/render/geometry_pass.hpp"
 #include "core/render/uniform_blocks.hpp"
 #include "core/shadow/shadow_filter.hpp"
+#include "core/support/error.hpp"
 
 namespace momentscope {
 
@@ -122,13 +122,10 @@ void ShadowMaps::update(const SceneBuffers& scene, const Sphere& casters, const 
 
 void ShadowMaps::make_depths() {
     const glm::ivec2 size(settings_->size);
-    const float far = 1;
-    list_.reset();
     nearest_ = make_texture(GL_R32F, size);
     nearest_depth_ = make_texture(GL_DEPTH_COMPONENT32F, size);
     nearest_target_ = make_framebuffer({nearest_}, nearest_depth_);
-    no_depth_ = make_texture(GL_DEPTH_COMPONENT32F, size);
-    glClearTexImage(no_depth_, 0, GL_DEPTH_COMPONENT, GL_FLOAT, &far);
+    texels_ = std::make_unique<CasterTexels>(settings_->size, programs_);
     check_gl(fmt::format("making shadow maps of {}x{} texels", size.x, size.y));
 }
 
@@ -202,7 +199,10 @@ void ShadowMaps::draw_opaque(const SceneBuffers& scene) {
 
 void ShadowMaps::draw_sums(const SceneBuffers& scene) {
     if (!settings_->casters) return;
-    if (settings_->deep()) return draw_deep(scene);
+    if (settings_->deep()) {
+        deep_ = make_deep_shadow_map(*texels_, scene, frame_block_, settings_->size);
+        return;
+    }
     const int layers = caster_layers(*settings_);
     ShaderVariant variant;
     add_lighting(variant, lighting_);
@@ -256,6 +256,11 @@ void ShadowMaps::bind(const glm::mat4& eye_view) const {
     } else if (settings_->casters) {
         glBindTextureUnit(TRANSPARENT_UNIT, filtered_);
     }
+}
+
+ShadowFilterSamples ShadowMaps::capture(const SceneBuffers& scene, const ShadowMapPosition& place) {
+    const ShadowMapTextures maps = {nearest_, opaque_filtered_, filtered_, filtered_targets_.size()};
+    return capture_filter_region(*texels_, scene, frame_block_, maps, frame_, *settings_, place);
 }
 
 }  // namespace momentscope

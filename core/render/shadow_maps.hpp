@@ -5,11 +5,10 @@
 #include <vector>
 
 #include "core/gl/program.hpp"
-#include "core/render/fragment_list.hpp"
+#include "core/render/deep_shadow_map.hpp"
 #include "core/render/pass_timing.hpp"
 #include "core/render/shader_lighting.hpp"
-#include "core/shadow/light_camera.hpp"
-#include "core/shadow/light_ray.hpp"
+#include "core/render/shadow_capture.hpp"
 
 namespace momentscope {
 
@@ -45,25 +44,14 @@ public:
     ShadowFilterSamples capture(const SceneBuffers& scene, const ShadowMapPosition& place);
 
 private:
-    struct DeepMap {
-        GlTexture lists;  // of each texel: index of its first step, number of steps
-        GlBuffer steps;   // depth and T behind it
-    };
-
     void make_depths();
     void make_opaque();
     void make_sums();
     void draw_opaque(const SceneBuffers& scene);
     void draw_sums(const SceneBuffers& scene);
-    void draw_deep(const SceneBuffers& scene);
     void filter_opaque();
     void filter_sums();
     void write_blocks(const glm::mat4& eye_view) const;
-    std::optional<std::vector<FragmentNode>> capture_texels(const SceneBuffers& scene, glm::ivec2 corner,
-                                                            glm::ivec2 extent);
-    void capture_region(const SceneBuffers& scene, ShadowFilterSamples& bundle);
-    void read_filtered(ShadowFilterSamples& bundle) const;
-
     template <typename Draw>
     void run(ShadowStage& stage, const Draw& draw);
 
@@ -79,11 +67,10 @@ private:
     GlTexture nearest_, nearest_depth_;           // depths of opaque casters; their depth buffer
     GlTexture opaque_filtered_, opaque_halfway_;  // halfway: filtered in one direction only
     GlTexture sums_, filtered_, halfway_;         // of transparent casters, in layers of four numbers
-    GlTexture no_depth_;                          // far everywhere, so every fragment passes
     GlFramebuffer nearest_target_, opaque_target_, opaque_halfway_target_, sums_target_, halfway_target_;
     std::vector<GlFramebuffer> filtered_targets_;  // one per layer
-    std::unique_ptr<FragmentList> list_;
-    DeepMap deep_;
+    std::unique_ptr<CasterTexels> texels_;
+    DeepShadowMap deep_;
 };
 
 }  // namespace momentscope

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/error.hpp"
+#include "core/support/error.hpp"
 
 namespace momentscope {
 

@@ -4,9 +4,9 @@
 
 #include <bit>
 
-#include "core/error.hpp"
 #include "core/gl/texture.hpp"
 #include "core/render/geometry_pass.hpp"
+#include "core/support/error.hpp"
 #include "core/techniques/quantisation_glsl.hpp"
 
 namespace momentscope {

@@ -3,7 +3,7 @@
 #include <glm/glm.hpp>
 
 #include "core/image/tone_map.hpp"
-#include "core/parameters.hpp"
+#include "core/parameters/parameters.hpp"
 #include "core/scene/scene.hpp"
 #include "core/techniques/technique.hpp"
 

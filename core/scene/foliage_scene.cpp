@@ -6,12 +6,12 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <utility>
 
-#include "core/error.hpp"
 #include "core/ray/random_ray.hpp"
 #include "core/scene/billboards.hpp"
 #include "core/scene/builtin_scenes.hpp"
 #include "core/scene/shapes.hpp"
 #include "core/scene/surfaces.hpp"
+#include "core/support/error.hpp"
 
 namespace momentscope {
 namespace {

@@ -1,9 +1,9 @@
 // gltf_file.cpp -- reads the JSON of a glTF file: extensions, accessors of positions, and nodes in double.
 #include "core/scene/gltf_file.hpp"
 
-#include "core/bounded_json.hpp"
 #include "core/scene/mesh_error.hpp"
 #include "core/scene/mesh_file.hpp"
+#include "core/support/bounded_json.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

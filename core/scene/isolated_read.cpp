@@ -6,9 +6,9 @@
 // byte order and padding need no care.
 #include "core/scene/isolated_read.hpp"
 
-#include "core/error.hpp"
-#include "core/memory.hpp"
 #include "core/scene/mesh_file.hpp"
+#include "core/support/error.hpp"
+#include "core/support/memory.hpp"
 
 #include <fcntl.h>
 #include <poll.h>

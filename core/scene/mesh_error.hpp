@@ -1,6 +1,6 @@
 // mesh_error.hpp -- the form of all errors and warnings about mesh files.
 #pragma once
-#include "core/error.hpp"
+#include "core/support/error.hpp"
 
 #include <filesystem>
 #include <string>

@@ -1,8 +1,6 @@
 // mesh_file.cpp -- makes one mesh of what Assimp reads, and a sentence of everything odd in a file.
 #include "core/scene/mesh_file.hpp"
 
-#include "core/memory.hpp"
-#include "core/plain_text.hpp"
 #include "core/scene/folder_files.hpp"
 #include "core/scene/gltf_file.hpp"
 #include "core/scene/isolated_read.hpp"
@@ -10,6 +8,8 @@
 #include "core/scene/mesh_graph.hpp"
 #include "core/scene/obj_text.hpp"
 #include "core/scene/text_encoding.hpp"
+#include "core/support/memory.hpp"
+#include "core/support/plain_text.hpp"
 
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>

@@ -1,10 +1,10 @@
 // scenes.cpp -- the registry of scenes, and scenes made from mesh files.
 #include "core/scene/scenes.hpp"
 
-#include "core/error.hpp"
-#include "core/reachable.hpp"
 #include "core/scene/builtin_scenes.hpp"
 #include "core/scene/mesh_file.hpp"
+#include "core/support/error.hpp"
+#include "core/support/reachable.hpp"
 
 #include <algorithm>
 #include <filesystem>

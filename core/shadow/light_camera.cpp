@@ -6,9 +6,9 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "core/error.hpp"
-#include "core/glsl.hpp"
 #include "core/scene/camera.hpp"
+#include "core/support/error.hpp"
+#include "core/support/glsl.hpp"
 
 namespace momentscope {
 

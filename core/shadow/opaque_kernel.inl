@@ -1,8 +1,8 @@
 // opaque_kernel.inl -- the body of an OpaqueKernel. A file that CMake generates from opaque_kernel.cpp.in
 // defines KERNEL_ID, SHADOW_FILE (a file of shaders/shared), MOMENT_COUNT and MOMENT_BITS, and includes this
 // file.
-#include "core/glsl.hpp"
 #include "core/shadow/opaque_kernel.hpp"
+#include "core/support/glsl.hpp"
 #include "core/techniques/quantisation.hpp"
 
 #include <algorithm>

@@ -6,8 +6,8 @@
 #include <array>
 #include <string>
 
-#include "core/error.hpp"
 #include "core/shadow/opaque_kernel.hpp"
+#include "core/support/error.hpp"
 
 namespace momentscope {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/error.hpp"
+#include "core/support/error.hpp"
 #include "core/techniques/moment_kernel.hpp"
 
 namespace momentscope {

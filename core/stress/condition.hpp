@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/parameters.hpp"
+#include "core/parameters/parameters.hpp"
 #include "core/ray/random_ray.hpp"
 #include "core/techniques/technique.hpp"
 

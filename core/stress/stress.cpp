@@ -1,12 +1,13 @@
 #include "core/stress/stress.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numeric>
-#include <thread>
 
 #include "core/inspect/exact.hpp"
 #include "core/stress/classify.hpp"
+#include "core/support/parallel_for.hpp"
 #include "core/techniques/moment_kernel.hpp"
 
 namespace momentscope {
@@ -162,20 +163,15 @@ std::vector<StressCell> run_stress(const StressOptions& options, std::stop_token
     for (std::size_t i = 0; i < options.techniques.size() * columns; ++i)
         if (options.shard.holds(i)) places.push_back(i);
     std::vector<StressCell> cells(places.size());
-    std::atomic<std::size_t> next = 0;
     std::atomic<std::size_t> done = 0;
-    const auto work = [&] {
-        for (std::size_t i = next++; i < cells.size() && !stop.stop_requested(); i = next++) {
+    parallel_for(
+        cells.size(),
+        [&](std::size_t i) {
             cells[i] = stress_cell(*options.techniques[places[i] / columns],
                                    *options.conditions[places[i] % columns], options, stop);
             progress(++done, cells.size());
-        }
-    };
-    {
-        std::vector<std::jthread> threads;
-        for (unsigned i = 0; i < std::max(std::thread::hardware_concurrency(), 1U); ++i)
-            threads.emplace_back(work);
-    }
+        },
+        stop);
     if (stop.stop_requested()) cells.clear();
     return cells;
 }

@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <span>
-#include <thread>
 
-#include "core/error.hpp"
 #include "core/inspect/exact.hpp"
 #include "core/stress/classify.hpp"
+#include "core/support/error.hpp"
+#include "core/support/parallel_for.hpp"
 #include "core/techniques/moment_kernel.hpp"
 
 namespace momentscope {
@@ -95,18 +94,14 @@ public:
 
     Trial measure(ParameterId id, float value, const ParameterValues& values, bool classify) {
         const ResolvedParameters parameters = resolve(values, *options_.technique);
-        const unsigned threads = std::max(std::thread::hardware_concurrency(), 1U);
-        std::vector<Sums> parts(threads);
-        std::atomic<std::size_t> next = 0;
-        {
-            std::vector<std::jthread> workers;
-            for (unsigned k = 0; k < threads; ++k)
-                workers.emplace_back([&, k] {
-                    for (std::size_t i = next++; i * RAYS < rays_.size() && !stopped(); i = next++)
-                        add_rays(std::span(rays_).subspan(i * RAYS, std::min(RAYS, rays_.size() - i * RAYS)),
-                                 *options_.technique, parameters, classify, parts[k]);
-                });
-        }
+        std::vector<Sums> parts((rays_.size() + RAYS - 1) / RAYS);
+        parallel_for(
+            parts.size(),
+            [&](std::size_t i) {
+                add_rays(std::span(rays_).subspan(i * RAYS, std::min(RAYS, rays_.size() - i * RAYS)),
+                         *options_.technique, parameters, classify, parts[i]);
+            },
+            stop_);
         Sums all;
         for (const Sums& part : parts) {
             all.squares += part.squares;

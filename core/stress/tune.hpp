@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/parameters.hpp"
+#include "core/parameters/parameters.hpp"
 #include "core/ray/random_ray.hpp"
 #include "core/techniques/technique.hpp"
 

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <unordered_set>
 
-#include "core/error.hpp"
-#include "core/input_file.hpp"
-#include "core/markup.hpp"
-#include "core/parse_number.hpp"
-#include "core/version.hpp"
+#include "core/support/error.hpp"
+#include "core/support/input_file.hpp"
+#include "core/support/markup.hpp"
+#include "core/support/parse_number.hpp"
+#include "core/support/version.hpp"
 
 namespace momentscope {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <span>
 
-#include "core/parameter_choices.hpp"
+#include "core/parameters/parameter_choices.hpp"
 
 namespace momentscope {
 

@@ -4,7 +4,7 @@
 //
 // The functions are compiled for each instruction set that makes them faster. At run time the best one that
 // the CPU has is chosen. Results are the same in every bit.
-#include "core/glsl.hpp"
+#include "core/support/glsl.hpp"
 #include "core/techniques/moment_kernel.hpp"
 #include "core/techniques/moment_techniques.hpp"
 #include "core/techniques/quantisation.hpp"

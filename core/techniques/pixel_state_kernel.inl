@@ -1,7 +1,7 @@
 // pixel_state_kernel.inl -- the body of a PixelStateKernel. A file that CMake generates from
 // pixel_state_kernel.cpp.in defines KERNEL_ID, KERNEL_SETTINGS and PIXEL_STATE_FILE (a file of
 // shaders/shared) and includes this file.
-#include "core/glsl.hpp"
+#include "core/support/glsl.hpp"
 #include "core/techniques/pixel_state_kernel.hpp"
 #include "core/techniques/pixel_state_techniques.hpp"
 #include "core/techniques/quantisation.hpp"

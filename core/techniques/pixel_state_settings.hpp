@@ -5,7 +5,7 @@
 #include <tuple>
 #include <variant>
 
-#include "core/parameter_choices.hpp"
+#include "core/parameters/parameter_choices.hpp"
 
 namespace momentscope {
 

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/parameters.hpp"
+#include "core/parameters/parameters.hpp"
 #include "core/techniques/basis.hpp"
 #include "core/techniques/pixel_state_kernel.hpp"
 

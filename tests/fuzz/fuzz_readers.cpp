@@ -9,8 +9,8 @@
 #include <fstream>
 #include <limits>
 
-#include "core/error.hpp"
-#include "core/plain_text.hpp"
+#include "core/support/error.hpp"
+#include "core/support/plain_text.hpp"
 #include "tests/fuzz/mutate.hpp"
 #include "tests/fuzz/runner.hpp"
 

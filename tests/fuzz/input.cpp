@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/error.hpp"
-#include "core/input_file.hpp"
+#include "core/support/error.hpp"
+#include "core/support/input_file.hpp"
 
 namespace momentscope::fuzz {
 

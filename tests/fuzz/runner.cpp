@@ -20,7 +20,7 @@
 #include <typeinfo>
 #include <utility>
 
-#include "core/error.hpp"
+#include "core/support/error.hpp"
 #include "tests/fuzz/library.hpp"
 #include "tests/fuzz/readers.hpp"
 

@@ -2,10 +2,10 @@
 // are linked. No file reaches these parts, and building them with sanitizers takes minutes.
 #include "core/scene/builtin_scenes.hpp"
 #include "core/shadow/shadow_settings.hpp"
+#include "core/support/version.hpp"
 #include "core/techniques/moment_kernel.hpp"
 #include "core/techniques/moment_techniques.hpp"
 #include "core/techniques/pixel_state_techniques.hpp"
-#include "core/version.hpp"
 
 namespace momentscope {
 

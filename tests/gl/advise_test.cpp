@@ -2,11 +2,11 @@
 // measured.
 #include <gtest/gtest.h>
 
+#include "core/bench/held_out.hpp"
+#include "core/bench/measure.hpp"
 #include "core/chart/advice.hpp"
-#include "core/chart/advice_text.hpp"
 #include "core/chart/grid.hpp"
-#include "core/chart/held_out.hpp"
-#include "core/chart/measure.hpp"
+#include "core/report/advice_text.hpp"
 #include "tests/gl/gl_fixture.hpp"
 
 namespace momentscope::test {

@@ -5,11 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include "core/bench/chart_run.hpp"
+#include "core/bench/held_out.hpp"
 #include "core/chart/camera_path.hpp"
 #include "core/chart/chart.hpp"
-#include "core/chart/chart_run.hpp"
 #include "core/chart/grid.hpp"
-#include "core/chart/held_out.hpp"
 #include "tests/gl/gl_fixture.hpp"
 
 namespace momentscope::test {

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "app/gl_context.hpp"
-#include "core/error.hpp"
 #include "core/render/renderer.hpp"
 #include "core/scene/camera.hpp"
 #include "core/scene/scenes.hpp"
+#include "core/support/error.hpp"
 
 namespace momentscope::test {
 

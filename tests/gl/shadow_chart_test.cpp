@@ -1,5 +1,5 @@
 // shadow_chart_test.cpp -- chart --shadows: its rows and its text.
-#include "core/chart/shadow_chart.hpp"
+#include "core/bench/shadow_chart.hpp"
 
 #include <algorithm>
 

@@ -9,7 +9,7 @@
 #include "core/compare/difference.hpp"
 #include "core/inspect/curve.hpp"
 #include "core/ray/random_ray.hpp"
-#include "core/render/light_view.hpp"
+#include "core/render/view_from_light.hpp"
 #include "core/shadow/cast_ray.hpp"
 #include "tests/effort.hpp"
 #include "tests/gl/gl_fixture.hpp"

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/inspect/curve_output.hpp"
+#include "core/report/curve_output.hpp"
 #include "core/scene/camera.hpp"
 #include "tests/effort.hpp"
 #include "tests/gui/gui_fixture.hpp"

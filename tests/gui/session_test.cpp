@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "core/error.hpp"
+#include "core/support/error.hpp"
 #include "tests/gui/folder_fixture.hpp"
 #include "ui/lessons.hpp"
 #include "ui/session.hpp"

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "core/glsl.hpp"
 #include "core/inspect/curve.hpp"
 #include "core/inspect/exact.hpp"
+#include "core/support/glsl.hpp"
 #include "tests/property/pixel_state_support.hpp"
 
 namespace momentscope::glsl::two_depths_parts {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/glsl.hpp"
+#include "core/support/glsl.hpp"
 #include "tests/property/pixel_state_support.hpp"
 
 namespace momentscope::glsl::threshold_parts {

@@ -8,11 +8,11 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "core/error.hpp"
 #include "core/inspect/steps.hpp"
 #include "core/ray/ray_json.hpp"
-#include "core/stress/stress_report.hpp"
+#include "core/report/stress_report.hpp"
 #include "core/stress/tune.hpp"
+#include "core/support/error.hpp"
 #include "core/techniques/moment_kernel.hpp"
 #include "tests/property/moment_rows.hpp"
 #include "tests/property/random_rays.hpp"

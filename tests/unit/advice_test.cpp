@@ -1,6 +1,6 @@
 // advice_test.cpp -- which row of a chart is advised for which bounds.
 #include "core/chart/advice.hpp"
-#include "core/chart/advice_text.hpp"
+#include "core/report/advice_text.hpp"
 #include "tests/unit/expect_error.hpp"
 
 #include <gtest/gtest.h>

@@ -1,13 +1,13 @@
 // chart_test.cpp -- processing of a chart's numbers: medians, the Pareto front, tables and drawings.
 #include "core/chart/chart.hpp"
 #include "core/chart/chart_csv.hpp"
-#include "core/chart/chart_drawing.hpp"
-#include "core/chart/chart_html.hpp"
 #include "core/chart/family.hpp"
 #include "core/chart/grid.hpp"
 #include "core/chart/pareto.hpp"
-#include "core/markup.hpp"
+#include "core/report/chart_drawing.hpp"
+#include "core/report/chart_html.hpp"
 #include "core/scene/scenes.hpp"
+#include "core/support/markup.hpp"
 #include "tests/unit/expect_error.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // command_line_ended_test.cpp -- Ctrl+C: every command reacts soon, says what is kept, and leaves neither a
 // process nor a half-written file.
 #include "app/progress.hpp"
-#include "core/output_file.hpp"
+#include "core/support/output_file.hpp"
 #include "tests/unit/command_line_fixture.hpp"
 
 #include <chrono>

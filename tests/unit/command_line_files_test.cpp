@@ -1,6 +1,6 @@
 // command_line_files_test.cpp -- how commands treat files: nothing is lost, and failures are reported.
 #include "app/end_by_signal.hpp"
-#include "core/output_file.hpp"
+#include "core/support/output_file.hpp"
 #include "tests/unit/command_line_fixture.hpp"
 
 #include <sys/resource.h>

@@ -1,6 +1,6 @@
 // command_line_names_test.cpp -- difficult names: too long, not UTF-8, with line breaks, commas or terminal
 // codes; folders that are closed or gone; libraries that crash.
-#include "core/plain_text.hpp"
+#include "core/support/plain_text.hpp"
 #include "tests/unit/command_line_fixture.hpp"
 
 #include <sys/resource.h>

@@ -1,6 +1,6 @@
 // curve_output_test.cpp -- curves as JSON (the form that other people's scripts depend on), as CSV and as a
 // table.
-#include "core/inspect/curve_output.hpp"
+#include "core/report/curve_output.hpp"
 
 #include <gtest/gtest.h>
 #include <cmath>

@@ -1,6 +1,6 @@
 // expect_error.hpp -- checks the form of error messages: one sentence on one line.
 #pragma once
-#include "core/error.hpp"
+#include "core/support/error.hpp"
 
 #include <gtest/gtest.h>
 #include <regex>

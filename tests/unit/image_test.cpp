@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/error.hpp"
 #include "core/image/alpha_map.hpp"
-#include "core/output_file.hpp"
+#include "core/support/error.hpp"
+#include "core/support/output_file.hpp"
 #include "tests/unit/expect_error.hpp"
 
 namespace momentscope::test {

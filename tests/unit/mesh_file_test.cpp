@@ -1,7 +1,7 @@
 // mesh_file_test.cpp -- meshes from files: what is read, and which sentence refuses the rest.
 #include "core/scene/mesh_file.hpp"
-#include "core/memory.hpp"
 #include "core/scene/isolated_read.hpp"
+#include "core/support/memory.hpp"
 #include "tests/unit/mesh_checks.hpp"
 #include "tests/unit/mesh_folder.hpp"
 

@@ -1,8 +1,8 @@
 // mesh_folder.hpp -- a temporary folder for the mesh files of a test, and checks of the visible surfaces.
 #pragma once
-#include "core/error.hpp"
 #include "core/scene/mesh_file.hpp"
 #include "core/scene/scenes.hpp"
+#include "core/support/error.hpp"
 #include "tests/unit/expect_error.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // output_file_test.cpp -- a file is written completely or stays as it was, and protected files are not
 // replaced.
-#include "core/output_file.hpp"
+#include "core/support/output_file.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // parameters_test.cpp -- values in their ranges, texts of values, and the stages that a change makes stale.
-#include "core/parameters.hpp"
+#include "core/parameters/parameters.hpp"
 #include "core/render/view.hpp"
 #include "tests/unit/expect_error.hpp"
 
@@ -48,7 +48,7 @@ TEST(ParameterValues, NameTheirChoices) {
         using enum type;                   \
         expect_named<type>({__VA_ARGS__}); \
     }
-#include "core/parameter_choices.def"
+#include "core/parameters/parameter_choices.def"
 #undef CHOICE
 #undef VALUE
     EXPECT_EQ(ParameterValues().get<Solver>(), Solver::robust);

@@ -1,8 +1,8 @@
 // plain_text_test.cpp -- text from outside in sentences, JSON, pages and tables.
-#include "core/plain_text.hpp"
-#include "core/json_text.hpp"
-#include "core/markup.hpp"
-#include "core/parse_number.hpp"
+#include "core/support/plain_text.hpp"
+#include "core/support/json_text.hpp"
+#include "core/support/markup.hpp"
+#include "core/support/parse_number.hpp"
 #include "tests/unit/expect_error.hpp"
 
 #include <gtest/gtest.h>

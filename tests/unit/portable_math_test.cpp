@@ -1,6 +1,6 @@
 // portable_math_test.cpp -- compares the shared log, exp, sincos, exact float pairs, depth warp and opacity
 // cap with long double. An ulp is an ulp of the exact result, 2^(exponent - 23).
-#include "core/glsl.hpp"
+#include "core/support/glsl.hpp"
 
 #include <gtest/gtest.h>
 #include <algorithm>

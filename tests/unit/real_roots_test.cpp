@@ -3,7 +3,7 @@
 // Errors are in units of the error that no solver with float coefficients can avoid. A relative change of all
 // coefficients by 2^-24 moves a simple root t by 2^-24 sum |e_k t^k| / |p'(t)|, and the roots of a close pair
 // by the square root of such a term.
-#include "core/glsl.hpp"
+#include "core/support/glsl.hpp"
 
 #include <gtest/gtest.h>
 #include <algorithm>

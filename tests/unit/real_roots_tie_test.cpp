@@ -1,6 +1,6 @@
 // real_roots_tie_test.cpp -- polynomials in which a tie is the root nearest to the query. A Newton step from
 // within the tie is the quotient of two rounding errors.
-#include "core/glsl.hpp"
+#include "core/support/glsl.hpp"
 
 #include <gtest/gtest.h>
 #include <algorithm>

@@ -1,10 +1,10 @@
 // registry_test.cpp -- the registries of techniques and parameters, and the constants of Table 1, typed
 // again.
-#include "core/glsl.hpp"
 #include "core/reference/exact_reconstruction.hpp"
+#include "core/report/techniques_page.hpp"
+#include "core/support/glsl.hpp"
 #include "core/techniques/moment_kernel.hpp"
 #include "core/techniques/technique.hpp"
-#include "core/techniques/techniques_page.hpp"
 #include "tests/unit/expect_error.hpp"
 
 #include <fmt/format.h>

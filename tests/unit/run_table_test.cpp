@@ -1,6 +1,6 @@
 // run_table_test.cpp -- files of runs and their shards: which are merged, and which are refused and why.
 #include "core/table/run_table.hpp"
-#include "core/output_file.hpp"
+#include "core/support/output_file.hpp"
 #include "tests/unit/expect_error.hpp"
 
 #include <fmt/format.h>

@@ -1,10 +1,10 @@
 // scene_test.cpp -- shapes, bounds and the built-in scenes; mesh_file_test.cpp covers files.
-#include "core/error.hpp"
 #include "core/scene/billboards.hpp"
 #include "core/scene/builtin_scenes.hpp"
 #include "core/scene/scenes.hpp"
 #include "core/scene/shapes.hpp"
 #include "core/scene/surfaces.hpp"
+#include "core/support/error.hpp"
 #include "tests/unit/mesh_checks.hpp"
 
 #include <gtest/gtest.h>

@@ -1,0 +1,31 @@
+#include "core/render/caster_texels.hpp"
+
+#include <utility>
+
+#include "core/gl/texture.hpp"
+
+namespace momentscope {
+
+CasterTexels::CasterTexels(int size, std::shared_ptr<ProgramCache> programs)
+    : size_(size),
+      programs_(std::move(programs)),
+      no_depth_(make_texture(GL_DEPTH_COMPONENT32F, glm::ivec2(size))) {
+    const float far = 1;
+    glClearTexImage(no_depth_, 0, GL_DEPTH_COMPONENT, GL_FLOAT, &far);
+}
+
+std::optional<std::vector<FragmentNode>> CasterTexels::capture(const SceneBuffers& scene, GLuint frame_block,
+                                                               glm::ivec2 corner, glm::ivec2 extent) {
+    constexpr std::size_t CAPACITY = 1'000'000;
+    if (list_ == nullptr) list_ = std::make_unique<FragmentList>(glm::ivec2(size_), CAPACITY, no_depth_);
+    glViewport(0, 0, size_, size_);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_block);
+    static const ResolvedParameters NONE;
+    const PassInput input = {*programs_, scene, glm::ivec2(size_), 0, no_depth_, NONE};
+    const GLuint program = programs_->get("passes/scene.vert", "passes/capture.frag");
+    const std::size_t count = list_->capture(input, program, corner, extent);
+    if (count > list_->capacity()) return std::nullopt;
+    return list_->read(count);
+}
+
+}  // namespace momentscope
