@@ -14,7 +14,7 @@
 #include "core/scene/scene_content.hpp"
 #include "core/support/error.hpp"
 #include "core/support/output_file.hpp"
-#include "ui/session.hpp"
+#include "ui/model/session.hpp"
 
 namespace momentscope {
 

@@ -12,8 +12,8 @@
 #include "core/report/chart_html.hpp"
 #include "core/support/error.hpp"
 #include "core/support/output_file.hpp"
-#include "ui/drawing_painter.hpp"
-#include "ui/theme.hpp"
+#include "ui/widgets/drawing_painter.hpp"
+#include "ui/widgets/theme.hpp"
 
 namespace momentscope {
 

@@ -13,8 +13,8 @@
 #include "core/support/json_text.hpp"
 #include "core/support/parse_number.hpp"
 #include "core/support/reachable.hpp"
-#include "ui/session.hpp"
-#include "ui/shortcut.hpp"
+#include "ui/model/session.hpp"
+#include "ui/widgets/shortcut.hpp"
 
 namespace momentscope {
 
@@ -76,7 +76,7 @@ ImVec2 EventPlayer::place(const std::vector<std::string>& words, std::size_t& ne
         next += 2;
         return at;
     }
-    const auto& widget_rects = window_.explorer().widget_rects();
+    const auto& widget_rects = window_.explorer().workspace().widget_rects;
     const auto found = widget_rects.find(first.substr(1));
     if (found == widget_rects.end())
         throw Error(fmt::format("there is no control '{}' in the window now", first));
@@ -160,7 +160,7 @@ void EventPlayer::screenshot(const std::string& path) const {
 
 void EventPlayer::expect(const std::string& pointer, const std::string& value) const {
     const nlohmann::json session =
-        nlohmann::json::parse(json_text(ui::session_to_json(window_.explorer().state())));
+        nlohmann::json::parse(json_text(ui::session_to_json(window_.explorer().workspace().state)));
     const nlohmann::json wanted = expected_value(value);
     nlohmann::json found;
     try {
@@ -241,7 +241,7 @@ void EventPlayer::play_line(const std::string& line) {
     } else if (what == "expect") {
         expect(need_word(words, 1, "a JSON pointer"), need_word(words, 2, "a value"));
     } else if (what == "expect-message") {
-        const std::string& message = window_.explorer().message();
+        const std::string& message = window_.explorer().workspace().status.message;
         if (message.find(rest) == std::string::npos) throw Error(fmt::format("the message is '{}'", message));
     } else {
         throw Error(fmt::format("there is no event '{}'; docs/events.md lists them", what));

@@ -14,7 +14,8 @@
 #include "core/support/error.hpp"
 #include "core/support/output_file.hpp"
 #include "core/support/parse_number.hpp"
-#include "ui/session.hpp"
+#include "ui/model/selection.hpp"
+#include "ui/model/session.hpp"
 
 namespace momentscope {
 
@@ -47,8 +48,8 @@ struct WindowStart {
 // --pixel refers to the scene's picture. Its size is known only after a frame.
 void pick_option(const PixelOption& pixel, ui::Explorer& explorer) {
     if (!pixel) return;
-    const glm::ivec2 size = explorer.measurement().picture_size;
-    explorer.state().picked = ui::fraction_of(pixel.within(size), size);
+    const glm::ivec2 size = explorer.workspace().measurement().picture_size;
+    explorer.workspace().state.picked = ui::fraction_of(pixel.within(size), size);
 }
 
 // A window with the explorer and the loop that draws when something has changed.
@@ -63,7 +64,7 @@ public:
                      .most_milliseconds = ui::DRAG_MILLISECONDS,
                      .before_long_picture = [this] { say_drawing(); }}),
           log_(start.log),
-          lost_display_([this] { return last_words(explorer_.state()); }) {
+          lost_display_([this] { return last_words(explorer_.workspace().state); }) {
         glfwSetWindowSizeLimits(context_->window(), 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
     }
 
@@ -89,7 +90,8 @@ private:
     void take_events() {
         if (!is_visible() || !need_.due(explorer_))
             glfwWaitEvents();
-        else if (!need_.settling() && (explorer_.is_loading_scene() || explorer_.has_background_work()))
+        else if (!need_.settling() &&
+                 (explorer_.workspace().scene.is_reading() || ui::has_background_work(explorer_.workspace())))
             glfwWaitEventsTimeout(0.05);
         else
             glfwPollEvents();
@@ -105,11 +107,12 @@ private:
         log_.frame(explorer_);
         for (const std::string& note : renderer_.programs()->take_notes()) log_.line(note);
         need_.drawn();
-        if (!picked_ && !explorer_.is_loading_scene()) {
+        if (!picked_ && !explorer_.workspace().scene.is_reading()) {
             pick_option(pixel_, explorer_);
             picked_ = true;
         }
-        if (const auto path = explorer_.take_window_export()) export_window(size, path->string());
+        if (const auto path = explorer_.workspace().files.take_window_export())
+            export_window(size, path->string());
         glfwSwapBuffers(context_->window());
     }
 
@@ -123,9 +126,9 @@ private:
     void export_window(glm::ivec2 size, const std::string& path) {
         try {
             write_png(read_framebuffer(size), size.x, size.y, path);
-            explorer_.say(fmt::format("Written to {}.", path));
+            explorer_.workspace().status.say(fmt::format("Written to {}.", path));
         } catch (const Error& error) {
-            explorer_.say(error.what());
+            explorer_.workspace().status.say(error.what());
         }
     }
 
@@ -203,9 +206,9 @@ private:
         window.settle();
         pick_option(pixel_, window.explorer());
         window.settle();
-        const std::string warning = window.explorer().warning();
+        const std::string warning = window.explorer().workspace().status.warning;
         if (!warning.empty()) warn(warning);
-        const std::string& message = window.explorer().message();
+        const std::string& message = window.explorer().workspace().status.message;
         if (!message.empty() && message != warning) throw Error(message);
         if (!events_.empty()) EventPlayer(window, files_of(files())).play_file(events_);
         if (!screenshot_.empty()) window.write_png(screenshot_);

@@ -19,7 +19,7 @@
 #include "core/support/error.hpp"
 #include "core/support/output_file.hpp"
 #include "core/support/reachable.hpp"
-#include "ui/theme.hpp"
+#include "ui/widgets/theme.hpp"
 
 namespace momentscope {
 

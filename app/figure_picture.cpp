@@ -7,9 +7,10 @@
 #include "app/gl_context.hpp"
 #include "app/image_texture.hpp"
 #include "core/image/image.hpp"
-#include "ui/measurement.hpp"
-#include "ui/plot_panel.hpp"
-#include "ui/theme.hpp"
+#include "ui/model/measurement.hpp"
+#include "ui/model/selection.hpp"
+#include "ui/plot/plot_panel.hpp"
+#include "ui/widgets/theme.hpp"
 
 namespace momentscope {
 

@@ -11,7 +11,7 @@
 
 #include "core/support/error.hpp"
 #include "core/support/output_file.hpp"
-#include "ui/session.hpp"
+#include "ui/model/session.hpp"
 
 namespace momentscope {
 
@@ -25,7 +25,7 @@ FrameLog::FrameLog(std::string path) : path_(std::move(path)) {
 void FrameLog::frame(const ui::Explorer& explorer) {
     ++frames_;
     if (path_.empty()) return;
-    const std::string computed = explorer.report().text();
+    const std::string computed = explorer.workspace().report.text();
     line(fmt::format("frame {}: {}{}", frames_, computed.empty() ? "nothing computed" : computed,
                      changes(explorer)));
 }
@@ -34,14 +34,14 @@ void FrameLog::frame(const ui::Explorer& explorer) {
 // or closed.
 std::string FrameLog::changes(const ui::Explorer& explorer) {
     std::string text;
-    if (state_ && !(*state_ == explorer.state())) {
+    if (state_ && !(*state_ == explorer.workspace().state)) {
         std::set<std::string> paths;  // an array has one path for each element
         for (const auto& step : nlohmann::ordered_json::diff(ui::session_to_json(*state_),
-                                                             ui::session_to_json(explorer.state())))
+                                                             ui::session_to_json(explorer.workspace().state)))
             paths.insert(step["path"].get<std::string>());
         text += fmt::format("; changed {}", fmt::join(paths, " "));
     }
-    state_ = explorer.state();
+    state_ = explorer.workspace().state;
     const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
     if (popup != popup_) text += popup ? "; a popup opened" : "; a popup closed";
     popup_ = popup;

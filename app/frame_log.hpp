@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "ui/explorer.hpp"
+#include "ui/window/explorer.hpp"
 
 namespace momentscope {
 

@@ -1,7 +1,7 @@
 // frame_need.hpp -- decides when the window must be drawn: after input, and while the window lags behind the
 // state.
 #pragma once
-#include "ui/explorer.hpp"
+#include "ui/window/explorer.hpp"
 
 namespace momentscope {
 
@@ -15,7 +15,9 @@ public:
 
     /// Are frames still due after the last input?
     bool settling() const { return left_ > 0; }
-    bool due(const ui::Explorer& explorer) const { return settling() || explorer.wants_frame(); }
+    bool due(const ui::Explorer& explorer) const {
+        return settling() || ui::wants_frame(explorer.workspace());
+    }
 
 private:
     int left_ = SETTLING_FRAMES;

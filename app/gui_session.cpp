@@ -8,8 +8,8 @@
 #include <imgui_impl_glfw.h>
 #include <imgui_impl_opengl3.h>
 
-#include "ui/shortcut.hpp"
-#include "ui/theme.hpp"
+#include "ui/widgets/shortcut.hpp"
+#include "ui/widgets/theme.hpp"
 
 namespace momentscope {
 

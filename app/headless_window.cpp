@@ -9,13 +9,13 @@
 
 namespace momentscope {
 
-HeadlessWindow::HeadlessWindow(glm::ivec2 size, const ui::ExplorerState& state, ui::ExplorerOptions options,
+HeadlessWindow::HeadlessWindow(glm::ivec2 size, const ui::ExplorerState& state, ui::WindowOptions options,
                                FrameLog& log)
     : HeadlessWindow(make_gl_context("osmesa", size), std::make_shared<ProgramCache>(), size, state, options,
                      log) {}
 
 HeadlessWindow::HeadlessWindow(std::shared_ptr<GlContext> context, std::shared_ptr<ProgramCache> programs,
-                               glm::ivec2 size, const ui::ExplorerState& state, ui::ExplorerOptions options,
+                               glm::ivec2 size, const ui::ExplorerState& state, ui::WindowOptions options,
                                FrameLog& log)
     : size_(size),
       most_(size),
@@ -32,12 +32,12 @@ void HeadlessWindow::draw() {
     log_.frame(explorer_);
     for (const std::string& note : renderer_.programs()->take_notes()) log_.line(note);
     need_.drawn();
-    if (const auto path = explorer_.take_window_export()) {
+    if (const auto path = explorer_.workspace().files.take_window_export()) {
         try {
             write_png(path->string());
-            explorer_.say("Written to " + path->string() + ".");
+            explorer_.workspace().status.say("Written to " + path->string() + ".");
         } catch (const Error& error) {
-            explorer_.say(error.what());
+            explorer_.workspace().status.say(error.what());
         }
     }
 }
@@ -55,7 +55,7 @@ void HeadlessWindow::settle() {
 void HeadlessWindow::idle() {
     while (need_.due(explorer_)) {
         draw();
-        if (explorer_.is_loading_scene() || explorer_.has_background_work())
+        if (explorer_.workspace().scene.is_reading() || ui::has_background_work(explorer_.workspace()))
             std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
 }

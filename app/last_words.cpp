@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "core/support/error.hpp"
-#include "ui/session.hpp"
+#include "ui/model/session.hpp"
 
 namespace momentscope {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/state.hpp"
+#include "ui/model/state.hpp"
 
 namespace momentscope {
 

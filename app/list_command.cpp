@@ -11,7 +11,7 @@
 #include "core/support/error.hpp"
 #include "core/support/json_text.hpp"
 #include "core/support/markup.hpp"
-#include "ui/commands.hpp"
+#include "ui/commands/commands.hpp"
 
 namespace momentscope {
 

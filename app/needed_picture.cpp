@@ -9,7 +9,7 @@
 #include "app/gl_context.hpp"
 #include "app/gui_session.hpp"
 #include "app/image_texture.hpp"
-#include "ui/theme.hpp"
+#include "ui/widgets/theme.hpp"
 
 namespace momentscope {
 

@@ -5,7 +5,7 @@
 #include "core/image/image.hpp"
 #include "core/report/stress_report.hpp"
 #include "core/support/error.hpp"
-#include "ui/stress_map.hpp"
+#include "ui/widgets/stress_map.hpp"
 
 namespace momentscope {
 

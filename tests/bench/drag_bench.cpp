@@ -30,7 +30,7 @@ struct Drag {
 /// resolution.
 double updates_per_second(HeadlessWindow& window, const Drag& drag, int moves) {
     constexpr int WARM_UP = 6;
-    const ui::Rect rect = window.explorer().widget_rects().at(drag.anchor);
+    const ui::Rect rect = window.explorer().workspace().widget_rects.at(drag.anchor);
     const auto at = [&](int move) {
         const float share = 0.2f + 0.6f * static_cast<float>(move) / static_cast<float>(moves + WARM_UP);
         return ImVec2(rect.low.x + share * (rect.high.x - rect.low.x), 0.5f * (rect.low.y + rect.high.y));

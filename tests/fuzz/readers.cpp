@@ -19,7 +19,7 @@
 #include "core/support/output_file.hpp"
 #include "core/table/run_table.hpp"
 #include "core/techniques/configuration.hpp"
-#include "ui/session.hpp"
+#include "ui/model/session.hpp"
 
 namespace momentscope::fuzz {
 

@@ -15,9 +15,9 @@ protected:
         state.plot_share = 0.2f;
         open(state);
     }
-    const ui::ChartPanel& panel() { return explorer().chart_panel(); }
+    const ui::TechniqueChart& panel() { return workspace().chart; }
     const std::vector<ChartRow>& rows() { return panel().measurement().rows(); }
-    bool shows(const std::string& anchor) { return explorer().widget_rects().contains(anchor); }
+    bool shows(const std::string& anchor) { return workspace().widget_rects.contains(anchor); }
 
     /// Measures every technique once, at a small size.
     void measure() {
@@ -80,12 +80,12 @@ TEST_F(ChartPanelTest, RowsOfAnotherSceneAreStale) {
     open_planes();
     measure();
     EXPECT_FALSE(shows("chart.stale"));
-    explorer().state().scene = "spheres";
+    workspace().state.scene = "spheres";
     settle();
     EXPECT_TRUE(shows("chart.stale"));
     play("click @chart.wboit");
     EXPECT_EQ(std::string(state().technique->id), "power6-32") << "a click does nothing";
-    explorer().state().scene = "planes";
+    workspace().state.scene = "planes";
     settle();
     EXPECT_FALSE(shows("chart.stale"));
 }
@@ -93,7 +93,7 @@ TEST_F(ChartPanelTest, RowsOfAnotherSceneAreStale) {
 TEST_F(ChartPanelTest, MeasuresBetweenFramesAndCanBeEnded) {
     open_planes();
     play("key Ctrl+8\nclick @chart.size\nclick @chart.size.160");
-    explorer().measure_chart();
+    ui::measure_chart(workspace());
     const std::size_t all = panel().measurement().steps();
     EXPECT_EQ(all, chart_steps(chart_grid().size(), panel().measurement().settings()));
     std::size_t before = 0;
@@ -101,11 +101,11 @@ TEST_F(ChartPanelTest, MeasuresBetweenFramesAndCanBeEnded) {
         draw();
         EXPECT_GT(panel().measurement().steps_done(), before) << "a little in every frame";
         before = panel().measurement().steps_done();
-        EXPECT_TRUE(explorer().wants_frame());
+        EXPECT_TRUE(ui::wants_frame(workspace()));
     }
     EXPECT_LT(before, all);
     EXPECT_TRUE(shows("chart.cancel"));
-    const ui::Rect rect = explorer().widget_rects().at("chart.cancel");
+    const ui::Rect rect = workspace().widget_rects.at("chart.cancel");
     ImGui::GetIO().MousePos = {0.5f * (rect.low.x + rect.high.x), 0.5f * (rect.low.y + rect.high.y)};
     draw();
     ImGui::GetIO().MouseDown[0] = true;
@@ -117,12 +117,12 @@ TEST_F(ChartPanelTest, MeasuresBetweenFramesAndCanBeEnded) {
     EXPECT_GT(kept, 0U);
     settle();
     EXPECT_EQ(rows().size(), kept) << "finished rows stay";
-    explorer().measure_chart();
+    ui::measure_chart(workspace());
     draw();
-    explorer().state().scene = "spheres";
+    workspace().state.scene = "spheres";
     settle();
     EXPECT_FALSE(panel().measuring()) << "another scene ends it";
-    EXPECT_NE(explorer().message().find("chart was stopped"), std::string::npos) << explorer().message();
+    EXPECT_NE(message().find("chart was stopped"), std::string::npos) << message();
 }
 
 TEST_F(ChartPanelTest, FilesAreThoseOfTheCommandLine) {

@@ -6,8 +6,8 @@
 #include "core/compare/difference.hpp"
 #include "core/scene/scenes.hpp"
 #include "tests/gui/gui_fixture.hpp"
-#include "ui/comparison_map.hpp"
-#include "ui/session.hpp"
+#include "ui/model/comparison_map.hpp"
+#include "ui/model/session.hpp"
 
 namespace momentscope::test {
 namespace {
@@ -24,7 +24,7 @@ protected:
         const Scene scene = load_scene(state().scene, 1);
         Renderer renderer;
         renderer.set_scene(scene);
-        renderer.render({explorer().camera(), measurement().picture_size, &require_technique(technique),
+        renderer.render({workspace().camera(), measurement().picture_size, &require_technique(technique),
                          state().parameters});
         return renderer.read_picture();
     }
@@ -34,7 +34,7 @@ protected:
 
     /// The number of pixels that differ between these fractions of the picture's width, below the labels.
     long differing(const Screen& a, const Screen& b, float from, float to) {
-        const ui::Rect rect = explorer().widget_rects().at("scene");
+        const ui::Rect rect = workspace().widget_rects.at("scene");
         const float width = rect.high.x - rect.low.x;
         long count = 0;
         for (int y = static_cast<int>(rect.low.y) + BELOW_LABELS; y < static_cast<int>(rect.high.y); ++y)
@@ -48,13 +48,13 @@ protected:
         return {screen[at], screen[at + 1], screen[at + 2]};
     }
     std::array<int, 3> color_of_pixel(const Screen& screen, glm::ivec2 pixel) {
-        const ui::Rect rect = explorer().widget_rects().at("scene");
+        const ui::Rect rect = workspace().widget_rects.at("scene");
         return color(screen, static_cast<int>(rect.low.x) + pixel.x, static_cast<int>(rect.low.y) + pixel.y);
     }
 
     /// A region in the row of labels, and whether it differs.
     bool labels_differ(const Screen& a, const Screen& b, float from, float to) {
-        const ui::Rect rect = explorer().widget_rects().at("scene");
+        const ui::Rect rect = workspace().widget_rects.at("scene");
         const float width = rect.high.x - rect.low.x;
         for (int y = static_cast<int>(rect.low.y) + 5; y < static_cast<int>(rect.low.y) + 30; ++y)
             for (int x = static_cast<int>(rect.low.x + from * width);
@@ -190,8 +190,8 @@ TEST_F(CompareTest, TheTableHasWhatCoreCompareSays) {
     const Image reference = drawn_by("sorted");
     const Image picture = window_->renderer().read_picture();
     for (const MetricRow& row : metrics()) {
-        ASSERT_TRUE(explorer().comparison().is_fresh(row.id)) << row.key;
-        const ui::MetricResult& result = *explorer().comparison().result(row.id);
+        ASSERT_TRUE(workspace().comparison.numbers().is_fresh(row.id)) << row.key;
+        const ui::MetricResult& result = *workspace().comparison.numbers().result(row.id);
         EXPECT_EQ(result.mean, mean_difference(reference, picture, row.id)) << row.key;
         EXPECT_EQ(result.worst, worst_of(result.map, picture.width)) << row.key;
         EXPECT_GT(result.mean, 0);
@@ -229,7 +229,7 @@ TEST_F(CompareTest, NumbersOfARegionAreItsMean) {
     play("key Ctrl+7");
     ui::Comparison comparison;
     comparison.set_pair({drawn_by("sorted"), window_->renderer().read_picture()});
-    const ui::MetricResult& result = *explorer().comparison().result(Metric::rmse);
+    const ui::MetricResult& result = *workspace().comparison.numbers().result(Metric::rmse);
     const PixelRegion region = {260, 300, 100, 40};
     double sum = 0;
     for (int y = 300; y < 340; ++y)
@@ -249,8 +249,7 @@ TEST_F(CompareTest, TheNextWorstPixelIsTrulyTheWorst) {
     for (int i = 1; i <= 4; ++i) {
         play("key J");
         EXPECT_EQ(measurement().pixel, worst_of(map, width, seen)) << "jump " << i;
-        EXPECT_NE(explorer().message().find(fmt::format("Worst pixel {}: RMSE", i)), std::string::npos)
-            << explorer().message();
+        EXPECT_NE(message().find(fmt::format("Worst pixel {}: RMSE", i)), std::string::npos) << message();
         EXPECT_FALSE(measurement().capture.ray.fragments.empty()) << "the plot shows its ray";
         seen.push_back(measurement().pixel);
     }
@@ -277,7 +276,7 @@ TEST_F(CompareTest, TheVerdictOnTheWorstPixelNamesItsCause) {
     state_at_first.compare.mode = ui::CompareMode::difference;
     open(state_at_first);
     play("key J\nclick @tab.2");
-    ASSERT_GT(explorer().widget_rects().count("fragments.verdict"), 0U) << "is shown";
+    ASSERT_GT(workspace().widget_rects.count("fragments.verdict"), 0U) << "is shown";
     const ErrorBreakdown biased = measurement().breakdown;
     EXPECT_GT(biased.error, 0.005);
     EXPECT_NE(biased.sentence.find("mostly because of the moment bias"), std::string::npos)
@@ -291,45 +290,44 @@ TEST_F(CompareTest, WhereNothingDiffersItSaysSo) {
     const auto picked = measurement().pixel;
     play("key J");
     EXPECT_EQ(measurement().pixel, picked);
-    EXPECT_NE(explorer().message().find("reference itself"), std::string::npos) << explorer().message();
+    EXPECT_NE(message().find("reference itself"), std::string::npos) << message();
     for (const char* event : {"key W", "key M", "key H", "key Ctrl+7", "hold G", "let G"}) play(event);
-    EXPECT_FALSE(explorer().comparison().has_pair()) << "and nothing is computed";
+    EXPECT_FALSE(workspace().comparison.numbers().has_pair()) << "and nothing is computed";
     play("key 1\nhold Shift\ndrag " + on_scene({2, 2}) + " to " + on_scene({12, 12}) + "\nlet Shift\nkey J");
-    EXPECT_NE(explorer().message().find("No pixel of the region differs"), std::string::npos)
-        << explorer().message();
+    EXPECT_NE(message().find("No pixel of the region differs"), std::string::npos) << message();
 }
 
 TEST_F(CompareTest, MetricsAreComputedBesideTheWindow) {
     open("teapots", "power6-32");
-    EXPECT_FALSE(explorer().has_background_work());
-    explorer().state().panel = ui::Panel::compare;
+    EXPECT_FALSE(ui::has_background_work(workspace()));
+    workspace().state.panel = ui::Panel::compare;
     draw();
-    EXPECT_TRUE(explorer().has_background_work()) << "the frame did not wait";
-    EXPECT_EQ(explorer().comparison().result(Metric::flip), nullptr);
+    EXPECT_TRUE(ui::has_background_work(workspace())) << "the frame did not wait";
+    EXPECT_EQ(workspace().comparison.numbers().result(Metric::flip), nullptr);
     settle();
-    EXPECT_FALSE(explorer().has_background_work());
-    EXPECT_TRUE(explorer().comparison().is_fresh(Metric::flip));
+    EXPECT_FALSE(ui::has_background_work(workspace()));
+    EXPECT_TRUE(workspace().comparison.numbers().is_fresh(Metric::flip));
     const long before = log_.frames();
     play("wait 60");
     EXPECT_EQ(log_.frames(), before) << "then it is idle";
     // Nobody looks at the comparison any more, so unfinished work is given up.
     play("key 1");
-    explorer().state().panel = ui::Panel::controls;
+    workspace().state.panel = ui::Panel::controls;
     settle();
-    EXPECT_FALSE(explorer().has_background_work());
+    EXPECT_FALSE(ui::has_background_work(workspace()));
 }
 
 TEST_F(CompareTest, TheReferenceIsDrawnOnlyForThoseWhoLook) {
     open("spheres", "power4-32");
     play("key 2");
-    EXPECT_FALSE(explorer().report().reference);
-    const ui::FrameReport& report = explorer().report();
+    EXPECT_FALSE(workspace().report.reference);
+    const ui::FrameReport& report = workspace().report;
     play("key W");
-    explorer().state().technique = &require_technique("trig2-32");
+    workspace().state.technique = &require_technique("trig2-32");
     draw();
     EXPECT_TRUE(report.first_pass);
     EXPECT_FALSE(report.reference) << "it does not depend on the technique";
-    explorer().state().compare.reference = &require_technique("peeling");
+    workspace().state.compare.reference = &require_technique("peeling");
     draw();
     EXPECT_TRUE(report.reference);
     EXPECT_FALSE(report.first_pass);
@@ -338,11 +336,11 @@ TEST_F(CompareTest, TheReferenceIsDrawnOnlyForThoseWhoLook) {
 TEST_F(CompareTest, TheLensZoomsUntilAllDigitsAreThere) {
     open("spheres", "power4-32");
     play("key L");
-    const Camera camera = explorer().camera();
+    const Camera camera = workspace().camera();
     const Screen values = screen();
     play("hold Ctrl\nmove " + on_scene({300, 100}) + "\nwheel 1\nlet Ctrl\nmove -10 -10");
     EXPECT_EQ(state().lens_zoom, ui::LensZoom::digits);
-    EXPECT_EQ(explorer().camera(), camera);
+    EXPECT_EQ(workspace().camera(), camera);
     EXPECT_GT(changed("scene", values, screen()), 0);
     play("key Shift+L");
     EXPECT_EQ(state().lens_zoom, ui::LensZoom::far) << "and from the start again";
@@ -354,7 +352,7 @@ TEST_F(CompareTest, TheLensZoomsUntilAllDigitsAreThere) {
     ASSERT_EQ(state().lens_zoom, ui::LensZoom::far);
     const Screen lens_of_difference = screen();
     play("key M\nmove -10 -10");
-    const ui::Rect rect = explorer().widget_rects().at("scene");
+    const ui::Rect rect = workspace().widget_rects.at("scene");
     const auto in_lens = [&](const Screen& of) {
         return color(of, static_cast<int>(rect.low.x) + 20, static_cast<int>(rect.high.y) - 20);
     };

@@ -16,7 +16,7 @@ protected:
     }
 
     ImVec2 on(const std::string& anchor, float x, float y) {
-        const ui::Rect rect = explorer().widget_rects().at(anchor);
+        const ui::Rect rect = workspace().widget_rects.at(anchor);
         return {rect.low.x + x * (rect.high.x - rect.low.x), rect.low.y + y * (rect.high.y - rect.low.y)};
     }
 
@@ -31,8 +31,8 @@ protected:
             const float share = 0.1f * static_cast<float>(i);
             point({from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)}, button, true);
             draw();
-            drafts += explorer().report().draft ? 1 : 0;
-            EXPECT_FALSE(explorer().report().opaque) << "the full picture waits";
+            drafts += workspace().report.draft ? 1 : 0;
+            EXPECT_FALSE(workspace().report.opaque) << "the full picture waits";
         }
         return drafts;
     }
@@ -42,14 +42,14 @@ TEST_F(DraftTest, OfASliderBecomesTheFullPictureAtRest) {
     open("planes", "power6-32");
     const std::vector<unsigned char> before = screen();
     EXPECT_GE(drag(on("parameter.beta", 0.3f, 0.5f), on("parameter.beta", 0.9f, 0.5f), 0), 5);
-    EXPECT_TRUE(explorer().shows_draft());
+    EXPECT_TRUE(workspace().picture.shows_draft());
     draw();  // controls are drawn after the picture and affect the next one
-    EXPECT_TRUE(explorer().shows_draft());
+    EXPECT_TRUE(workspace().picture.shows_draft());
     EXPECT_FLOAT_EQ(measurement().curve.parameters.beta, *state().parameters[ParameterId::beta])
         << "the plot is of now";
     point(on("parameter.beta", 0.9f, 0.5f), 0, false);
     settle();
-    EXPECT_FALSE(explorer().shows_draft());
+    EXPECT_FALSE(workspace().picture.shows_draft());
     point({-10, -10}, 0, false);
     settle();
     const std::vector<unsigned char> after = screen();
@@ -62,12 +62,12 @@ TEST_F(DraftTest, OfASliderBecomesTheFullPictureAtRest) {
 TEST_F(DraftTest, OfTheCameraKeepsTheRayExact) {
     open("planes", "power6-32");
     EXPECT_GE(drag(on("scene", 0.5f, 0.5f), on("scene", 0.6f, 0.5f), 1), 5);
-    EXPECT_TRUE(explorer().shows_draft());
+    EXPECT_TRUE(workspace().picture.shows_draft());
     EXPECT_EQ(measurement().capture.ray.fragments.size(), 4u)
         << "fragments are of the place as it is seen now";
     point(on("scene", 0.6f, 0.5f), 1, false);
     settle();
-    EXPECT_FALSE(explorer().shows_draft());
+    EXPECT_FALSE(workspace().picture.shows_draft());
     const ViewRay at_rest = measurement().capture.ray;
     const ui::ExplorerState same = state();
     open(same);
@@ -78,8 +78,8 @@ TEST_F(DraftTest, HeldStillBecomesTheFullPictureToo) {
     open("planes", "power6-32");
     const ImVec2 end = on("parameter.beta", 0.8f, 0.5f);
     drag(on("parameter.beta", 0.3f, 0.5f), end, 0);
-    for (int i = 0; i < 20 && explorer().shows_draft(); ++i) draw();
-    EXPECT_FALSE(explorer().shows_draft()) << "after a fifth of a second";
+    for (int i = 0; i < 20 && workspace().picture.shows_draft(); ++i) draw();
+    EXPECT_FALSE(workspace().picture.shows_draft()) << "after a fifth of a second";
     point(end, 0, false);
     settle();
 }
@@ -91,7 +91,7 @@ TEST_F(DraftTest, IsNotMadeOfWhatIsFastEnough) {
     draw();
     point(on("parameter.beta", 0.9f, 0.5f), 0, true);
     draw();
-    EXPECT_FALSE(explorer().shows_draft());
+    EXPECT_FALSE(workspace().picture.shows_draft());
     point({-10, -10}, 0, false);
     settle();
 }

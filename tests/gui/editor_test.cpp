@@ -92,21 +92,21 @@ TEST_F(EditorTest, CopiesAndPastesAndRefusesNonsense) {
     ImGui::SetClipboardText("{\"fragments\": 3}");
     play("click @editor.paste");
     EXPECT_TRUE(state().ray == before);
-    EXPECT_NE(explorer().message(), "");
+    EXPECT_NE(message(), "");
     std::string huge = "{\"fragments\": [";
     for (int i = 0; i < 1'000'000; ++i)
         huge += i == 0 ? "{\"depth\":0,\"opacity\":1}" : ",{\"depth\":0,\"opacity\":1}";
     ImGui::SetClipboardText((huge + "]}").c_str());
     play("click @editor.paste");
     EXPECT_TRUE(state().ray == before);
-    EXPECT_NE(explorer().message().find("2000000 values"), std::string::npos) << explorer().message();
+    EXPECT_NE(message().find("2000000 values"), std::string::npos) << message();
 }
 
 TEST_F(EditorTest, EveryPresetCanBeChosen) {
     for (const RayPreset& preset : ray_presets()) {
         open_preset(preset.id);
         EXPECT_EQ(*state().ray, preset.make()) << preset.id;
-        EXPECT_EQ(explorer().message(), "");
+        EXPECT_EQ(message(), "");
     }
 }
 
@@ -114,20 +114,20 @@ TEST_F(EditorTest, StepsFollowTheQueryForEveryBasis) {
     for (const char* id : {"power8-32", "trig3-32", "cheb6-32", "power4-16"}) {
         open("teapots", id);
         play("click @tab.4");
-        EXPECT_TRUE(explorer().widget_rects().contains("steps.8")) << id;
+        EXPECT_TRUE(workspace().widget_rects.contains("steps.8")) << id;
         const auto before = screen();
         play("click @plot 0.3 0.5\nmove 5 5");
         EXPECT_GT(changed("panel", before, screen()), 50) << id << ": other numbers";
     }
     open("teapots", "sorted");
     play("click @tab.4");
-    EXPECT_FALSE(explorer().widget_rects().contains("steps.8")) << "the truth has no steps, and says so";
+    EXPECT_FALSE(workspace().widget_rects.contains("steps.8")) << "the truth has no steps, and says so";
 }
 
 TEST_F(EditorTest, StressRunsBesideTheWindowAndOpensAWorstRay) {
     open("planes", "power6-32");
     play("click @tab.6\nclick @stress.run");
-    ASSERT_TRUE(explorer().widget_rects().contains("stress.power8-32.gap-1e-4"));
+    ASSERT_TRUE(workspace().widget_rects.contains("stress.power8-32.gap-1e-4"));
     play("click @stress.power8-32.gap-1e-4");
     ASSERT_TRUE(state().ray);
     EXPECT_EQ(state().ray->fragments.size(), 2u);
@@ -140,7 +140,7 @@ TEST_F(EditorTest, TuneAppliesWhatItFindsAsOneStep) {
     open("planes", "power8-32");
     const ParameterValues before = state().parameters;
     play("click @controls.tune");
-    EXPECT_NE(explorer().message().find("Tuned"), std::string::npos) << explorer().message();
+    EXPECT_NE(message().find("Tuned"), std::string::npos) << message();
     ASSERT_TRUE(state().parameters[ParameterId::alpha]);
     EXPECT_LT(*state().parameters[ParameterId::beta], 0.25f) << "four sheets need no overestimation";
     play("key Ctrl+Z");

@@ -28,10 +28,10 @@ TEST_F(EscapeTest, ClosesAnOpenListBeforeAnythingElse) {
 TEST_F(EscapeTest, ClosesTheListOfADialogBeforeTheDialog) {
     open();
     play("key Ctrl+E\nclick @file.kind\nkey Escape");
-    EXPECT_TRUE(explorer().shows_file_dialog());
-    EXPECT_FALSE(explorer().widget_rects().contains("file.kind.ray_json"));
+    EXPECT_TRUE(workspace().files.is_open());
+    EXPECT_FALSE(workspace().widget_rects.contains("file.kind.ray_json"));
     play("key Escape");
-    EXPECT_FALSE(explorer().shows_file_dialog());
+    EXPECT_FALSE(workspace().files.is_open());
 }
 
 TEST_F(EscapeTest, AListThatIsClosedStaysUsable) {
@@ -46,8 +46,8 @@ TEST_F(EscapeTest, GoToStartsAfreshAfterARefusal) {
     open();
     play("key Ctrl+G\ntype 99999, 3\nkey Enter\nexpect-message is not a pixel of the picture");
     play("key Ctrl+G\ntype 100, 90\nkey Enter");
-    EXPECT_EQ(explorer().measurement().pixel, glm::ivec2(100, 90));
-    EXPECT_TRUE(explorer().message().empty()) << explorer().message();
+    EXPECT_EQ(workspace().measurement().pixel, glm::ivec2(100, 90));
+    EXPECT_TRUE(message().empty()) << message();
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "core/scene/camera.hpp"
 #include "tests/effort.hpp"
 #include "tests/gui/gui_fixture.hpp"
+#include "ui/model/selection.hpp"
 
 namespace momentscope::test {
 namespace {
@@ -16,7 +17,7 @@ class ExplorerTest : public GuiTest {};
 TEST_F(ExplorerTest, OpensOnAPixelWorthSeeing) {
     open("teapots", "power6-32");
     EXPECT_GE(measurement().capture.ray.fragments.size(), 10u);
-    EXPECT_TRUE(explorer().message().empty());
+    EXPECT_TRUE(message().empty());
 }
 
 class ParameterTest : public ExplorerTest, public ::testing::WithParamInterface<const char*> {};
@@ -37,7 +38,7 @@ TEST_P(ParameterTest, EveryOneMovesItsControlAndChangesWhatIsShown) {
                              row.scale == Scale::whole ? 0.02 : 1));
         const auto after = screen();
         EXPECT_NE(state().parameters[id], ParameterValues()[id]);
-        EXPECT_TRUE(explorer().message().empty()) << explorer().message();
+        EXPECT_TRUE(message().empty()) << message();
         EXPECT_GT(changed(fmt::format("parameter.{}", row.key), before, after), 0);
         // These change the computation but not the visible picture: less bias than is visible in such a
         // scene, and three ways to the same bits. RobustBias, Textbook, FactorisationTest and Storage
@@ -81,19 +82,19 @@ TEST_F(ExplorerTest, TheGoToBoxPicksAndExplainsNonsense) {
 
 TEST_F(ExplorerTest, OrbitPanAndZoomMoveTheCamera) {
     open();
-    const Camera own = explorer().camera();
+    const Camera own = workspace().camera();
     const auto before = screen();
     play("drag " + on_scene({300, 300}) + " to " + on_scene({400, 330}) + " right");
-    EXPECT_LT(explorer().camera().azimuth, own.azimuth);
-    EXPECT_GT(explorer().camera().elevation, own.elevation);
+    EXPECT_LT(workspace().camera().azimuth, own.azimuth);
+    EXPECT_GT(workspace().camera().elevation, own.elevation);
     play("drag " + on_scene({300, 300}) + " to " + on_scene({400, 300}) + " middle");
-    EXPECT_LT(explorer().camera().target.x, own.target.x)
+    EXPECT_LT(workspace().camera().target.x, own.target.x)
         << "what is dragged to the right shows what was on the left";
     play("move " + on_scene({300, 300}) + "\nwheel 3");
-    EXPECT_LT(explorer().camera().distance, own.distance);
+    EXPECT_LT(workspace().camera().distance, own.distance);
     EXPECT_GT(changed("scene", before, screen()), 1000);
     play("click @scene.reset");
-    EXPECT_EQ(explorer().camera(), own);
+    EXPECT_EQ(workspace().camera(), own);
 }
 
 // Panning keeps the point under the mouse there, at the distance of the target.
@@ -102,11 +103,11 @@ TEST_F(ExplorerTest, PanningFollowsTheMouse) {
     const auto on_screen = [&](const glm::vec3& point) {
         const glm::ivec2 size = measurement().picture_size;
         const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
-        const glm::vec4 clip = projection_matrix(explorer().camera(), aspect) *
-                               view_matrix(explorer().camera()) * glm::vec4(point, 1);
+        const glm::vec4 clip = projection_matrix(workspace().camera(), aspect) *
+                               view_matrix(workspace().camera()) * glm::vec4(point, 1);
         return 0.5f * glm::vec2(clip) / clip.w * glm::vec2(size);
     };
-    const glm::vec3 target = explorer().camera().target;
+    const glm::vec3 target = workspace().camera().target;
     play("drag " + on_scene({300, 300}) + " to " + on_scene({360, 330}) + " middle");
     EXPECT_NEAR(on_screen(target).x, 60, 1);
     EXPECT_NEAR(on_screen(target).y, -30, 1);
@@ -156,22 +157,22 @@ TEST_F(ExplorerTest, IdleDrawsNoFrames) {
 TEST_F(ExplorerTest, AMissingMeshKeepsTheLastGoodScene) {
     open();
     const auto before = screen();
-    ui::choose_scene(explorer().state(), "/nowhere/at-all.obj");
+    ui::choose_scene(workspace().state, "/nowhere/at-all.obj");
     settle();
     EXPECT_EQ(state().scene, "planes");
-    EXPECT_NE(explorer().message().find("at-all.obj"), std::string::npos);
+    EXPECT_NE(message().find("at-all.obj"), std::string::npos);
     EXPECT_EQ(changed("scene", before, screen()), 0);
-    EXPECT_FALSE(explorer().can_undo()) << "what failed is no step";
+    EXPECT_FALSE(workspace().history.can_undo()) << "what failed is no step";
 }
 
 TEST_F(ExplorerTest, AnEmptyPixelSaysSo) {
     open("planes", "trig2-32");
     play("key Ctrl+2");
-    EXPECT_FALSE(explorer().widget_rects().contains("plot.empty") ||
-                 explorer().widget_rects().contains("fragments.empty"));
+    EXPECT_FALSE(workspace().widget_rects.contains("plot.empty") ||
+                 workspace().widget_rects.contains("fragments.empty"));
     play("click " + on_scene({2, 2}));
-    EXPECT_TRUE(explorer().widget_rects().contains("plot.empty") &&
-                explorer().widget_rects().contains("fragments.empty"));
+    EXPECT_TRUE(workspace().widget_rects.contains("plot.empty") &&
+                workspace().widget_rects.contains("fragments.empty"));
     EXPECT_NE(ui::empty_ray_text(measurement()).find("Click on one in the scene"), std::string::npos)
         << "what to do";
     EXPECT_TRUE(measurement().capture.ray.fragments.empty());
@@ -185,7 +186,7 @@ TEST_F(ExplorerTest, TechniquesAndScenesCanBeChosen) {
         const Technique& technique = techniques()[i];
         play(fmt::format("click @controls.technique\nclick @controls.technique.{}", technique.id));
         EXPECT_EQ(state().technique, &technique);
-        EXPECT_TRUE(explorer().message().empty()) << technique.id << ": " << explorer().message();
+        EXPECT_TRUE(message().empty()) << technique.id << ": " << message();
     }
     for (const char* scene : {"spheres", "teapots", "ties", "cloud", "foliage", "ship", "smoke"}) {
         play(fmt::format("click @controls.scene\nclick @controls.scene.{}", scene));
@@ -212,19 +213,19 @@ TEST_F(ExplorerTest, TheReferenceIsShownWhileHeld) {
     open("spheres", "power4-32");
     const auto before = screen();
     play("hold G");
-    EXPECT_TRUE(explorer().shows_reference());
+    EXPECT_TRUE(workspace().comparison.flipped());
     const auto truth = screen();
     EXPECT_GT(changed("scene", before, truth), 1000);
     play("let G");
-    EXPECT_FALSE(explorer().shows_reference());
+    EXPECT_FALSE(workspace().comparison.flipped());
     EXPECT_EQ(changed("scene", before, screen()), 0);
     play("move @scene.flip\npress left");
-    EXPECT_TRUE(explorer().shows_reference());
+    EXPECT_TRUE(workspace().comparison.flipped());
     play("release left");
-    EXPECT_FALSE(explorer().shows_reference());
+    EXPECT_FALSE(workspace().comparison.flipped());
     // The picture equals that of the technique sorted.
     open("spheres", "sorted");
-    const ui::Rect rect = explorer().widget_rects().at("scene");
+    const ui::Rect rect = workspace().widget_rects.at("scene");
     const auto sorted = screen();
     long differing = 0;
     for (int y = static_cast<int>(rect.low.y) + 60; y < static_cast<int>(rect.high.y);
@@ -245,19 +246,19 @@ TEST_F(ExplorerTest, TheLensShowsThePickedPixelsValue) {
     EXPECT_TRUE(state().lens);
     EXPECT_GT(changed("scene", before, screen()), 5000);
     play("click " + on_scene({0, 0}));  // the lens is cut off at the picture's corner
-    EXPECT_TRUE(explorer().message().empty());
+    EXPECT_TRUE(message().empty());
 }
 
 TEST_F(ExplorerTest, FailuresAreMarkedWithoutBias) {
     open("spheres", "power8-32");
     play("click @scene.failures\nmove 5 790");
     const auto marked = screen();
-    ASSERT_TRUE(explorer().failures());
-    EXPECT_EQ(explorer().failures()->failed, 0) << "Table 1's bias suffices";
+    ASSERT_TRUE(workspace().scene_picture.failures);
+    EXPECT_EQ(workspace().scene_picture.failures->failed, 0) << "Table 1's bias suffices";
     play("key Ctrl+1\nclick @parameter.alpha 0.01 0.5\nmove 5 790");
     EXPECT_EQ(state().parameters[ParameterId::alpha], std::optional(0.0f));
-    ASSERT_TRUE(explorer().failures());
-    const long failed = explorer().failures()->failed;
+    ASSERT_TRUE(workspace().scene_picture.failures);
+    const long failed = workspace().scene_picture.failures->failed;
     EXPECT_GT(failed, 0);
     EXPECT_GE(changed("scene", marked, screen()), failed) << "each is marked";
 }
@@ -275,7 +276,7 @@ TEST_F(ExplorerTest, PinsKeepSmallPlots) {
     for (const char* place : {"0.1", "0.2", "0.3", "0.4"})
         play(fmt::format("click @scene {} 0.5\nkey P", place));
     EXPECT_EQ(measurement().pins.size(), ui::MAX_PINS);
-    EXPECT_NE(explorer().message().find("Four pixels"), std::string::npos);
+    EXPECT_NE(message().find("Four pixels"), std::string::npos);
     play("drag " + on_scene({300, 300}) + " to " + on_scene({320, 300}) + " right");
     EXPECT_EQ(measurement().pins.size(), ui::MAX_PINS) << "another camera, the same places";
 }
@@ -323,7 +324,7 @@ TEST_F(TinyWindow, SurvivesAnySize) {
     for (const char* size : {"40 1", "1 1", "200 100", "640 400", "1280 800"})
         play(fmt::format("resize {}\nmove 3 0\npress left\nresize 90 70\nmove 60 60\nrelease left", size));
     play("resize 1280 800");
-    EXPECT_TRUE(explorer().message().empty());
+    EXPECT_TRUE(message().empty());
 }
 
 }  // namespace

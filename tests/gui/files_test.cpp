@@ -6,7 +6,8 @@
 
 #include "core/ray/ray_json.hpp"
 #include "tests/gui/folder_fixture.hpp"
-#include "ui/session.hpp"
+#include "ui/model/selection.hpp"
+#include "ui/model/session.hpp"
 
 namespace momentscope::test {
 namespace {
@@ -63,8 +64,7 @@ TEST_F(FilesTest, EveryExportIsWritten) {
                         "Ctrl+A\ntype out{}\nkey Enter\n"
                         "wait 1",
                         kind, number++));
-        EXPECT_NE(explorer().message().find("Written to"), std::string::npos)
-            << kind << ": " << explorer().message();
+        EXPECT_NE(message().find("Written to"), std::string::npos) << kind << ": " << message();
     }
     const auto curves = nlohmann::json::parse(read("out1.json"));
     EXPECT_EQ(curves["curves"][0]["reconstructed"].size(), measurement().curve.depth.size());
@@ -79,7 +79,7 @@ TEST_F(FilesTest, ARayFileIsPlotted) {
     write("ray.json", R"({"fragments": [{"depth": -0.2, "opacity": 0.5}, {"depth": 0.4, "opacity": 0.7}]})");
     open();
     play("key Ctrl+J\nclick @file.entry.ray.json\nclick @file.accept");
-    ASSERT_TRUE(state().ray) << explorer().message();
+    ASSERT_TRUE(state().ray) << message();
     EXPECT_EQ(measurement().capture.ray.fragments.size(), 2u);
     play("key Ctrl+2\nclick @fragment.2\nkey P\nkey Home\nkey Left\nhold G\nlet G");
     EXPECT_EQ(state().marked, std::optional<std::size_t>(1));
@@ -96,9 +96,9 @@ TEST_F(FilesTest, ARayOfManyFragmentsIsDrawnWhole) {
     write("many.json", fmt::format(R"({{"fragments": [{}]}})", fragments));
     open();
     play("key Ctrl+J\nclick @file.entry.many.json\nclick @file.accept\nmove -10 -10");
-    ASSERT_TRUE(state().ray) << explorer().message();
+    ASSERT_TRUE(state().ray) << message();
     // Right of the middle, the truth is above half of its height, so its light colour must be found there.
-    const ui::Rect plot = explorer().widget_rects().at("plot");
+    const ui::Rect plot = workspace().widget_rects.at("plot");
     const auto pixels = screen();
     const int x = static_cast<int>(plot.low.x + 0.75f * (plot.high.x - plot.low.x));
     int bright = 0;
@@ -116,11 +116,11 @@ TEST_F(FilesTest, AHugeMeshCanBeCancelled) {
     write("huge.obj", mesh);
     open();
     const ui::ExplorerState before = state();
-    ui::choose_scene(explorer().state(), (folder_ / "huge.obj").string());
+    ui::choose_scene(workspace().state, (folder_ / "huge.obj").string());
     draw();
-    ASSERT_TRUE(explorer().is_loading_scene());
+    ASSERT_TRUE(workspace().scene.is_reading());
     draw();
-    const ui::Rect cancel = explorer().widget_rects().at("loading.cancel");
+    const ui::Rect cancel = workspace().widget_rects.at("loading.cancel");
     ImGui::GetIO().MousePos = {0.5f * (cancel.low.x + cancel.high.x), 0.5f * (cancel.low.y + cancel.high.y)};
     for (const bool down : {false, true, false}) {
         ImGui::GetIO().MouseDown[0] = down;
@@ -128,16 +128,16 @@ TEST_F(FilesTest, AHugeMeshCanBeCancelled) {
     }
     settle();
     EXPECT_EQ(state(), before);
-    EXPECT_NE(explorer().message().find("cancelled"), std::string::npos) << explorer().message();
+    EXPECT_NE(message().find("cancelled"), std::string::npos) << message();
 }
 
 TEST_F(FilesTest, AMeshThatLeavesNothingToSeeSaysSo) {
     write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
     open();
-    ui::choose_scene(explorer().state(), (folder_ / "line.obj").string());
+    ui::choose_scene(workspace().state, (folder_ / "line.obj").string());
     settle();
     EXPECT_NE(state().scene, "planes");
-    EXPECT_NE(explorer().message().find("shows almost nothing"), std::string::npos) << explorer().message();
+    EXPECT_NE(message().find("shows almost nothing"), std::string::npos) << message();
 }
 
 TEST_F(FilesTest, WhileAMeshIsReadNothingElseChanges) {
@@ -148,9 +148,9 @@ TEST_F(FilesTest, WhileAMeshIsReadNothingElseChanges) {
     write("ray.json", R"({"fragments": [{"depth": 0, "opacity": 0.5}]})");
     open();
     play("key P");
-    ui::choose_scene(explorer().state(), (folder_ / "large.obj").string());
+    ui::choose_scene(workspace().state, (folder_ / "large.obj").string());
     draw();
-    ASSERT_TRUE(explorer().is_loading_scene());
+    ASSERT_TRUE(workspace().scene.is_reading());
     ImGuiIO& io = ImGui::GetIO();
     for (const int key : {int('P'), int('7'), int('L'), int('T')}) {
         io.KeysDown[key] = true;
@@ -159,8 +159,8 @@ TEST_F(FilesTest, WhileAMeshIsReadNothingElseChanges) {
         draw();
     }
     settle();
-    EXPECT_FALSE(explorer().is_loading_scene());
-    EXPECT_NE(state().scene, "planes") << explorer().message();
+    EXPECT_FALSE(workspace().scene.is_reading());
+    EXPECT_NE(state().scene, "planes") << message();
     EXPECT_FALSE(state().lens);
     EXPECT_TRUE(state().pins.empty());
     EXPECT_EQ(measurement().pins.size(), 0u);
@@ -171,7 +171,7 @@ TEST_F(FilesTest, ADoubleClickOnAFolderOnlyEntersIt) {
     write("aaa/inner.json", ui::session_to_json(ui::ExplorerState()).dump());
     open("spheres", "trig2-32");
     play("key Ctrl+O\ndoubleclick @file.entry.aaa");
-    EXPECT_TRUE(explorer().shows_file_dialog());
+    EXPECT_TRUE(workspace().files.is_open());
     EXPECT_EQ(state().scene, "spheres");
     play("wait 1\nclick @file.entry.inner.json\nclick @file.accept");
     EXPECT_EQ(state().scene, "teapots");
@@ -180,7 +180,7 @@ TEST_F(FilesTest, ADoubleClickOnAFolderOnlyEntersIt) {
 TEST_F(FilesTest, EscapeClosesTheDialogAndKeepsTheCard) {
     open();
     play("click @card.beta\nkey Ctrl+S\nkey Escape");
-    EXPECT_FALSE(explorer().shows_file_dialog());
+    EXPECT_FALSE(workspace().files.is_open());
     EXPECT_EQ(state().card, "beta");
     play("key Escape");
     EXPECT_TRUE(state().card.empty());

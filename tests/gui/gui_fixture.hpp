@@ -38,14 +38,16 @@ protected:
     ui::Explorer& open(const ui::ExplorerState& state) {
         window_.reset();  // its ImGui context must end before the next one is created
         window_ = std::make_unique<HeadlessWindow>(shared_gl().context, shared_gl().programs, size_, state,
-                                                   ui::ExplorerOptions{1, false, most_milliseconds_}, log_);
+                                                   ui::WindowOptions{1, false, most_milliseconds_}, log_);
         window_->settle();
         return window_->explorer();
     }
 
     ui::Explorer& explorer() { return window_->explorer(); }
-    const ui::ExplorerState& state() { return window_->explorer().state(); }
-    const ui::Measurement& measurement() { return window_->explorer().measurement(); }
+    ui::Workspace& workspace() { return window_->explorer().workspace(); }
+    const std::string& message() { return workspace().status.message; }
+    const ui::ExplorerState& state() { return workspace().state; }
+    const ui::Measurement& measurement() { return workspace().measurement(); }
 
     /// Plays events (docs/events.md), one per line.
     void play(const std::string& events) { EventPlayer(*window_).play(events); }
@@ -56,7 +58,7 @@ protected:
 
     /// "X Y" of a pixel of the scene's picture, for events.
     std::string on_scene(glm::ivec2 pixel) {
-        const ui::Rect rect = explorer().widget_rects().at("scene");
+        const ui::Rect rect = workspace().widget_rects.at("scene");
         return fmt::format("{} {}", rect.low.x + static_cast<float>(pixel.x) + 0.5f,
                            rect.low.y + static_cast<float>(pixel.y) + 0.5f);
     }
@@ -64,7 +66,7 @@ protected:
     /// The number of pixels in a control's rectangle that differ between two screens.
     long changed(const std::string& anchor, const std::vector<unsigned char>& before,
                  const std::vector<unsigned char>& after) {
-        const ui::Rect rect = explorer().widget_rects().at(anchor);
+        const ui::Rect rect = workspace().widget_rects.at(anchor);
         long count = 0;
         const int right = std::min(static_cast<int>(rect.high.x), size_.x);
         const int bottom = std::min(static_cast<int>(rect.high.y), size_.y);

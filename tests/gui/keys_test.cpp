@@ -4,7 +4,7 @@
 #include <set>
 
 #include "tests/gui/gui_fixture.hpp"
-#include "ui/commands.hpp"
+#include "ui/commands/commands.hpp"
 
 namespace momentscope::test {
 namespace {
@@ -13,7 +13,7 @@ using ui::Series;
 
 struct Pressed {
     ui::ExplorerState before;
-    const ui::Explorer& now;
+    const ui::Workspace& now;
     glm::ivec2 pixel_before;
 };
 using Check = std::function<void(const Pressed&)>;
@@ -26,14 +26,11 @@ const std::map<std::string, Check>& checks() {
     const auto series = [](Series one) {
         return [one](const Pressed& p) {
             const auto i = static_cast<std::size_t>(one);
-            EXPECT_NE(p.now.state().plot.shown[i], p.before.plot.shown[i]);
+            EXPECT_NE(p.now.state.plot.shown[i], p.before.plot.shown[i]);
         };
     };
-    const auto panel = [](ui::Panel one) {
-        return [one](const Pressed& p) { EXPECT_EQ(p.now.state().panel, one); };
-    };
-    const auto file = [](const Pressed& p) { EXPECT_TRUE(p.now.shows_file_dialog()); };
-    static const std::map<std::string, Check> all = {
+    const auto file = [](const Pressed& p) { EXPECT_TRUE(p.now.files.is_open()); };
+    static std::map<std::string, Check> all = {
         {"file.open_session", file},
         {"file.save_session", file},
         {"file.open_mesh", file},
@@ -41,63 +38,54 @@ const std::map<std::string, Check>& checks() {
         {"file.export", file},
         {"edit.undo",
          [](const Pressed& p) {
-             EXPECT_NE(p.now.state(), p.before);
-             EXPECT_TRUE(p.now.can_redo());
+             EXPECT_NE(p.now.state, p.before);
+             EXPECT_TRUE(p.now.history.can_redo());
          }},
         {"edit.redo",
          [](const Pressed& p) {
-             EXPECT_FALSE(p.now.can_redo());
-             EXPECT_NE(p.now.state(), p.before);
+             EXPECT_FALSE(p.now.history.can_redo());
+             EXPECT_NE(p.now.state, p.before);
          }},
         {"edit.reset_parameters",
          [](const Pressed& p) {
              EXPECT_NE(p.before.parameters, ParameterValues());
-             EXPECT_EQ(p.now.state().parameters, ParameterValues());
+             EXPECT_EQ(p.now.state.parameters, ParameterValues());
          }},
-        {"view.lens", [](const Pressed& p) { EXPECT_NE(p.now.state().lens, p.before.lens); }},
-        {"view.lens_zoom",
-         [](const Pressed& p) { EXPECT_EQ(p.now.state().lens_zoom, ui::LensZoom::digits); }},
-        {"view.panel7", panel(ui::Panel::compare)},
-        {"view.panel8", panel(ui::Panel::chart)},
+        {"view.lens", [](const Pressed& p) { EXPECT_NE(p.now.state.lens, p.before.lens); }},
+        {"view.lens_zoom", [](const Pressed& p) { EXPECT_EQ(p.now.state.lens_zoom, ui::LensZoom::digits); }},
         {"compare.take_reference",
          [](const Pressed& p) {
-             EXPECT_EQ(p.now.state().compare.reference, p.before.technique);
+             EXPECT_EQ(p.now.state.compare.reference, p.before.technique);
              EXPECT_NE(p.before.compare.reference, p.before.technique);
          }},
         {"compare.wipe",
-         [](const Pressed& p) { EXPECT_EQ(p.now.state().compare.mode, ui::CompareMode::wipe); }},
+         [](const Pressed& p) { EXPECT_EQ(p.now.state.compare.mode, ui::CompareMode::wipe); }},
         {"compare.difference",
-         [](const Pressed& p) { EXPECT_EQ(p.now.state().compare.mode, ui::CompareMode::difference); }},
+         [](const Pressed& p) { EXPECT_EQ(p.now.state.compare.mode, ui::CompareMode::difference); }},
         {"compare.false_color",
-         [](const Pressed& p) { EXPECT_EQ(p.now.state().compare.mode, ui::CompareMode::false_color); }},
+         [](const Pressed& p) { EXPECT_EQ(p.now.state.compare.mode, ui::CompareMode::false_color); }},
         {"compare.swap",
-         [](const Pressed& p) { EXPECT_NE(p.now.state().compare.swapped, p.before.compare.swapped); }},
+         [](const Pressed& p) { EXPECT_NE(p.now.state.compare.swapped, p.before.compare.swapped); }},
         {"compare.next_worst",
          [](const Pressed& p) {
              EXPECT_NE(p.now.measurement().pixel, p.pixel_before);
-             EXPECT_NE(p.now.message().find("Worst pixel 1"), std::string::npos) << p.now.message();
+             EXPECT_NE(p.now.status.message.find("Worst pixel 1"), std::string::npos) << p.now.status.message;
          }},
-        {"view.failures", [](const Pressed& p) { EXPECT_NE(p.now.state().failures, p.before.failures); }},
+        {"view.failures", [](const Pressed& p) { EXPECT_NE(p.now.state.failures, p.before.failures); }},
         {"view.reset",
          [](const Pressed& p) {
              EXPECT_TRUE(p.before.camera);
-             EXPECT_FALSE(p.now.state().camera);
+             EXPECT_FALSE(p.now.state.camera);
          }},
         {"view.zoom_in",
          [](const Pressed& p) { EXPECT_LT(p.now.camera().distance, p.before.camera->distance); }},
         {"view.zoom_out",
          [](const Pressed& p) { EXPECT_GT(p.now.camera().distance, p.before.camera->distance); }},
-        {"view.panel1", panel(ui::Panel::controls)},
-        {"view.panel2", panel(ui::Panel::fragments)},
-        {"view.panel3", panel(ui::Panel::technique)},
-        {"view.panel4", panel(ui::Panel::steps)},
-        {"view.panel5", panel(ui::Panel::editor)},
-        {"view.panel6", panel(ui::Panel::stress)},
         {"edit.delete_fragment",
          [](const Pressed& p) {
-             EXPECT_EQ(p.now.state().ray->fragments.size() + 1, p.before.ray->fragments.size());
+             EXPECT_EQ(p.now.state.ray->fragments.size() + 1, p.before.ray->fragments.size());
          }},
-        {"view.theme", [](const Pressed& p) { EXPECT_NE(p.now.state().theme, p.before.theme); }},
+        {"view.theme", [](const Pressed& p) { EXPECT_NE(p.now.state.theme, p.before.theme); }},
         {"pixel.left", moved({-1, 0})},
         {"pixel.right", moved({1, 0})},
         {"pixel.up", moved({0, -1})},
@@ -107,28 +95,27 @@ const std::map<std::string, Check>& checks() {
         {"pixel.up10", moved({0, -10})},
         {"pixel.down10", moved({0, 10})},
         {"pixel.go_to", [](const Pressed&) { EXPECT_TRUE(ImGui::GetIO().WantTextInput); }},
-        {"pixel.pin",
-         [](const Pressed& p) { EXPECT_EQ(p.now.state().pins.size(), p.before.pins.size() + 1); }},
+        {"pixel.pin", [](const Pressed& p) { EXPECT_EQ(p.now.state.pins.size(), p.before.pins.size() + 1); }},
         {"pixel.unpin_all",
          [](const Pressed& p) {
              EXPECT_FALSE(p.before.pins.empty());
-             EXPECT_TRUE(p.now.state().pins.empty());
+             EXPECT_TRUE(p.now.state.pins.empty());
          }},
         {"pixel.next_fragment",
-         [](const Pressed& p) { EXPECT_EQ(p.now.state().marked, p.now.measurement().history[1].fragment); }},
+         [](const Pressed& p) { EXPECT_EQ(p.now.state.marked, p.now.measurement().history[1].fragment); }},
         {"pixel.previous_fragment",
-         [](const Pressed& p) { EXPECT_EQ(p.now.state().marked, p.now.measurement().history[0].fragment); }},
+         [](const Pressed& p) { EXPECT_EQ(p.now.state.marked, p.now.measurement().history[0].fragment); }},
         {"plot.fit",
          [](const Pressed& p) {
              EXPECT_TRUE(p.before.plot.depth);
-             EXPECT_FALSE(p.now.state().plot.depth);
+             EXPECT_FALSE(p.now.state.plot.depth);
          }},
         {"plot.quantity",
-         [](const Pressed& p) { EXPECT_EQ(p.now.state().plot.quantity, ui::Quantity::transmittance); }},
-        {"plot.axis", [](const Pressed& p) { EXPECT_EQ(p.now.state().plot.axis, ui::DepthAxis::view); }},
+         [](const Pressed& p) { EXPECT_EQ(p.now.state.plot.quantity, ui::Quantity::transmittance); }},
+        {"plot.axis", [](const Pressed& p) { EXPECT_EQ(p.now.state.plot.axis, ui::DepthAxis::view); }},
         {"plot.light",
          [](const Pressed& p) {
-             EXPECT_EQ(p.now.state().viewpoint, ui::Viewpoint::transparent_casters);
+             EXPECT_EQ(p.now.state.viewpoint, ui::Viewpoint::transparent_casters);
              EXPECT_TRUE(p.now.measurement().light.has_value());
          }},
         {"plot.truth", series(Series::truth)},
@@ -139,14 +126,18 @@ const std::map<std::string, Check>& checks() {
         {"plot.stems", series(Series::stems)},
         {"plot.errors", series(Series::errors)},
         {"plot.wrapping_zone", series(Series::wrapping_zone)},
-        {"help.keys", [](const Pressed& p) { EXPECT_TRUE(p.now.shows_help()); }},
-        {"help.palette", [](const Pressed& p) { EXPECT_TRUE(p.now.shows_palette()); }},
+        {"help.keys", [](const Pressed& p) { EXPECT_TRUE(p.now.help); }},
+        {"help.palette", [](const Pressed& p) { EXPECT_TRUE(p.now.palette.open); }},
         {"help.close",
          [](const Pressed& p) {
              EXPECT_FALSE(p.before.card.empty());
-             EXPECT_TRUE(p.now.state().card.empty());
+             EXPECT_TRUE(p.now.state.card.empty());
          }},
     };
+    for (std::size_t i = 0; i < ui::PANELS.size(); ++i)
+        all[fmt::format("view.panel{}", i + 1)] = [i](const Pressed& p) {
+            EXPECT_EQ(p.now.state.panel, ui::PANELS[i].id);
+        };
     return all;
 }
 
@@ -170,8 +161,8 @@ protected:
         first.technique = &require_technique("trig2-32");
         first.picked = glm::vec2(0.5f, 0.5f);
         open(first);
-        ui::ExplorerState& state = explorer().state();
-        state.camera = explorer().camera();
+        ui::ExplorerState& state = workspace().state;
+        state.camera = workspace().camera();
         state.camera->azimuth = 0.1f;
         state.parameters.set(ParameterId::beta, 0.75f);
         state.plot.depth = ui::Range{-0.5f, 0.5f};
@@ -193,15 +184,15 @@ TEST_P(KeyTest, DoesWhatTheListSays) {
     if (id == "view.panel1") play("key Ctrl+2");
     if (id == "edit.delete_fragment") {
         play("click @tab.5\nclick @editor.detach");
-        explorer().state().marked = 1;
+        workspace().state.marked = 1;
         settle();
     }
-    const Pressed pressed = {state(), explorer(), measurement().pixel};
+    const Pressed pressed = {state(), workspace(), measurement().pixel};
     if (id == "compare.flip") {
         play("hold " + key);
-        EXPECT_TRUE(explorer().shows_reference());
+        EXPECT_TRUE(workspace().comparison.flipped());
         play("let " + key);
-        EXPECT_FALSE(explorer().shows_reference());
+        EXPECT_FALSE(workspace().comparison.flipped());
         return;
     }
     play("key " + key);
@@ -262,9 +253,9 @@ TEST_F(TypingTest, ThePaletteFindsAndRunsACommand) {
     open();
     play("key Ctrl+Shift+P\ntype lens\nkey Enter");
     EXPECT_TRUE(state().lens);
-    EXPECT_FALSE(explorer().shows_palette());
+    EXPECT_FALSE(workspace().palette.open);
     play("key Ctrl+Shift+P\ntype zzz\nkey Enter\nkey Escape");
-    EXPECT_FALSE(explorer().shows_palette());
+    EXPECT_FALSE(workspace().palette.open);
     play("key Ctrl+Shift+P\ntype scene spheres\nclick @palette.scene.spheres");
     EXPECT_EQ(state().scene, "spheres");
 }
@@ -283,7 +274,7 @@ TEST_F(TypingTest, NumbersAreTypedIntoParameters) {
     for (const char* nonsense : {"7", "-1", "nan", "inf", "0.5x", "1,5", "β", "1e999"}) {
         type("beta", nonsense);
         EXPECT_EQ(state().parameters[ParameterId::beta], std::optional(0.625f)) << nonsense;
-        EXPECT_FALSE(explorer().message().empty()) << nonsense;
+        EXPECT_FALSE(message().empty()) << nonsense;
     }
     play("doubleclick @parameter.beta");
     EXPECT_EQ(state().parameters[ParameterId::beta], ParameterValues()[ParameterId::beta]) << "reset";
@@ -292,7 +283,7 @@ TEST_F(TypingTest, NumbersAreTypedIntoParameters) {
 TEST_F(TypingTest, ParametersAreTypedFromTheKeyboardAlone) {
     open();
     play("key Ctrl+Shift+P\ntype type overestimation\nkey Enter\ntype 0.875\nkey Enter");
-    EXPECT_EQ(state().parameters[ParameterId::beta], std::optional(0.875f)) << explorer().message();
+    EXPECT_EQ(state().parameters[ParameterId::beta], std::optional(0.875f)) << message();
 }
 
 }  // namespace

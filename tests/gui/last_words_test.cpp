@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "tests/gui/folder_fixture.hpp"
-#include "ui/session.hpp"
+#include "ui/model/session.hpp"
 
 namespace momentscope::test {
 namespace {

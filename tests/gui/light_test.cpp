@@ -10,7 +10,7 @@ protected:
 
     /// A pixel of the ground in the middle of the disk's shadow.
     std::string shadowed() {
-        const ui::Rect rect = explorer().widget_rects().at("scene");
+        const ui::Rect rect = workspace().widget_rects.at("scene");
         return fmt::format("{} {}", rect.low.x + 0.557f * (rect.high.x - rect.low.x),
                            rect.low.y + 0.636f * (rect.high.y - rect.low.y));
     }
@@ -46,10 +46,10 @@ TEST_F(LightTest, BetaOfTheEyeLeavesTheLightsCurve) {
     open("cloud", "power6-32");
     play("click @plot.light\nclick " + shadowed());
     const std::vector<float> curve = measurement().curve.reconstructed;
-    explorer().state().parameters.set(ParameterId::beta, 0.9f);
+    workspace().state.parameters.set(ParameterId::beta, 0.9f);
     settle();
     EXPECT_EQ(measurement().curve.reconstructed, curve);
-    explorer().state().parameters.set(ParameterId::shadow_technique, 0.0f);
+    workspace().state.parameters.set(ParameterId::shadow_technique, 0.0f);
     settle();
     EXPECT_STREQ(measurement().curve.technique->id, "power4-32");
 }
@@ -58,7 +58,7 @@ TEST_F(LightTest, TheMarkedFragmentReceives) {
     open("cloud", "power6-32");
     const std::size_t fragments = measurement().capture.ray.fragments.size();
     ASSERT_GT(fragments, 5U);
-    explorer().state().marked = 3;
+    workspace().state.marked = 3;
     settle();
     play("key V");
     ASSERT_TRUE(measurement().light.has_value());
@@ -86,7 +86,7 @@ TEST_F(LightTest, WhatCoversThePixelByHalfReceives) {
 
 TEST_F(LightTest, AnotherPixelHasAnotherReceiver) {
     open("cloud", "power6-32");
-    explorer().state().marked = 3;
+    workspace().state.marked = 3;
     settle();
     play("key V\nclick " + shadowed());
     EXPECT_FALSE(state().receiver.has_value());
@@ -95,11 +95,11 @@ TEST_F(LightTest, AnotherPixelHasAnotherReceiver) {
 
 TEST_F(LightTest, ShadowsTurnedOffShowTheEyesRay) {
     open("cloud", "power6-32");
-    explorer().state().marked = 3;
+    workspace().state.marked = 3;
     settle();
     play("key V");
-    explorer().state().marked = 200;
-    explorer().state().parameters.turn(ParameterId::shadows, false);
+    workspace().state.marked = 200;
+    workspace().state.parameters.turn(ParameterId::shadows, false);
     settle();
     EXPECT_EQ(state().viewpoint, ui::Viewpoint::eye);
     EXPECT_EQ(state().marked, 3U) << "as before";
@@ -128,7 +128,7 @@ TEST_F(LightTest, OpaqueCastersSumToOne) {
 
 TEST_F(LightTest, TheSkyReceivesNothing) {
     open("cloud", "power6-32");
-    const ui::Rect rect = explorer().widget_rects().at("scene");
+    const ui::Rect rect = workspace().widget_rects.at("scene");
     play(fmt::format("key V\nclick {} {}\nexpect-message receive", rect.low.x + 5, rect.low.y + 5));
     EXPECT_EQ(state().viewpoint, ui::Viewpoint::eye);
     EXPECT_FALSE(measurement().light.has_value());
@@ -138,9 +138,9 @@ TEST_F(LightTest, ALightAmongTheCastersIsRefusedAndTheLastPictureStays) {
     open("cloud", "power6-32");
     play("key V");
     const std::vector<unsigned char> before = screen();
-    explorer().state().parameters.set(ParameterId::light_distance, 1.0f);
+    workspace().state.parameters.set(ParameterId::light_distance, 1.0f);
     settle();
-    EXPECT_NE(explorer().message().find("--light-distance"), std::string::npos) << explorer().message();
+    EXPECT_NE(message().find("--light-distance"), std::string::npos) << message();
     EXPECT_FALSE(state().parameters[ParameterId::light_distance].has_value());
     EXPECT_EQ(changed("scene", before, screen()), 0);
 }

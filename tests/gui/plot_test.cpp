@@ -1,9 +1,9 @@
 // plot_test.cpp -- mouse actions in the plot, and the plot's notes.
 #include "tests/gui/gui_fixture.hpp"
-#include "ui/parameter_controls.hpp"
-#include "ui/plot_notes.hpp"
-#include "ui/plot_panel.hpp"
-#include "ui/series.hpp"
+#include "ui/model/series.hpp"
+#include "ui/plot/plot_notes.hpp"
+#include "ui/plot/plot_panel.hpp"
+#include "ui/widgets/parameter_controls.hpp"
 
 namespace momentscope::test {
 namespace {
@@ -14,7 +14,7 @@ protected:
     ui::PlotAxes axes() {
         ui::PlotAxes a =
             ui::make_axes(measurement().capture.ray, measurement().curve, state().plot, {}, false);
-        a.area = explorer().widget_rects().at("plot");
+        a.area = workspace().widget_rects.at("plot");
         return a;
     }
 };
@@ -223,7 +223,7 @@ TEST_F(TooltipTest, AppearsOverEveryControl) {
         const std::string anchor = fmt::format("parameter.{}", row.key);
         const bool of_every_picture =
             std::ranges::find(PICTURE_PARAMETERS, row.id) != PICTURE_PARAMETERS.end();
-        ASSERT_EQ(explorer().widget_rects().contains(anchor),
+        ASSERT_EQ(workspace().widget_rects.contains(anchor),
                   state().technique->uses(row.id) || of_every_picture)
             << row.key;
         if (!state().technique->uses(row.id)) continue;

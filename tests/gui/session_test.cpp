@@ -4,8 +4,8 @@
 
 #include "core/support/error.hpp"
 #include "tests/gui/folder_fixture.hpp"
-#include "ui/lessons.hpp"
-#include "ui/session.hpp"
+#include "ui/model/lessons.hpp"
+#include "ui/model/session.hpp"
 
 namespace momentscope::test {
 namespace {
@@ -49,7 +49,7 @@ TEST_F(SessionTest, ReopenedItDrawsTheSameBytes) {
     open("planes", "power4-32");
     play(EVENTFUL);
     play("key Ctrl+S\nkey Ctrl+A\ntype all.json\nkey Enter\nkey Escape\nmove -10 -10");
-    ASSERT_TRUE(fs::exists(folder_ / "all.json")) << explorer().message();
+    ASSERT_TRUE(fs::exists(folder_ / "all.json")) << message();
     const auto first = screen();
     const ui::ExplorerState saved = state();
     open(ui::read_session_file(folder_ / "all.json").state);
@@ -66,7 +66,7 @@ TEST_F(SessionTest, TheDialogOpensWhatItSaved) {
     play("key Escape");
     open("spheres", "sorted");
     play("key Ctrl+O\nclick @file.entry.momentscope.json\nclick @file.accept");
-    EXPECT_EQ(state(), saved) << explorer().message();
+    EXPECT_EQ(state(), saved) << message();
 }
 
 TEST_F(SessionTest, BrokenSessionsAreExplainedAndChangeNothing) {
@@ -118,8 +118,7 @@ TEST_F(SessionTest, BrokenSessionsAreExplainedAndChangeNothing) {
     for (const auto& [text, said] : broken) {
         write("broken.json", text);
         play("key Ctrl+O\nclick @file.name\nkey Ctrl+A\ntype broken.json\nkey Enter\nmove -10 -10");
-        EXPECT_NE(explorer().message().find(said), std::string::npos)
-            << text.substr(0, 80) << "\nsays: " << explorer().message();
+        EXPECT_NE(message().find(said), std::string::npos) << text.substr(0, 80) << "\nsays: " << message();
         EXPECT_EQ(state(), before) << text.substr(0, 80);
         play("key Escape\nkey Escape\nwait 1");
     }

@@ -3,7 +3,7 @@
 
 #include "tests/effort.hpp"
 #include "tests/gui/folder_fixture.hpp"
-#include "ui/commands.hpp"
+#include "ui/commands/commands.hpp"
 
 namespace momentscope::test {
 namespace {
@@ -16,7 +16,7 @@ protected:
 
     /// An action on a random control of the current window.
     std::string on_a_control() {
-        const auto& widget_rects = explorer().widget_rects();
+        const auto& widget_rects = workspace().widget_rects;
         auto anchor = widget_rects.begin();
         std::advance(anchor, static_cast<long>(below(widget_rects.size())));
         return fmt::format("@{} {} {}", anchor->first, share(), share());
@@ -59,7 +59,7 @@ TEST_F(UndoTest, AFailedLoadIsNoStep) {
     EXPECT_TRUE(state().lens);
     play("key Ctrl+Z");
     EXPECT_FALSE(state().lens) << "undo takes back what came before the failure";
-    EXPECT_FALSE(explorer().can_undo());
+    EXPECT_FALSE(workspace().history.can_undo());
     play("key Ctrl+Y");
     EXPECT_TRUE(state().lens);
 }
@@ -69,12 +69,12 @@ TEST_F(UndoTest, ToAVanishedMeshStaysUsable) {
     write("triangle.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     open();
     play("key Ctrl+M\nclick @file.entry.triangle.obj\nclick @file.accept");
-    ASSERT_NE(state().scene, "planes") << explorer().message();
+    ASSERT_NE(state().scene, "planes") << message();
     play("click @controls.scene\nclick @controls.scene.spheres");
     fs::remove("triangle.obj");
     play("key Ctrl+Z");
     EXPECT_EQ(state().scene, "spheres");
-    EXPECT_NE(explorer().message().find("triangle.obj"), std::string::npos);
+    EXPECT_NE(message().find("triangle.obj"), std::string::npos);
     play("key Ctrl+Z");
     EXPECT_EQ(state().scene, "planes") << "the state that cannot be shown is skipped";
 }
@@ -107,8 +107,8 @@ TEST_F(UndoTest, AfterRandomEventsRestoresTheFirstState) {
         play("release left\nrelease right\nrelease middle\nmove -10 -10");
         play("key Escape\nkey Escape\nkey Escape\nkey Escape");
         EXPECT_NE(state(), first) << "events that change nothing test nothing";
-        while (explorer().can_undo()) {
-            explorer().undo();
+        while (workspace().history.can_undo()) {
+            ui::undo(workspace());
             settle();
         }
         EXPECT_EQ(state(), first) << played;

@@ -1,6 +1,6 @@
 // waiting_test.cpp -- the window announces a long picture before it draws it.
 #include "tests/gui/gui_fixture.hpp"
-#include "ui/picture_times.hpp"
+#include "ui/picture/picture_times.hpp"
 
 #include <algorithm>
 
@@ -45,11 +45,11 @@ protected:
         ui::ExplorerState state;
         state.scene = "planes";
         state.technique = &require_technique("trig2-32");
-        ui::ExplorerOptions options{.show_times = false, .most_silent_milliseconds = most_silent_};
+        ui::WindowOptions options{.show_times = false, .most_silent_milliseconds = most_silent_};
         options.before_long_picture = [this] {
             ++announced;
             last_covered = covered();
-            EXPECT_EQ(explorer().report().text(), "") << "it comes before the passes";
+            EXPECT_EQ(workspace().report.text(), "") << "it comes before the passes";
         };
         window_.reset();
         window_ = std::make_unique<HeadlessWindow>(shared_gl().context, shared_gl().programs, size_, state,

@@ -5,8 +5,9 @@
 #include <string>
 
 #include "core/render/view.hpp"
-#include "ui/state.hpp"
-#include "ui/ui.hpp"
+#include "ui/model/state.hpp"
+#include "ui/model/status.hpp"
+#include "ui/widgets/ui.hpp"
 
 namespace momentscope {
 
@@ -16,18 +17,18 @@ public:
         void line(const std::string& /*text*/) {}
         long frames() const { return 0; }
     };
+    struct Workspace {
+        ui::WidgetRects widget_rects;
+        ui::ExplorerState state;
+        ui::Status status{"The scene was read.", "", std::nullopt};
+    };
     struct Explorer {
-        ui::WidgetRects shown;
-        ui::ExplorerState chosen;
-        std::string said = "The scene was read.";
-
-        const ui::WidgetRects& widget_rects() const { return shown; }
-        const ui::ExplorerState& state() const { return chosen; }
-        const std::string& message() const { return said; }
+        Workspace shown;
+        const Workspace& workspace() const { return shown; }
     };
 
     HeadlessWindow() {
-        explorer_.shown = {{"scene", {{0, 0}, {640, 400}}}, {"tab.1", {{640, 0}, {700, 20}}}};
+        explorer_.shown.widget_rects = {{"scene", {{0, 0}, {640, 400}}}, {"tab.1", {{640, 0}, {700, 20}}}};
     }
 
     void settle() { ImGui::GetIO().ClearInputCharacters(); }

@@ -1,0 +1,129 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/scene/scenes.hpp"
+#include "core/shadow/shadow_settings.hpp"
+#include "ui/model/selection.hpp"
+#include "ui/panels/panels.hpp"
+#include "ui/widgets/parameter_controls.hpp"
+#include "ui/widgets/technique_combo.hpp"
+
+namespace momentscope::ui {
+
+namespace {
+
+constexpr float LABEL_WIDTH = 13.5f;  // font heights
+
+void wide_label(const char* text) {
+    label(text, LABEL_WIDTH);
+    ImGui::SetNextItemWidth(-1);
+}
+
+void draw_scene_combo(const Ui& ui, ExplorerState& state) {
+    const std::string shown = state.ray ? "a view ray without a scene" : state.scene;
+    const bool open = ImGui::BeginCombo("##scene", shown.c_str());
+    ui.record_widget_rect("controls.scene");
+    tooltip("The scene. To open a mesh file, use File > Open mesh.", "--scene");
+    if (!open) return;
+    for (const SceneEntry& entry : scene_entries()) {
+        if (ImGui::Selectable(entry.id, !state.ray && state.scene == entry.id)) choose_scene(state, entry.id);
+        ui.record_widget_rect(fmt::format("controls.scene.{}", entry.id));
+        tooltip(entry.description);
+    }
+    ImGui::EndCombo();
+}
+
+void draw_compared_combo(const Ui& ui, ExplorerState& state) {
+    std::string shown;
+    for (const Technique* technique : state.compared)
+        shown += fmt::format("{}{}", shown.empty() ? "" : ", ", technique->id);
+    const bool open = ImGui::BeginCombo("##compared", shown.empty() ? "none" : shown.c_str(),
+                                        ImGuiComboFlags_HeightLargest);
+    ui.record_widget_rect("controls.compared");
+    tooltip("Further techniques whose reconstructions the plot shows.");
+    if (!open) return;
+    for (const Technique& row : techniques()) {
+        if (!has_function(row)) continue;
+        bool on = std::ranges::find(state.compared, &row) != state.compared.end();
+        if (ImGui::Checkbox(technique_label(row).c_str(), &on)) {
+            if (on)
+                state.compared.push_back(&row);
+            else
+                std::erase(state.compared, &row);
+        }
+        ui.record_widget_rect(fmt::format("controls.compared.{}", row.id));
+        tooltip(row.description, row.source);
+    }
+    ImGui::EndCombo();
+}
+
+// One control per parameter of the technique. to_type: the parameter whose control becomes a text field now.
+void draw_technique_controls(const Ui& ui, ExplorerState& state, std::optional<ParameterId> to_type,
+                             Status& status) {
+    bool any = false;
+    for (const Parameter& row : parameters()) {
+        const bool of_mesh = row.id == ParameterId::opacity && !is_builtin_scene(state.scene) && !state.ray;
+        if (!state.technique->uses(row.id) && !of_mesh) continue;
+        draw_parameter_control(ui, row, *state.technique, LABEL_WIDTH * em(), to_type == row.id,
+                               state.parameters, status);
+        any = true;
+    }
+    if (!any) ImGui::TextDisabled("This technique has no parameters.");
+}
+
+// The controls that apply to all techniques.
+void draw_picture_controls(const Ui& ui, ExplorerState& state, Status& status) {
+    if (state.ray) return;  // a view ray has no picture
+    ImGui::Spacing();
+    for (const ParameterId id : PICTURE_PARAMETERS)
+        if (id != ParameterId::shadows)
+            draw_parameter_control(ui, parameter(id), *state.technique, LABEL_WIDTH * em(), false,
+                                   state.parameters, status);
+}
+
+void draw_shadow_controls(const Ui& ui, const ShownScene& scene, ExplorerState& state, Status& status) {
+    if (state.ray) return;
+    ImGui::Spacing();
+    const Configuration of_light = light_configuration(state.parameters);
+    const Light& light = scene.scene().light;
+    const auto automatic = [&](ParameterId id) -> std::optional<float> {
+        if (id == ParameterId::light_azimuth) return light.azimuth;
+        if (id == ParameterId::light_elevation) return light.elevation;
+        if (id == ParameterId::light_distance) return scene.light_distance();
+        return std::nullopt;
+    };
+    const auto draw = [&](ParameterId id) {
+        draw_parameter_control(ui, parameter(id), *of_light.technique, LABEL_WIDTH * em(), false,
+                               state.parameters, status, automatic(id));
+    };
+    draw(ParameterId::shadows);
+    if (!has_shadows(state.parameters)) return;
+    for (const ParameterId id : SHADOW_PARAMETERS) draw(id);
+    ImGui::Spacing();
+}
+
+}  // namespace
+
+// If the plot shows the light's ray, the controls of the light come first.
+void draw_controls_panel(const Ui& ui, Workspace& w) {
+    ExplorerState& state = w.state;
+    const bool light_first = seen_from_light(state);
+    if (light_first) draw_shadow_controls(ui, w.scene, state, w.status);
+    wide_label("scene");
+    draw_scene_combo(ui, state);
+    wide_label("technique");
+    draw_technique_combo(ui, "controls.technique", w.picture.renderer().ordered_access(),
+                         "The technique that draws the picture and the orange curve; 1 to 9 choose one.",
+                         "--technique", state.technique);
+    wide_label("also plot");
+    draw_compared_combo(ui, state);
+    ImGui::Spacing();
+    draw_technique_controls(ui, state, std::exchange(w.to_type, std::nullopt), w.status);
+    if (w.tuning.draw(ui, state)) w.tuning.start(state, w.scene.scene(), w.picture.renderer(), w.status);
+    draw_picture_controls(ui, state, w.status);
+    if (!light_first) draw_shadow_controls(ui, w.scene, state, w.status);
+}
+
+}  // namespace momentscope::ui

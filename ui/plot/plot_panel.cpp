@@ -1,0 +1,290 @@
+#include "ui/plot/plot_panel.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/inspect/exact.hpp"
+#include "ui/model/selection.hpp"
+#include "ui/plot/plot_layers.hpp"
+#include "ui/plot/plot_legend.hpp"
+#include "ui/plot/plot_notes.hpp"
+
+namespace momentscope::ui {
+
+namespace {
+
+// The choice of absorbance or transmittance, and of warped or view depth. Buttons flow to the next line at
+// `right`.
+void draw_axis_choices(const Ui& ui, bool warped, PlotState& plot, float right) {
+    // Returns true if another choice was clicked.
+    const auto choose = [&](const char* label, bool on, const char* anchor, const char* help,
+                            const char* key) {
+        const bool clicked = toggle_button(label, on);
+        ui.record_widget_rect(anchor);
+        tooltip(help, key);
+        return clicked && !on;
+    };
+    const auto next = [&](const char* label, float gap) { flow(button_width(label), right, gap * em()); };
+    if (choose("A", plot.quantity == Quantity::absorbance, "plot.absorbance", "Shows absorbance A(z).", "T"))
+        set_quantity(plot, Quantity::absorbance);
+    next("T", 0.2f);
+    if (choose("T", plot.quantity == Quantity::transmittance, "plot.transmittance",
+               "Shows transmittance T(z) = exp(−A(z)).", "T"))
+        set_quantity(plot, Quantity::transmittance);
+    next("warped", 1);
+    if (choose("warped", plot.axis == DepthAxis::warped, "plot.warped",
+               "Warped depth, on which the moments are defined (Section 3.3).", "D"))
+        set_depth_axis(plot, DepthAxis::warped);
+    next("view", 0.2f);
+    ImGui::BeginDisabled(!warped);
+    if (choose("view", plot.axis == DepthAxis::view, "plot.view",
+               warped ? "View depth: the distance from the camera's plane in scene units."
+                      : "This ray has no depth warp, so both depths are the same.",
+               "D"))
+        set_depth_axis(plot, DepthAxis::view);
+    ImGui::EndDisabled();
+}
+
+// The choice of the ray: from the eye or from the light.
+void draw_viewpoint_choice(const Ui& ui, ExplorerState& state, float right) {
+    if (state.ray) return;  // the ray has no scene
+    const Viewpoint shown = seen_from_light(state) ? state.viewpoint : Viewpoint::eye;
+    const struct {
+        Viewpoint viewpoint;
+        const char *label, *anchor, *help;
+    } choices[] = {
+        {Viewpoint::eye, "eye", "plot.eye", "The ray from the eye through the picked pixel."},
+        {Viewpoint::transparent_casters, "light", "plot.light",
+         "What the light's map of transparent casters stores about the surface in the picked pixel, or about the marked "
+         "fragment: the mixture of all texels of the filter. Turns shadows on."},
+        {Viewpoint::opaque_casters, "opaque", "plot.opaque",
+         "The same for the map of opaque casters. A(z) is the share of the filter region in front of z, the moments are those of "
+         "four-moment shadow mapping with β = 0, and the sharp bounds are its Hausdorff variant."}};
+    for (const auto& choice : choices) {
+        if (toggle_button(choice.label, shown == choice.viewpoint)) set_viewpoint(state, choice.viewpoint);
+        ui.record_widget_rect(choice.anchor);
+        tooltip(choice.help, choice.viewpoint == Viewpoint::opaque_casters ? "" : "V");
+        flow(button_width("opaque"), right,
+             (choice.viewpoint == Viewpoint::opaque_casters ? 1.0f : 0.2f) * em());
+    }
+}
+
+void draw_tools(const Ui& ui, const Measurement& m, ExplorerState& state, float right) {
+    PlotState& plot = state.plot;
+    draw_viewpoint_choice(ui, state, right);
+    draw_axis_choices(ui, m.capture.ray.warp.has_view_depths(), plot, right);
+    flow(button_width("fit"), right, em());
+    if (ImGui::Button("fit")) fit(plot);
+    ui.record_widget_rect("plot.fit");
+    tooltip("Fits the plot to the ray.", "F, or double-click in the plot");
+    flow(9 * em(), right, em());
+    ImGui::SetNextItemWidth(std::min(9 * em(), std::max(right - ImGui::GetCursorScreenPos().x, 20.0f)));
+    float query = query_depth(m, state);
+    if (ImGui::SliderFloat("##query", &query, -1, 1, "query z = %.3f", ImGuiSliderFlags_AlwaysClamp))
+        plot.query = query;
+    ui.record_widget_rect("plot.query");
+    tooltip(
+        "The query depth z, at which the bounds, β and the canonical representation are drawn. Drag in the plot, "
+        "or Ctrl+click here to type a number.");
+}
+
+// The fragment whose step is nearest to the mouse, if it is near enough.
+std::optional<std::size_t> fragment_at(const PlotAxes& axes, const ViewRay& ray, float x) {
+    std::optional<std::size_t> nearest;
+    float least = 0.35f * em();
+    for (std::size_t i = 0; i < ray.fragments.size(); ++i) {
+        const float distance = std::abs(axes.x(ray.fragments[i].depth) - x);
+        if (distance > least) continue;
+        least = distance;
+        nearest = i;
+    }
+    return nearest;
+}
+
+void value_line(const char* name, ImU32 tint, float absorbance, const PlotAxes& axes) {
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(tint), "%s", name);
+    ImGui::SameLine(11 * em());
+    ImGui::Text("%s = %.5f", axes.quantity == Quantity::absorbance ? "A" : "T",
+                static_cast<double>(axes.shown(absorbance)));
+}
+
+// Draws the crosshair and lists the values of all curves at the mouse.
+void draw_crosshair(const Ui& ui, const PlotAxes& axes, const Measurement& m, const ExplorerState& state) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const float warped = axes.warped_of(axes.depth_at(mouse.x));
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddLine({mouse.x, axes.area.low.y}, {mouse.x, axes.area.high.y}, ui.colors.axis);
+    list.AddLine({axes.area.low.x, mouse.y}, {axes.area.high.x, mouse.y}, ui.colors.grid);
+    const float at_mouse = axes.depth_at(mouse.x);  // not clamped to the depth range, unlike `warped`
+    if (!(at_mouse >= axes.axis_of(-1) && at_mouse <= axes.axis_of(1))) return;
+    const ViewRay& ray = m.capture.ray;
+    const float at[] = {warped};
+    ImGui::BeginTooltip();
+    ImGui::Text("z = %.4f", static_cast<double>(warped));
+    if (ray.warp.has_view_depths()) {
+        ImGui::SameLine(11 * em());
+        ImGui::Text("view depth %.4f", static_cast<double>(to_view_depth(warped, ray.warp)));
+    }
+    const Curve curve = sample_curve(ray, *m.curve.technique, m.curve.values, at);
+    value_line("truth", ui.colors.truth, static_cast<float>(curve.truth[0]), axes);
+    if (has_function(*curve.technique))
+        value_line("reconstruction", ui.colors.reconstruction, curve.reconstructed[0], axes);
+    if (!curve.beta0.empty() && state.plot.shows(Series::bounds)) {
+        value_line(curve.technique->has_bounds() ? "lower bound of A" : "β = 0", ui.colors.bounds,
+                   curve.beta0[0], axes);
+        value_line(curve.technique->has_bounds() ? "upper bound of A" : "β = 1", ui.colors.bounds,
+                   curve.beta1[0], axes);
+    }
+    const auto unbiased_exact = m.unbiased_exact.empty()
+                                    ? std::vector<float>()
+                                    : unbiased_absorbance(ray, *m.curve.technique, curve.parameters, at);
+    if (!unbiased_exact.empty())
+        value_line("exact, no bias", ui.colors.unbiased_exact, unbiased_exact[0], axes);
+    for (std::size_t i = 0; i < m.compared.size(); ++i)
+        value_line(m.compared[i].technique->id, ui.colors.compared[i % ui.colors.compared.size()],
+                   sample_curve(ray, *m.compared[i].technique, m.compared[i].values, at).reconstructed[0],
+                   axes);
+    ImGui::EndTooltip();
+}
+
+void draw_note(const Ui& ui, const std::string& note, float right) {
+    if (note.empty()) return;
+    ImGui::PushTextWrapPos(right - ImGui::GetWindowPos().x);
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ui.colors.exit), "%s", note.c_str());
+    ImGui::PopTextWrapPos();
+}
+
+// Describes the receiver of the light and how much light reaches it.
+void draw_light_line(const Ui& ui, const Measurement& m, float right) {
+    if (!m.light) return;
+    ImGui::PushTextWrapPos(right - ImGui::GetWindowPos().x);
+    ImGui::TextWrapped("Receiver: %s, at z = %.3f. %s", m.light->receiver.c_str(),
+                       static_cast<double>(m.light->bundle.place.depth), m.light->breakdown.sentence.c_str());
+    ImGui::PopTextWrapPos();
+    ui.record_widget_rect("plot.receiver");
+    tooltip(
+        "The receiver of the light in the picked pixel: the marked fragment, or the one with which the pixel is half "
+        "covered, or else the opaque surface. To choose another one, mark a fragment of the eye's ray. The plotted "
+        "truth is the mixture of the filter's texels.");
+}
+
+bool contains(const Rect& rect, ImVec2 at) {
+    return at.x >= rect.low.x && at.x < rect.high.x && at.y >= rect.low.y && at.y < rect.high.y;
+}
+
+}  // namespace
+
+void PlotPanel::zoom(const PlotAxes& axes, PlotState& plot, bool depth, bool value, float notches) const {
+    const float factor = std::pow(0.85f, notches);
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const auto around = [&](const Range& range, float fixed) {
+        return Range{fixed + (range.low - fixed) * factor, fixed + (range.high - fixed) * factor};
+    };
+    constexpr float MIN_EXTENT = 1e-4f, MAX_EXTENT = 1e4f;  // beyond, floats have too few digits for ticks
+    const auto sensible = [](const Range& range) {
+        return range.high - range.low > MIN_EXTENT && range.high - range.low < MAX_EXTENT;
+    };
+    const Range new_depth = around(axes.depth, axes.depth_at(mouse.x));
+    const Range new_value = around(axes.value, axes.value_at(mouse.y));
+    if (depth && sensible(new_depth)) plot.depth = new_depth;
+    if (value && sensible(new_value)) plot.value = new_value;
+}
+
+void PlotPanel::pan(const PlotAxes& axes, PlotState& plot) const {
+    const ImVec2 moved = ImGui::GetIO().MouseDelta;
+    if (grips_depth_ && moved.x != 0) {
+        const float by = axes.depth_at(axes.area.low.x - moved.x) - axes.depth.low;
+        plot.depth = Range{axes.depth.low + by, axes.depth.high + by};
+    }
+    if (grips_value_ && moved.y != 0) {
+        const float by = axes.value_at(axes.area.high.y - moved.y) - axes.value.low;
+        plot.value = Range{axes.value.low + by, axes.value.high + by};
+    }
+}
+
+void PlotPanel::handle_mouse(const PlotAxes& axes, const Measurement& m, ExplorerState& state) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool inside = contains(axes.area, io.MousePos);
+    const bool on_value_axis = io.MousePos.x < axes.area.low.x;
+    const bool on_depth_axis = io.MousePos.y >= axes.area.high.y && !on_value_axis;
+    if (ImGui::IsItemHovered() && io.MouseWheel != 0)
+        zoom(axes, state.plot, !on_value_axis, !on_depth_axis, io.MouseWheel);
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+        if (!on_value_axis) fit_depths(state.plot);
+        if (!on_depth_axis) fit_values(state.plot);
+        if (inside) {  // the first click must not change the query depth
+            state.plot.query = query_before_click_;
+            state.marked = marked_before_click_;
+        }
+        grip_ = Grip::none;
+        return;
+    }
+    if (ImGui::IsItemActivated()) {
+        grip_ = inside && ImGui::IsMouseDown(ImGuiMouseButton_Left) ? Grip::query : Grip::pan;
+        grips_depth_ = inside || on_depth_axis;
+        grips_value_ = inside || on_value_axis;
+        query_before_click_ = state.plot.query;
+        marked_before_click_ = state.marked;
+        if (grip_ == Grip::query) state.marked = fragment_at(axes, m.capture.ray, io.MousePos.x);
+    }
+    if (!ImGui::IsItemActive()) {
+        grip_ = Grip::none;
+        return;
+    }
+    if (grip_ == Grip::pan) pan(axes, state.plot);
+    if (grip_ == Grip::query) {
+        // A click on a step snaps to its fragment; dragging ends the snap.
+        const bool snapped = state.marked && !ImGui::IsMouseDragging(ImGuiMouseButton_Left);
+        const float at = axes.warped_of(axes.depth_at(io.MousePos.x));
+        state.plot.query = snapped ? std::nullopt : std::optional(std::clamp(at, -1.0f, 1.0f));
+    }
+}
+
+void PlotPanel::draw(const Ui& ui, const Measurement& m, ExplorerState& state, ImVec2 size) {
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float right = corner.x + size.x;
+    ImGui::BeginGroup();
+    ImGui::PushID("plot panel");
+    draw_tools(ui, m, state, right);
+    const std::optional<Series> hovered = draw_legend(ui, m, state, right);
+    draw_light_line(ui, m, right);
+    if (state.plot.shows(Series::reconstruction)) draw_note(ui, failure_note(m), right);
+    if (state.plot.shows(Series::bounds) && m.failure.where.empty()) draw_note(ui, band_note(m), right);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 extent = {std::max(size.x, 1.0f), std::max(corner.y + size.y - low.y, 1.0f)};
+    const Rect outside = {low, {low.x + extent.x, low.y + extent.y}};
+    ImGui::InvisibleButton("plot", extent,
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                               ImGuiButtonFlags_MouseButtonMiddle);
+    PlotAxes axes = make_axes(m.capture.ray, m.curve, state.plot, outside, true);
+    if (m.light && state.viewpoint == Viewpoint::opaque_casters && axes.quantity == Quantity::absorbance)
+        axes.value_name = "share of the filter region in front of z, linear";
+    ui.widget_rects["plot"] = axes.area;
+    ui.widget_rects["plot.depth_axis"] = {{axes.area.low.x, axes.area.high.y},
+                                          {axes.area.high.x, outside.high.y}};
+    ui.widget_rects["plot.value_axis"] = {{outside.low.x, axes.area.low.y},
+                                          {axes.area.low.x, axes.area.high.y}};
+    handle_mouse(axes, m, state);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect(outside.low, outside.high, true);
+    list.AddRectFilled(axes.area.low, axes.area.high, ui.colors.plot_background);
+    draw_axes(list, axes, ui.colors, true);
+    list.PushClipRect(axes.area.low, axes.area.high, true);
+    draw_layers(list, axes, ui.colors, {m, state, hovered});
+    list.PopClipRect();
+    if (m.capture.ray.fragments.empty()) {
+        draw_text(list,
+                  {0.5f * (axes.area.low.x + axes.area.high.x), 0.5f * (axes.area.low.y + axes.area.high.y)},
+                  {0.5f, 0.5f}, empty_ray_text(m).c_str(), ui.colors.text);
+        ui.widget_rects["plot.empty"] = axes.area;
+    }
+    list.PopClipRect();
+    if (ImGui::IsItemHovered() && contains(axes.area, ImGui::GetIO().MousePos) && grip_ != Grip::pan)
+        draw_crosshair(ui, axes, m, state);
+    ImGui::PopID();
+    ImGui::EndGroup();
+}
+
+}  // namespace momentscope::ui

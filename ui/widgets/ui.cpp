@@ -1,0 +1,47 @@
+#include "ui/widgets/ui.hpp"
+
+#include "core/image/image.hpp"
+
+namespace momentscope::ui {
+
+void tooltip(const std::string& text, const std::string& weaker) {
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(28 * em());
+    ImGui::TextUnformatted(text.c_str());
+    if (!weaker.empty()) ImGui::TextDisabled("%s", weaker.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+void label(const char* text, float width) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(text);
+    ImGui::SameLine(width * em());
+}
+
+ImU32 packed(const glm::vec3& color) {
+    return ImGui::ColorConvertFloat4ToU32(ImVec4(color.r, color.g, color.b, 1));
+}
+
+ImVec4 display_color(const glm::vec3& linear) {
+    return {srgb_from_linear(linear.r), srgb_from_linear(linear.g), srgb_from_linear(linear.b), 1};
+}
+
+void flow(float width, float right, float gap) {
+    ImGui::SameLine(0, gap);
+    if (ImGui::GetCursorScreenPos().x + width > right) ImGui::NewLine();
+}
+
+float button_width(const char* label) {
+    return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
+bool toggle_button(const char* label, bool on) {
+    if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    const bool clicked = ImGui::Button(label);
+    if (on) ImGui::PopStyleColor();
+    return clicked;
+}
+
+}  // namespace momentscope::ui

@@ -1,0 +1,95 @@
+#include "ui/window/explorer.hpp"
+
+#include <imgui_internal.h>
+
+#include <cfloat>
+#include <utility>
+
+#include "ui/commands/command_palette.hpp"
+#include "ui/window/notices.hpp"
+#include "ui/window/parts.hpp"
+#include "ui/window/update.hpp"
+
+namespace momentscope::ui {
+
+namespace {
+
+bool shows_dialog(const Workspace& w) {
+    return w.files.is_open() || w.palette.open;
+}
+
+// On Escape, an open list, menu or other popup closes first. The dialog and the palette are popups, too, but
+// close themselves, and a text field that is being edited goes before all of them.
+bool close_popup_on_escape(const Workspace& w) {
+    constexpr int ESCAPE = 256;
+    const int stay = shows_dialog(w) ? 1 : 0;
+    const int open = ImGui::GetCurrentContext()->OpenPopupStack.Size;
+    if (open <= stay || ImGui::GetIO().WantTextInput || !ImGui::IsKeyPressed(ESCAPE, false)) return false;
+    ImGui::ClosePopupToLevel(open - 1, true);
+    ImGui::GetIO().KeysDownDuration[ESCAPE] = FLT_MIN;  // held, but no longer newly pressed
+    return true;
+}
+
+void begin_window() {
+    const ImGuiViewport& viewport = *ImGui::GetMainViewport();
+    ImGui::SetNextWindowPos(viewport.Pos);
+    ImGui::SetNextWindowSize(viewport.Size);
+    ImGui::Begin("Momentscope", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_MenuBar |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse |
+                     ImGuiWindowFlags_NoSavedSettings);
+}
+
+// What lies above the window.
+void draw_above(const Ui& ui, Workspace& w) {
+    draw_help(ui, w.help);
+    w.files.draw(ui, w);
+    if (const Command* chosen = draw_palette(ui, w)) chosen->run(w);
+    draw_reading_notice(ui, w);
+}
+
+// Records a drag as one step, and only states that could be shown.
+void record_step(Workspace& w) {
+    if (w.state == w.shown && !ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive())
+        w.history.record(w.state);
+}
+
+}  // namespace
+
+Explorer::Explorer(Renderer& renderer, ExplorerState state, WindowOptions options)
+    : workspace_(renderer, std::move(state), std::move(options)) {}
+
+void Explorer::frame() {
+    Workspace& w = workspace_;
+    if (styled_ != w.state.theme) {
+        apply_style(w.state.theme, w.options.scale);
+        styled_ = w.state.theme;
+    }
+    w.widget_rects.clear();
+    take_results(w);
+    const Ui ui = {palette(w.state.theme), w.widget_rects};
+    begin_window();
+    const bool reading = w.scene.is_reading();  // it may change within this frame
+    w.escape_is_taken =
+        close_popup_on_escape(w) || shows_dialog(w) || reading || ImGui::GetIO().WantTextInput;
+    w.comparison.flip(!w.state.ray && !shows_dialog(w) && (held({.key = 'G'}) || w.scene_panel.flip_held()));
+
+    ImGui::BeginDisabled(reading);  // the state must not change while a scene is read
+    draw_menu_bar(ui, w);
+    draw_lessons(ui, w);
+    const WorkArea area = draw_scene_controls(ui, w);
+    update_window(w, area.picture, {ImGui::IsAnyMouseDown(), ImGui::GetIO().DeltaTime});
+    draw_work_area(ui, w, area);
+    draw_status_line(ui, w);
+    ImGui::EndDisabled();
+    ImGui::End();
+    draw_above(ui, w);
+    run_pressed_commands(w);
+    record_step(w);
+}
+
+void Explorer::draw_waiting(ImDrawList& list) const {
+    ui::draw_waiting(list, workspace_);
+}
+
+}  // namespace momentscope::ui

@@ -1,0 +1,30 @@
+// explorer.hpp -- the content of the window: scene, plot and panels of one state.
+#pragma once
+#include <optional>
+
+#include "ui/workspace/workspace.hpp"
+
+namespace momentscope::ui {
+
+/// Draws ImGui frames. The GL context of the renderer must be current, and an ImGui frame must have begun.
+class Explorer {
+public:
+    Explorer(Renderer& renderer, ExplorerState state, WindowOptions options = {});
+
+    /// Fills the whole ImGui viewport. First the input changes the state, then what it made stale is
+    /// computed, then everything is drawn. Throws Error only if there was no good picture yet.
+    void frame();
+
+    /// Draws the word "drawing…" over the last frame while a long picture is drawn. Before the first picture,
+    /// fills the window with the names of the program and of the scene.
+    void draw_waiting(ImDrawList& list) const;
+
+    Workspace& workspace() { return workspace_; }
+    const Workspace& workspace() const { return workspace_; }
+
+private:
+    Workspace workspace_;
+    std::optional<ThemeKind> styled_;  // the theme that ImGui was set to
+};
+
+}  // namespace momentscope::ui

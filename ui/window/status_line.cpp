@@ -1,0 +1,52 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "ui/window/parts.hpp"
+
+namespace momentscope::ui {
+
+namespace {
+
+ImVec4 color_of(ImU32 tint) {
+    return ImGui::ColorConvertU32ToFloat4(tint);
+}
+
+}  // namespace
+
+void draw_status_line(const Ui& ui, Workspace& w) {
+    if (!w.status.message.empty()) {
+        ImGui::TextColored(color_of(ui.colors.warning), "%s", w.status.message.c_str());
+        ui.record_widget_rect("status");
+        tooltip(w.status.message);
+        return;
+    }
+    if (w.picked.empty()) return ImGui::TextUnformatted("Reading the first scene.");
+    std::string status = w.state.ray
+                             ? std::string("view ray without a scene")
+                             : fmt::format("pixel {}, {}", w.measurement().pixel.x, w.measurement().pixel.y);
+    status += fmt::format("   {}   absorbance {:.4g}",
+                          fragment_count_text(w.measurement().capture.ray.fragments.size()),
+                          w.measurement().curve.total_absorbance);
+    if (w.options.show_times && !w.state.ray) {
+        const PassTimes& t = w.picture.renderer().pass_times();
+        status += fmt::format("   ms: opaque {:.1f}, first pass {:.1f}, second {:.1f}, composite {:.1f}",
+                              t.opaque, t.moments, t.color, t.composite);
+    }
+    ImGui::TextUnformatted(status.c_str());
+    ui.record_widget_rect("status");
+    tooltip(
+        "The picked pixel, what lies on its ray, and the time that the GL took for the last run of each pass.");
+    const std::string gl = w.gl.software ? fmt::format("no GPU: {}", w.gl.renderer) : w.gl.renderer;
+    const float width = std::min(ImGui::CalcTextSize(gl.c_str()).x, 0.35f * ImGui::GetContentRegionMax().x);
+    ImGui::SameLine(std::max(ImGui::GetContentRegionMax().x - width, 1.0f));
+    ImGui::TextDisabled("%s", gl.c_str());
+    ui.record_widget_rect("status.gl");
+    std::string missing = fmt::format("OpenGL {}, {}", w.gl.version, w.gl.renderer);
+    for (const MissingFeature& feature : w.gl.missing)
+        missing += fmt::format("\nmissing: {}; {}.", feature.feature, feature.consequence);
+    if (w.gl.missing.empty()) missing += "\nNothing that Momentscope could use is missing.";
+    tooltip(missing);
+}
+
+}  // namespace momentscope::ui

@@ -1,0 +1,147 @@
+#include "ui/window/update.hpp"
+
+#include <chrono>
+#include <utility>
+
+#include "core/scene/scenes.hpp"
+#include "core/shadow/shadow_settings.hpp"
+#include "core/support/error.hpp"
+#include "ui/model/selection.hpp"
+
+namespace momentscope::ui {
+
+namespace {
+
+void apply_opacity(Workspace& w) {
+    if (!w.scene.apply_opacity(w.state)) return;
+    w.picture.set_objects(w.scene.scene());
+    w.comparison.forget_reference();
+}
+
+void show_scene(Workspace& w, Scene scene) {
+    w.picture.set_scene(scene);
+    w.comparison.forget_reference();
+    w.scene.show(std::move(scene));
+    w.scene_picture.scene_camera = w.scene.scene().camera;
+    w.status.warning = w.scene.warning();
+    if (!w.status.warning.empty()) w.status.say(w.status.warning);
+    apply_opacity(w);
+}
+
+// If the scene cannot be loaded, shows the error and goes back to the state that is shown.
+void take_read_scene(Workspace& w) {
+    if (!w.scene.is_reading()) return;
+    try {
+        if (std::optional<Scene> scene = w.scene.take_read()) show_scene(w, *std::move(scene));
+    } catch (const Error& error) {
+        if (w.scene.shows_nothing()) throw;
+        w.status.say(error.what());
+        go_back_to_shown(w);
+    }
+}
+
+void update_scene(Workspace& w) {
+    if (std::optional<Scene> scene = w.scene.take_wanted(w.state))
+        show_scene(w, *std::move(scene));
+    else if (!w.scene.is_reading())
+        apply_opacity(w);
+}
+
+PictureKind picture_kind(const Workspace& w, const View& view, Stage stage) {
+    PictureKind kind = {.scene = w.state.scene, .technique = view.technique, .stage = stage};
+    for (const Parameter& row : parameters())
+        if (row.scale != Scale::linear && row.scale != Scale::logarithmic)
+            kind.choices.push_back(view.parameters[row.id]);
+    if (w.comparison.wants_reference(w.state)) {
+        kind.reference = w.state.compare.reference;
+        kind.reference_stage = w.comparison.reference().stale_stage(reference_view(w.state, view));
+    }
+    kind.failures = w.state.failures && (stage <= Stage::color || !w.shown.failures);
+    return kind;
+}
+
+// Called before anything is drawn, while the window still shows the last frame.
+void announce(const Workspace& w, const PictureKind& kind, glm::ivec2 size) {
+    if (!w.options.before_long_picture) return;
+    if (kind.stage == Stage::nothing && kind.reference_stage == Stage::nothing && !kind.failures) return;
+    const auto expected = w.picture_times.expected(kind, size);
+    if (!expected || *expected > w.options.most_silent_milliseconds) w.options.before_long_picture();
+}
+
+void update_ray(Workspace& w, const Update& update) {
+    w.comparison.stop();
+    if (w.picked.update_ray(update)) w.picture.forget();  // the picture is no longer shown
+}
+
+void update_full_picture(Workspace& w, const Update& update, const PictureChange& change) {
+    Renderer& renderer = w.picture.renderer();
+    const Scene& scene = w.scene.scene();
+    w.picture.draw(change, update.report);
+    w.comparison.update(update, change, renderer, scene);  // this may pick another pixel
+    w.picked.update(update, change, renderer, scene);
+    update_scene_picture(w.scene_picture, update, change, renderer, w.comparison, w.measurement().pixel);
+}
+
+void update_draft(Workspace& w, const Update& update, const PictureChange& change) {
+    update.report.draft = w.picture.draw_draft(change.now);
+    w.picked.update_draft(update, change, w.picture.draft(), update.report.draft, w.scene.scene());
+    show_draft(w.scene_picture, w.picture.draft());
+}
+
+void update_picture(Workspace& w, const Update& update, glm::ivec2 size, Pointer pointer) {
+    const auto begun = std::chrono::steady_clock::now();
+    ExplorerState& state = w.state;
+    if (state.viewpoint != Viewpoint::eye && !has_shadows(state.parameters))
+        set_viewpoint(state, Viewpoint::eye);  // shadows were turned off
+    const bool builds_scene = state.scene != w.scene.scene().id && is_builtin_scene(state.scene);
+    const auto view = [&] { return View{w.camera(), size, state.technique, state.parameters}; };
+    if (builds_scene) announce(w, picture_kind(w, view(), Stage::opaque), size);
+    update_scene(w);
+    if (w.scene.is_reading()) return;
+    const PictureChange change = w.picture.change_to(view());
+    if (w.picture.wants_draft(change, pointer)) return update_draft(w, update, change);
+    const PictureKind kind = picture_kind(w, change.now, change.stage);
+    if (!builds_scene) announce(w, kind, size);
+    update_full_picture(w, update, change);
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begun;
+    w.picture_times.took(kind, size, took.count());
+}
+
+void update_content(Workspace& w, glm::ivec2 size, Pointer pointer) {
+    take_read_scene(w);
+    if (w.scene.is_reading()) return;  // the old content stays until the scene is there
+    const Update update = {w.state, w.shown, w.status, w.report};
+    if (w.state.ray)
+        update_ray(w, update);
+    else
+        update_picture(w, update, size, pointer);
+    if (w.scene.is_reading()) return;
+    w.shown = w.state;
+    auto bounds = w.sharp_bounds.update(w.state.plot, w.measurement(), w.picked.number(), w.status);
+    if (bounds) w.picked.set_sharp_bounds(*std::move(bounds));
+}
+
+}  // namespace
+
+void take_results(Workspace& w) {
+    w.stress.poll();
+    w.tuning.poll(w.state, w.status);
+    w.comparison.poll();
+    if (!w.scene.is_reading()) w.chart.work(w.state, w.status);
+}
+
+void update_window(Workspace& w, glm::ivec2 size, Pointer pointer) {
+    w.report = {};
+    try {
+        update_content(w, size, pointer);
+    } catch (const Error& error) {
+        if (w.picked.empty()) throw;
+        w.status.say(error.what());
+        go_back_to_shown(w);
+        w.picture.forget();
+        w.comparison.forget_worst();
+    }
+    w.status.progress = w.scene.progress();
+}
+
+}  // namespace momentscope::ui

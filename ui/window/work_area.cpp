@@ -1,0 +1,115 @@
+// work_area.cpp -- scene, plot and tabs side by side.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/panels/panels.hpp"
+#include "ui/plot/pinned_plots.hpp"
+#include "ui/widgets/shortcut.hpp"
+#include "ui/window/parts.hpp"
+
+namespace momentscope::ui {
+
+namespace {
+
+constexpr float MIN_SHARE = 0.2f, MAX_SHARE = 0.8f;
+
+// A draggable bar between two areas. A double-click restores the default. Changes the share of the area
+// before the bar.
+void splitter(const Ui& ui, const char* name, bool vertical, ImVec2 size, float room, float default_value,
+              float& share) {
+    ImGui::InvisibleButton(name, {std::max(size.x, 1.0f), std::max(size.y, 1.0f)});
+    ui.record_widget_rect(name);
+    const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
+    tooltip("Drag to divide the space; double-click to restore the original division.");
+    if (hot) ImGui::SetMouseCursor(vertical ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
+    const float moved = vertical ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y;
+    if (ImGui::IsItemActive() && room > 1) share = std::clamp(share + moved / room, MIN_SHARE, MAX_SHARE);
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) share = default_value;
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    const ImVec2 middle = {0.5f * (low.x + high.x), 0.5f * (low.y + high.y)};
+    const ImU32 tint = ImGui::GetColorU32(hot ? ImGuiCol_CheckMark : ImGuiCol_Border);
+    const float half = 1.2f * em();
+    ImGui::GetWindowDrawList()->AddLine({middle.x - (vertical ? 0 : half), middle.y - (vertical ? half : 0)},
+                                        {middle.x + (vertical ? 0 : half), middle.y + (vertical ? half : 0)},
+                                        tint, 0.15f * em());
+}
+
+// The names of the tabs, and the open one.
+void draw_tabs(const Ui& ui, Workspace& w) {
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+    for (std::size_t i = 0; i < PANELS.size(); ++i) {
+        const PanelRow& row = PANELS[i];
+        if (i > 0) flow(button_width(row.name), right, 0.2f * em());
+        if (toggle_button(row.name, w.state.panel == row.id)) w.state.panel = row.id;
+        ui.record_widget_rect(fmt::format("tab.{}", i + 1));
+        tooltip(row.help, panel_shortcut(i));
+    }
+    ImGui::BeginChild("panel");
+    draw_open_panel(ui, w);
+    ImGui::EndChild();
+    w.widget_rects["panel"] = {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
+}
+
+void draw_right_side(const Ui& ui, Workspace& w, const WorkArea& area) {
+    const ImVec2 size = {std::max(area.size.x - area.left - area.bar, 1.0f), area.size.y};
+    if (w.picked.empty()) return ImGui::Dummy(size);  // the first scene is not loaded yet
+    const float plot = std::max(std::floor(w.state.plot_share * size.y), 1.0f);
+    const float pins = w.state.pins.empty() || w.state.ray ? 0.0f : std::floor(0.26f * plot);
+    ImGui::BeginGroup();
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 0.2f * em()});
+    w.plot_panel.draw(ui, w.measurement(), w.state, {size.x, plot - pins});
+    if (pins > 0) draw_pinned_plots(ui, w.measurement(), w.state, {size.x, pins - 0.2f * em()});
+    ImGui::PopStyleVar();
+    splitter(ui, "split.plot", false, {size.x, area.bar}, size.y, ExplorerState().plot_share,
+             w.state.plot_share);
+    ImGui::BeginChild(
+        "tabs", {size.x, std::max(size.y - plot - area.bar - 2 * ImGui::GetStyle().ItemSpacing.y, 1.0f)});
+    draw_tabs(ui, w);
+    ImGui::EndChild();
+    ImGui::EndGroup();
+}
+
+// A message stays until the next input of the user.
+void clear_message_on_input(Status& status) {
+    const ImGuiIO& io = ImGui::GetIO();
+    bool input = io.InputQueueCharacters.Size > 0;
+    for (const bool clicked : io.MouseClicked) input |= clicked;
+    for (int key = 0; key < IM_ARRAYSIZE(io.KeysDown); ++key) input |= ImGui::IsKeyPressed(key, false);
+    if (input && !pressed({.key = 256})) status.message.clear();  // Escape is handled elsewhere
+}
+
+}  // namespace
+
+WorkArea draw_scene_controls(const Ui& ui, Workspace& w) {
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const float bar = 0.6f * em();
+    const float gap = ImGui::GetStyle().ItemSpacing.y;
+    WorkArea area = {.size = {room.x, std::max(room.y - ImGui::GetTextLineHeightWithSpacing() - gap, 1.0f)},
+                     .left = 0,
+                     .bar = bar,
+                     .picture = {}};
+    area.left = std::max(std::floor(w.state.scene_share * (area.size.x - bar)), 1.0f);
+    clear_message_on_input(w.status);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::BeginChild("scene side", {area.left, area.size.y}, false,
+                      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    area.picture = w.scene_panel.draw_controls(ui, w.measurement(), w.scene_picture, w.state,
+                                               {area.left, area.size.y}, w.status);
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
+    return area;
+}
+
+void draw_work_area(const Ui& ui, Workspace& w, const WorkArea& area) {
+    w.scene_panel.draw_picture(ui, w.measurement(), w.scene_picture, w.state);
+    ImGui::SameLine(0, 0);
+    splitter(ui, "split.scene", true, {area.bar, area.size.y}, area.size.x, ExplorerState().scene_share,
+             w.state.scene_share);
+    ImGui::SameLine(0, 0);
+    draw_right_side(ui, w, area);
+}
+
+}  // namespace momentscope::ui

@@ -1,0 +1,141 @@
+#include "ui/workspace/files.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "core/ray/ray_json.hpp"
+#include "core/report/curve_output.hpp"
+#include "core/support/error.hpp"
+#include "core/support/json_text.hpp"
+#include "core/support/output_file.hpp"
+#include "ui/model/selection.hpp"
+#include "ui/model/session.hpp"
+#include "ui/workspace/workspace.hpp"
+
+namespace momentscope::ui {
+
+namespace {
+
+const std::vector<FileKind> EXPORTS = {{"curves_csv", "curves (CSV)", ".csv"},
+                                       {"curves_json", "view ray and curves (JSON)", ".json"},
+                                       {"fragments_csv", "fragments of the pixel (CSV)", ".csv"},
+                                       {"ray_json", "view ray, to be opened again (JSON)", ".json"},
+                                       {"picture_png", "picture (PNG, 8-bit sRGB)", ".png"},
+                                       {"picture_exr", "picture (EXR, linear floats)", ".exr"},
+                                       {"window_png", "whole window (PNG)", ".png"}};
+
+const std::vector<FileKind> CHART_FILES = {{"chart_csv", "rows (CSV), also for advise --chart", ".csv"},
+                                           {"chart_html", "chart (HTML page)", ".html"},
+                                           {"chart_svg", "chart (SVG)", ".svg"},
+                                           {"chart_md", "table (Markdown)", ".md"}};
+
+}  // namespace
+
+void Files::open_session() {
+    purpose_ = Purpose::open_session;
+    dialog_.open(FileDialog::Mode::open, "Open session", {{"session", "session", ".json"}}, "");
+}
+
+void Files::save_session() {
+    purpose_ = Purpose::save_session;
+    dialog_.open(FileDialog::Mode::save, "Save session", {{"session", "session", ".json"}},
+                 "momentscope.json");
+}
+
+void Files::open_mesh() {
+    purpose_ = Purpose::open_mesh;
+    dialog_.open(FileDialog::Mode::open, "Open mesh", {{"any", "any file", ""}}, "");
+}
+
+void Files::open_ray() {
+    purpose_ = Purpose::open_ray;
+    dialog_.open(FileDialog::Mode::open, "Open view ray", {{"ray", "view ray", ".json"}}, "");
+}
+
+void Files::save_export() {
+    purpose_ = Purpose::save_export;
+    dialog_.open(FileDialog::Mode::save, "Export", EXPORTS, "curves.csv");
+}
+
+void Files::save_chart() {
+    purpose_ = Purpose::save_chart;
+    dialog_.open(FileDialog::Mode::save, "Save chart", CHART_FILES, "chart.csv");
+}
+
+void Files::draw(const Ui& ui, Workspace& w) {
+    const std::optional<FileDialog::Choice> choice = dialog_.draw(ui);
+    if (!choice) return;
+    try {
+        use(*choice, w);
+    } catch (const Error& error) {
+        w.status.say(error.what());
+    }
+}
+
+std::optional<std::filesystem::path> Files::take_window_export() {
+    if (!window_export_ || --frames_to_export_ > 0) return std::nullopt;
+    return std::exchange(window_export_, std::nullopt);
+}
+
+void Files::use(const FileDialog::Choice& choice, Workspace& w) {
+    switch (purpose_) {
+        case Purpose::open_session: {
+            Session session = read_session_file(choice.path);
+            w.state = std::move(session.state);
+            if (!session.ignored.empty())
+                w.status.say(fmt::format(
+                    "The session was opened, but this version does not know these keys and ignored them: {}.",
+                    fmt::join(session.ignored, ", ")));
+            break;
+        }
+        case Purpose::save_session:
+            write_session_file(w.state, choice.path);
+            w.status.say(fmt::format("The session was saved to {}.", choice.path.string()));
+            break;
+        case Purpose::open_mesh:
+            choose_scene(w.state, choice.path.string());
+            break;
+        case Purpose::open_ray:
+            ui::open_ray(w.state, read_ray_file(choice.path));
+            break;
+        case Purpose::save_export:
+            write_export(choice, w);
+            break;
+        case Purpose::save_chart:
+            w.chart.write(choice.path);
+            w.status.say(fmt::format("Written to {}.", choice.path.string()));
+            break;
+    }
+}
+
+void Files::write_export(const FileDialog::Choice& choice, Workspace& w) {
+    const std::string kind = choice.kind->id;
+    Renderer& renderer = w.picture.renderer();
+    const Measurement& measurement = w.measurement();
+    const ViewRay& ray = measurement.capture.ray;
+    std::vector<Curve> curves = {measurement.curve};
+    curves.insert(curves.end(), measurement.compared.begin(), measurement.compared.end());
+    if (kind == "window_png") {
+        window_export_ = choice.path;
+        frames_to_export_ = 2;  // the current frame still shows the dialog
+        return;                 // the code that writes it shows the message
+    } else if (kind.starts_with("picture")) {
+        if (w.state.ray) throw Error("A view ray without a scene has no picture; choose a scene first.");
+        write_image(renderer.read_picture(), choice.path, tone_map_of(w.state.parameters));
+    } else if (kind == "curves_csv") {
+        write_file(curves_to_csv(curves), choice.path);
+    } else if (kind == "curves_json") {
+        write_file(curves_to_json(ray, curves), choice.path);
+    } else if (kind == "ray_json") {
+        write_file(json_text(ray_to_json(ray), 1) + "\n", choice.path);
+    } else {
+        if (!w.state.ray) w.picked.require_transmittances(renderer);
+        const auto rows =
+            pixel_history(ray, measurement.capture.transmittance, *w.state.technique, w.state.parameters);
+        write_file(pixel_history_to_csv(ray, rows), choice.path);
+    }
+    w.status.say(fmt::format("Written to {}.", choice.path.string()));
+}
+
+}  // namespace momentscope::ui

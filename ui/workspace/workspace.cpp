@@ -1,0 +1,66 @@
+#include "ui/workspace/workspace.hpp"
+
+#include <utility>
+
+#include "ui/model/selection.hpp"
+
+namespace momentscope::ui {
+
+Workspace::Workspace(Renderer& renderer, ExplorerState start, WindowOptions window_options)
+    : options(std::move(window_options)),
+      state(std::move(start)),
+      shown(state),
+      history(state),
+      picture(renderer, options.most_milliseconds) {}
+
+bool has_background_work(const Workspace& w) {
+    return w.stress.busy() || w.tuning.busy() || w.sharp_bounds.busy() || w.comparison.numbers().busy();
+}
+
+bool wants_frame(const Workspace& w) {
+    return !(w.state == w.shown) || w.scene.is_reading() || has_background_work(w) ||
+           w.comparison.wants_worst() || w.picture.shows_draft() || w.chart.busy();
+}
+
+// The last change may not be recorded as a step yet.
+void undo(Workspace& w) {
+    w.history.record(w.state);
+    if (w.history.can_undo()) w.state = w.history.undo();
+}
+
+void redo(Workspace& w) {
+    w.history.record(w.state);
+    if (w.history.can_redo()) w.state = w.history.redo();
+}
+
+void go_back_to_shown(Workspace& w) {
+    w.history.reject_present(w.shown);
+    w.state = w.shown;
+}
+
+void type_parameter(Workspace& w, ParameterId id) {
+    w.state.panel = Panel::controls;
+    w.to_type = id;
+}
+
+void measure_chart(Workspace& w) {
+    w.state.panel = Panel::chart;
+    w.chart.start(w.scene.scene(), w.state, w.status);
+}
+
+void close_topmost(Workspace& w) {
+    if (w.palette.open)
+        w.palette.open = false;
+    else if (w.escape_is_taken)
+        return;
+    else if (w.help)
+        w.help = false;
+    else if (!w.status.message.empty())
+        w.status.message.clear();
+    else if (w.state.compare.region)
+        forget_region(w.state.compare);
+    else
+        close_card(w.state);
+}
+
+}  // namespace momentscope::ui
