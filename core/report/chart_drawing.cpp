@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/chart/family.hpp"
+#include "core/report/family.hpp"
 #include "core/report/labels.hpp"
 #include "core/techniques/configuration.hpp"
 

@@ -1,11 +1,11 @@
 // chart_test.cpp -- processing of a chart's numbers: medians, the Pareto front, tables and drawings.
 #include "core/chart/chart.hpp"
 #include "core/chart/chart_csv.hpp"
-#include "core/chart/family.hpp"
 #include "core/chart/grid.hpp"
 #include "core/chart/pareto.hpp"
 #include "core/report/chart_drawing.hpp"
 #include "core/report/chart_html.hpp"
+#include "core/report/family.hpp"
 #include "core/scene/scenes.hpp"
 #include "core/support/markup.hpp"
 #include "tests/unit/expect_error.hpp"

@@ -35,14 +35,6 @@ std::vector<ImVec2> points_of(const PlotAxes& axes, const std::vector<float>& de
     return points;
 }
 
-void draw_line(ImDrawList& list, const std::vector<ImVec2>& points, ImU32 tint, float thickness) {
-    // Draw pieces that share a point, because ImGui numbers the vertices of one call with 16 bits.
-    constexpr std::size_t PIECE = 4000;
-    for (std::size_t first = 0; first + 1 < points.size(); first += PIECE - 1)
-        list.AddPolyline(&points[first], static_cast<int>(std::min(PIECE, points.size() - first)), tint,
-                         ImDrawFlags_None, thickness);
-}
-
 void draw_band(ImDrawList& list, const PlotAxes& axes, const Curve& curve, ImU32 fill, ImU32 edge,
                float width) {
     // Smoothed edges of neighbouring quads would overlap in visible stripes. The outline is drawn as lines.
@@ -201,31 +193,6 @@ ImVec2 dash_of(std::size_t i) {
     // Five patterns and four colours make twenty techniques look different.
     static const ImVec2 DASHES[] = {{10, 4}, {3, 3}, {14, 3}, {2, 5}, {5, 2}};
     return DASHES[i % std::size(DASHES)];
-}
-
-void draw_dashed(ImDrawList& list, const std::vector<ImVec2>& points, ImU32 tint, float thickness,
-                 ImVec2 dash) {
-    if (!(dash.x > 0)) return draw_line(list, points, tint, thickness);
-    const float scale = em() / 15;
-    const float on = dash.x * scale;
-    const float period = (dash.x + dash.y) * scale;
-    float along = 0;
-    for (std::size_t i = 1; i < points.size(); ++i) {
-        const ImVec2 a = points[i - 1];
-        const ImVec2 step = {points[i].x - a.x, points[i].y - a.y};
-        const float length = std::sqrt(step.x * step.x + step.y * step.y);
-        if (!(length > 0) || !(length < 1e5f)) continue;
-        for (float begin = 0; begin < length;) {
-            const float phase = std::fmod(along + begin, period);
-            const float rest = (phase < on ? on : period) - phase;
-            const float end = std::min(begin + std::max(rest, 0.05f), length);
-            if (phase < on)
-                list.AddLine({a.x + step.x * begin / length, a.y + step.y * begin / length},
-                             {a.x + step.x * end / length, a.y + step.y * end / length}, tint, thickness);
-            begin = end;
-        }
-        along += length;
-    }
 }
 
 void draw_layers(ImDrawList& list, const PlotAxes& axes, const Palette& colors, const PlotInput& input) {

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "ui/plot/plot_axes.hpp"
+#include "ui/widgets/lines.hpp"
 
 namespace momentscope::ui {
 
@@ -26,9 +27,5 @@ inline const ImVec2 SHARP_DASH = {2, 3};
 
 /// The dash lengths of the i-th compared technique: pixels on and off.
 ImVec2 dash_of(std::size_t i);
-
-/// Draws a line through the points that is dashed along its length.
-void draw_dashed(ImDrawList& list, const std::vector<ImVec2>& points, ImU32 tint, float thickness,
-                 ImVec2 dash);
 
 }  // namespace momentscope::ui

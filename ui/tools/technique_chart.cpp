@@ -8,10 +8,10 @@
 
 #include "core/bench/chart_run.hpp"
 #include "core/chart/chart_csv.hpp"
-#include "core/chart/family.hpp"
 #include "core/chart/grid.hpp"
 #include "core/report/chart_drawing.hpp"
 #include "core/report/chart_html.hpp"
+#include "core/report/family.hpp"
 #include "core/support/error.hpp"
 #include "core/support/output_file.hpp"
 #include "ui/widgets/drawing_painter.hpp"

@@ -1,6 +1,7 @@
 #include "ui/widgets/drawing_painter.hpp"
 
-#include "ui/plot/plot_layers.hpp"
+#include "ui/widgets/lines.hpp"
+#include "ui/widgets/ui.hpp"
 #include "ui/widgets/theme.hpp"
 
 namespace momentscope::ui {

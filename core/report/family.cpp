@@ -1,4 +1,4 @@
-#include "core/chart/family.hpp"
+#include "core/report/family.hpp"
 
 #include <algorithm>
 
