@@ -60,7 +60,7 @@ void write_technique(const std::filesystem::path& folder, const Technique& techn
 }
 
 void write_pixel_state(const std::filesystem::path& folder, const Technique& technique) {
-    const PixelStateSettings settings = technique.pixel_states().settings(ParameterValues());
+    const ParameterValues settings = resolve(ParameterValues(), technique).settings;
     const OrderedAccess access = needs_order(technique) ? OrderedAccess::interlock : OrderedAccess::none;
     write(folder, technique.id, "passes/state.frag", state_building_variant(technique, settings, access));
     ShaderVariant variant = state_variant(technique, settings);

@@ -239,7 +239,7 @@ namespace {
 // The mean error of T at the depths of the fragments, over random rays of n fragments.
 double mean_error(int fragments, const ParameterSettings& settings) {
     const Technique& technique = require_technique("mt");
-    const PixelStateSettings pixel_state = technique.pixel_states().settings(values_with(settings));
+    const ParameterValues pixel_state = resolve(values_with(settings), technique).settings;
     RandomNumbers random(3);
     double sum = 0;
     int count = 0;

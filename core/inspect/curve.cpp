@@ -43,10 +43,10 @@ Curve sample_curve(const ViewRay& ray, const Technique& technique, const Paramet
             return curve;
         // This pixel was captured from a scene with a technique without low resolution, so the fragments of
         // its neighbours are missing.
-        if (resolution_divisor(curve.parameters.pixel_state) > 1 && ray.low_resolution_sources.empty() &&
-            ray.far_plane > 0)
+        if (resolution_divisor(technique, curve.parameters.settings) > 1 &&
+            ray.low_resolution_sources.empty() && ray.far_plane > 0)
             return curve;
-        for (const float t : pixel_state_transmittance(ray, technique, curve.parameters.pixel_state, depths))
+        for (const float t : pixel_state_transmittance(ray, technique, curve.parameters.settings, depths))
             curve.reconstructed.push_back(
                 static_cast<float>(shown_absorbance(static_cast<double>(t), curve.total_absorbance)));
         return curve;

@@ -16,7 +16,7 @@ std::vector<PixelHistoryRow> pixel_history(const ViewRay& ray, std::span<const f
     for (const Fragment& fragment : ray.fragments) depths.push_back(fragment.depth);
     const Curve curve = sample_curve(ray, technique, values, depths);
     const std::vector<float> own = technique.has_pixel_states()
-                                       ? own_transmittance(ray, technique, curve.parameters.pixel_state)
+                                       ? own_transmittance(ray, technique, curve.parameters.settings)
                                        : std::vector<float>();
     const std::vector<bool> drawn = drawn_flags(ray, technique);
     std::vector<PixelHistoryRow> in_submission_order;

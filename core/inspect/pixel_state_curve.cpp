@@ -41,7 +41,7 @@ namespace {
 
 // The state that the passes store for the fragments of one pixel, as later passes read it.
 PixelState state_of(const std::vector<Fragment>& fragments, const ViewRay& ray,
-                    const PixelStateKernel& kernel, const PixelStateSettings& settings) {
+                    const PixelStateKernel& kernel, const ParameterValues& settings) {
     PixelState state = kernel.empty_state(settings);
     for (const Fragment& fragment : fragments)
         state = kernel.with_fragment(state, pixel_state_fragment(ray, fragment), settings);
@@ -54,10 +54,10 @@ PixelState state_of(const std::vector<Fragment>& fragments, const ViewRay& ray,
 
 }  // namespace
 
-PixelState pixel_state(const ViewRay& ray, const Technique& technique, const PixelStateSettings& settings) {
+PixelState pixel_state(const ViewRay& ray, const Technique& technique, const ParameterValues& settings) {
     const PixelStateKernel& kernel = technique.pixel_state_kernel();
     PixelState state;
-    if (resolution_divisor(settings) == 1 || ray.low_resolution_sources.empty()) {
+    if (resolution_divisor(technique, settings) == 1 || ray.low_resolution_sources.empty()) {
         state = state_of(ray.fragments, ray, kernel, settings);
     } else {
         for (const LowResolutionSource& share : ray.low_resolution_sources) {
@@ -74,8 +74,7 @@ PixelState pixel_state(const ViewRay& ray, const Technique& technique, const Pix
 }
 
 std::vector<float> pixel_state_transmittance(const ViewRay& ray, const Technique& technique,
-                                             const PixelStateSettings& settings,
-                                             std::span<const float> depths) {
+                                             const ParameterValues& settings, std::span<const float> depths) {
     assert(technique.pixel_state_kernel().has_depths());
     const PixelState state = pixel_state(ray, technique, settings);
     Fragment mean;
@@ -95,7 +94,7 @@ std::vector<float> pixel_state_transmittance(const ViewRay& ray, const Technique
 }
 
 std::vector<float> own_transmittance(const ViewRay& ray, const Technique& technique,
-                                     const PixelStateSettings& settings) {
+                                     const ParameterValues& settings) {
     const PixelStateKernel& kernel = technique.pixel_state_kernel();
     std::vector<float> t(ray.fragments.size());
     if (kernel.has_depths()) {
@@ -117,15 +116,15 @@ std::vector<float> own_transmittance(const ViewRay& ray, const Technique& techni
 glm::vec3 pixel_state_color(const ViewRay& ray, const Technique& technique,
                             const ResolvedParameters& parameters, const glm::vec3& background) {
     const PixelStateKernel& kernel = technique.pixel_state_kernel();
-    const PixelState state = pixel_state(ray, technique, parameters.pixel_state);
-    const Composited all = kernel.composited(state, parameters.pixel_state);
+    const PixelState state = pixel_state(ray, technique, parameters.settings);
+    const Composited all = kernel.composited(state, parameters.settings);
     glm::vec3 color(all.red, all.green, all.blue);
     if (!kernel.holds_colors) {
         glm::vec4 weighted(0);
         for (const Fragment& fragment : ray.fragments)
             weighted +=
                 glm::vec4(fragment.color, 1) * fragment.opacity *
-                kernel.transmittance_at(state, pixel_state_fragment(ray, fragment), parameters.pixel_state);
+                kernel.transmittance_at(state, pixel_state_fragment(ray, fragment), parameters.settings);
         const bool scaled = parameters.renormalize && weighted.a > 0;
         color = glm::vec3(weighted) * (scaled ? (1 - all.transmittance) / weighted.a : 1.0f);
     }

@@ -75,14 +75,14 @@ void LowResolutionPasses::convert(const PassInput& input) {
 }
 
 void LowResolutionPasses::draw_moments(const PassInput& input) {
-    settings_ = input.parameters.pixel_state;
-    make_targets(resolution_divisor(settings_));
+    settings_ = input.parameters.settings;
+    make_targets(resolution_divisor(technique_, settings_));
     glViewport(0, 0, low_size_.x, low_size_.y);
     if (low_depth_ != 0) draw_low_depth(input);
     clear_colors(first_target_, SET_TEXELS);
     clear_colors(second_target_, SET_TEXELS);
     draw_set(input, false);
-    if (moment_sets(settings_) == 2) draw_set(input, true);
+    if (moment_sets(technique_, settings_) == 2) draw_set(input, true);
     glViewport(0, 0, size_.x, size_.y);
 }
 

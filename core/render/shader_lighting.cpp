@@ -19,10 +19,9 @@ ShaderNamespace opaque_namespace(const OpaqueShadow& row) {
 
 ShaderNamespace transparent_namespace(const Configuration& transparent) {
     const Technique& technique = *transparent.technique;
-    ShaderVariant variant =
-        technique.has_moments()
-            ? moment_variant(technique)
-            : state_variant(technique, technique.pixel_states().settings(transparent.values));
+    ShaderVariant variant = technique.has_moments()
+                                ? moment_variant(technique)
+                                : state_variant(technique, resolve(transparent.values, technique).settings);
     return {std::move(variant.defines), std::move(variant.technique), std::move(variant.constants)};
 }
 

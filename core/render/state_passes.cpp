@@ -18,6 +18,22 @@ constexpr GLuint SAMPLES_UNIT = 3;
 constexpr GLuint EXACT_ABSORBANCE_UNIT = 10;
 constexpr GLuint OPAQUE_DEPTH_UNIT = 11;  // state.frag
 
+// The arguments of PixelStateSettings(...) in a shader.
+std::string settings_text(const PixelStateKernel& kernel, const ParameterValues& values) {
+    if (kernel.settings.empty()) return "0";
+    std::string text;
+    for (const auto& [id, type] : kernel.settings) {
+        text += text.empty() ? "" : ", ";
+        if (type == PixelStateSetting::Type::boolean)
+            text += values.is_on(id) ? "true" : "false";
+        else if (type == PixelStateSetting::Type::integer)
+            text += fmt::format("{}", values.count(id));
+        else  // passes/blocks.glsl
+            text += id == ParameterId::beta ? "frame.parameters.x" : "frame.parameters.y";
+    }
+    return text;
+}
+
 // Samples are written by atomic operations; only the absorbance is blended.
 Blending blending_of(Accumulation accumulation) {
     if (accumulation == Accumulation::ordered) return Blending::none;
@@ -26,22 +42,23 @@ Blending blending_of(Accumulation accumulation) {
 
 }  // namespace
 
-int texel_count(const Technique& technique, const PixelStateSettings& settings) {
+int texel_count(const Technique& technique, const ParameterValues& settings) {
     return (technique.pixel_states().floats(settings) + 3) / 4;
 }
 
-ShaderVariant state_variant(const Technique& technique, const PixelStateSettings& settings) {
-    ShaderVariant variant = {.defines = {{"PIXEL_STATE", "1"},
-                                         {"PIXEL_STATE_SETTINGS", glsl_arguments(settings)},
-                                         {"SAMPLE_COUNT", std::to_string(sample_count(settings))},
-                                         {"STATE_TEXELS", std::to_string(texel_count(technique, settings))}},
-                             .technique = fmt::format("shared/{}.glsl", technique.pixel_states().math_file)};
-    if (resolution_divisor(settings) > 1) variant.defines["LOW_RESOLUTION"] = "1";
+ShaderVariant state_variant(const Technique& technique, const ParameterValues& settings) {
+    ShaderVariant variant = {
+        .defines = {{"PIXEL_STATE", "1"},
+                    {"PIXEL_STATE_SETTINGS", settings_text(technique.pixel_state_kernel(), settings)},
+                    {"SAMPLE_COUNT", std::to_string(sample_count(technique, settings))},
+                    {"STATE_TEXELS", std::to_string(texel_count(technique, settings))}},
+        .technique = fmt::format("shared/{}.glsl", technique.pixel_states().math_file)};
+    if (resolution_divisor(technique, settings) > 1) variant.defines["LOW_RESOLUTION"] = "1";
     if (technique.uses(ParameterId::read_format)) variant.constants = quantisation_glsl(4);
     return variant;
 }
 
-ShaderVariant state_building_variant(const Technique& technique, const PixelStateSettings& settings,
+ShaderVariant state_building_variant(const Technique& technique, const ParameterValues& settings,
                                      OrderedAccess access) {
     ShaderVariant variant = state_variant(technique, settings);
     define_access(variant, access);
@@ -67,11 +84,11 @@ StatePasses::StatePasses(const Technique& technique, glm::ivec2 size, GLuint dep
 }
 
 // The number of numbers that a pixel stores depends on parameters.
-void StatePasses::make_states(const PixelStateSettings& settings) {
+void StatePasses::make_states(const ParameterValues& settings) {
     const auto count = static_cast<std::size_t>(texel_count(technique_, settings));
     settings_ = settings;
     if (technique_.pixel_state_kernel().accumulation == Accumulation::samples)
-        make_samples(sample_count(settings));
+        make_samples(sample_count(technique_, settings));
     if (states_.size() == count) return;
     states_.clear();
     std::vector<GLuint> names;
@@ -107,7 +124,7 @@ void StatePasses::clear_states() const {
 }
 
 void StatePasses::draw_moments(const PassInput& input) {
-    make_states(input.parameters.pixel_state);
+    make_states(input.parameters.settings);
     clear_states();
     glUseProgram(
         input.programs.get("passes/scene.vert", "passes/state.frag",
@@ -133,7 +150,7 @@ void StatePasses::draw_states(const PassInput& input) const {
 }
 
 void StatePasses::draw_color(const PassInput& input) {
-    settings_ = input.parameters.pixel_state;  // parameters may have changed that do not change states
+    settings_ = input.parameters.settings;  // parameters may have changed that do not change states
     if (technique_.pixel_state_kernel().holds_colors) return;
     clear_colors(color_target_, exact_absorbance_ != 0 ? 2 : 1);
     glUseProgram(input.programs.get("passes/scene.vert", "passes/state_color.frag",
@@ -143,7 +160,7 @@ void StatePasses::draw_color(const PassInput& input) {
 }
 
 void StatePasses::draw_composite(const PassInput& input) {
-    settings_ = input.parameters.pixel_state;  // parameters may have changed that do not change weights
+    settings_ = input.parameters.settings;  // parameters may have changed that do not change weights
     glUseProgram(input.programs.get("passes/fullscreen.vert", "passes/state_composite.frag",
                                     state_variant(technique_, settings_)));
     glBindTextureUnit(0, input.opaque_color);
@@ -156,7 +173,7 @@ void StatePasses::draw_composite(const PassInput& input) {
 std::optional<ShaderVariant> StatePasses::bind_for_capture(const ResolvedParameters& parameters) const {
     if (!technique_.pixel_state_kernel().has_depths()) return std::nullopt;
     bind_states();
-    return state_variant(technique_, parameters.pixel_state);
+    return state_variant(technique_, parameters.settings);
 }
 
 void StatePasses::bind_states() const {

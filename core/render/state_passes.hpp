@@ -7,14 +7,14 @@
 namespace momentscope {
 
 /// The shader variant of a technique with these settings, which reads its states.
-ShaderVariant state_variant(const Technique& technique, const PixelStateSettings& settings);
+ShaderVariant state_variant(const Technique& technique, const ParameterValues& settings);
 
 /// The variant that builds states. access: none if blending is enough.
-ShaderVariant state_building_variant(const Technique& technique, const PixelStateSettings& settings,
+ShaderVariant state_building_variant(const Technique& technique, const ParameterValues& settings,
                                      OrderedAccess access);
 
 /// The number of groups of four numbers that a pixel stores.
-int texel_count(const Technique& technique, const PixelStateSettings& settings);
+int texel_count(const Technique& technique, const ParameterValues& settings);
 
 class StatePasses : public Transparency {
 public:
@@ -32,10 +32,10 @@ protected:
 
     const Technique& technique_;
     glm::ivec2 size_;
-    PixelStateSettings settings_;
+    ParameterValues settings_;
 
 private:
-    void make_states(const PixelStateSettings& settings);
+    void make_states(const ParameterValues& settings);
     void make_samples(int count);
     void clear_states() const;
     void draw_states(const PassInput& input) const;

@@ -81,7 +81,7 @@ float light_transmittance(const ShadowFilterSamples& bundle, const Configuration
         PixelState state;
         std::ranges::copy(bundle.sums, state.f.begin());
         return technique.pixel_state_kernel().transmittance_at(state, receiver_fragment(depth),
-                                                               parameters.pixel_state);
+                                                               parameters.settings);
     }
     MomentVector moments;
     moments.b0 = bundle.sums.front();

@@ -1,5 +1,6 @@
 #include "core/shadow/shadow_settings.hpp"
 
+#include <algorithm>
 #include <string_view>
 
 #include "core/techniques/moment_kernel.hpp"
@@ -74,14 +75,16 @@ bool same_lookup(const ShadowSettings& a, const ShadowSettings& b) {
            same(ParameterId::alpha, &ResolvedParameters::alpha) &&
            same(ParameterId::theta, &ResolvedParameters::theta) &&
            same(ParameterId::tolerance, &ResolvedParameters::tolerance) &&
-           before.pixel_state == after.pixel_state;
+           (!technique.has_pixel_states() ||
+            std::ranges::all_of(technique.pixel_state_kernel().settings, [&](const PixelStateSetting& one) {
+                return before.settings[one.parameter] == after.settings[one.parameter];
+            }));
 }
 
 int texel_numbers(const Configuration& configuration) {
     const Technique& technique = *configuration.technique;
     if (technique.has_moments()) return 1 + technique.moment_kernel().moment_floats;
-    if (technique.has_pixel_states())
-        return technique.pixel_states().floats(technique.pixel_states().settings(configuration.values));
+    if (technique.has_pixel_states()) return technique.pixel_states().floats(configuration.values);
     return 0;
 }
 

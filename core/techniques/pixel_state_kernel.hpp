@@ -3,8 +3,9 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <span>
 
-#include "core/techniques/pixel_state_settings.hpp"
+#include "core/parameters/parameters.hpp"
 
 namespace momentscope {
 
@@ -34,30 +35,39 @@ struct Composited {
 /// How the states of fragments are accumulated (shaders/shared/pixel_state.glsl).
 enum class Accumulation { sum, over, ordered, samples, nearest };
 
+/// A parameter that the mathematics reads, and its type there.
+struct PixelStateSetting {
+    enum class Type { integer, boolean, number };
+    ParameterId parameter;
+    Type type;
+};
+
+/// Functions take the values of parameters (ResolvedParameters::settings), of which none that they read may
+/// be `auto`.
 struct PixelStateKernel {
+    std::span<const PixelStateSetting> settings;  // the macro SETTINGS of the math file, in its order
     Accumulation accumulation;
     bool holds_colors;  // true: one geometry pass; false: a second pass weighs colours by transmittance_at
 
-    PixelState (*empty_state)(const PixelStateSettings& settings);
+    PixelState (*empty_state)(const ParameterValues& values);
 
     /// The state after one more fragment, with the roundings of the accumulation.
     PixelState (*with_fragment)(const PixelState& state, const PixelStateFragment& fragment,
-                                const PixelStateSettings& settings);
+                                const ParameterValues& values);
 
     /// The transmittance to a fragment. To ask for a depth, pass a fragment of some opacity there. Null if
     /// the technique defines no transmittance as a function of depth, such as plain alpha blending. With some
     /// techniques the result may exceed 1.
     float (*transmittance_at)(const PixelState& state, const PixelStateFragment& fragment,
-                              const PixelStateSettings& settings);
+                              const ParameterValues& values);
 
     /// Adds a fragment in a second pass that stores states, too. Null for techniques without such a pass.
     /// `read` is what the first pass stored, as returned by `readable`.
     PixelState (*accumulate_second_pass)(const PixelState& state, const PixelState& read,
-                                         const PixelStateFragment& fragment,
-                                         const PixelStateSettings& settings);
+                                         const PixelStateFragment& fragment, const ParameterValues& values);
 
     /// The state as later passes read it, in numbers that may be averaged with those of other pixels.
-    PixelState (*readable)(const PixelState& state, const PixelStateSettings& settings);
+    PixelState (*readable)(const PixelState& state, const ParameterValues& values);
 
     /// Index of the number that the second pass replaces by the total absorbance of the pixel itself; -1 if
     /// there is none.
@@ -65,7 +75,7 @@ struct PixelStateKernel {
 
     bool has_depths() const { return transmittance_at != nullptr; }
 
-    Composited (*composited)(const PixelState& state, const PixelStateSettings& settings);
+    Composited (*composited)(const PixelState& state, const ParameterValues& values);
 };
 
 }  // namespace momentscope

@@ -1,6 +1,6 @@
 // pixel_state_kernel.inl -- the body of a PixelStateKernel. A file that CMake generates from
-// pixel_state_kernel.cpp.in defines KERNEL_ID, KERNEL_SETTINGS and PIXEL_STATE_FILE (a file of
-// shaders/shared) and includes this file.
+// pixel_state_kernel.cpp.in defines KERNEL_ID and PIXEL_STATE_FILE (a file of shaders/shared) and includes
+// this file.
 #include "core/support/glsl.hpp"
 #include "core/techniques/pixel_state_kernel.hpp"
 #include "core/techniques/pixel_state_techniques.hpp"
@@ -33,10 +33,29 @@ namespace {
 namespace g = glsl::KERNEL_ID;
 static_assert(g::STATE_FLOATS <= STATE_CAPACITY && g::STATE_FLOATS % 4 == 0);
 
-g::PixelStateSettings to_shared(const PixelStateSettings& settings) {
-    return std::apply([](auto... members) { return g::PixelStateSettings{members...}; },
-                      std::get<KERNEL_SETTINGS>(settings).shared());
+#ifdef SETTINGS
+template <typename Type>
+constexpr PixelStateSetting::Type TYPE = PixelStateSetting::Type::number;
+template <>
+constexpr PixelStateSetting::Type TYPE<int> = PixelStateSetting::Type::integer;
+template <>
+constexpr PixelStateSetting::Type TYPE<bool> = PixelStateSetting::Type::boolean;
+
+#define ROW(type, name) PixelStateSetting{ParameterId::name, TYPE<type>},
+constexpr PixelStateSetting SETTING_ROWS[] = {SETTINGS(ROW)};
+constexpr std::span<const PixelStateSetting> KERNEL_SETTINGS = SETTING_ROWS;
+
+g::PixelStateSettings settings_from(const ParameterValues& values) {
+#define VALUE(type, name) static_cast<type>(values.number(ParameterId::name)),
+    return {SETTINGS(VALUE)};
 }
+#else
+constexpr std::span<const PixelStateSetting> KERNEL_SETTINGS;
+
+g::PixelStateSettings settings_from(const ParameterValues&) {
+    return {};
+}
+#endif
 
 g::PixelStateFragment to_shared(const PixelStateFragment& f) {
     return {f.depth, f.view_depth, f.window_depth, f.plane_depth, f.opacity,
@@ -62,16 +81,16 @@ PixelState from_shared(const g::PixelState& shared) {
     return sum;
 }
 
-PixelState empty_state(const PixelStateSettings& settings) {
-    return from_shared(g::empty_state(to_shared(settings)));
+PixelState empty_state(const ParameterValues& values) {
+    return from_shared(g::empty_state(settings_from(values)));
 }
 
 PixelState with_fragment(const PixelState& state, const PixelStateFragment& fragment,
-                         const PixelStateSettings& settings) {
+                         const ParameterValues& values) {
 #ifdef STATE_ORDERED
-    return from_shared(g::with_fragment(to_shared(state), to_shared(fragment), to_shared(settings)));
+    return from_shared(g::with_fragment(to_shared(state), to_shared(fragment), settings_from(values)));
 #else
-    const PixelState added = from_shared(g::fragment_state(to_shared(fragment), to_shared(settings)));
+    const PixelState added = from_shared(g::fragment_state(to_shared(fragment), settings_from(values)));
 #if defined(STATE_NEAREST)
     return added.f[3] <= state.f[3] ? added : state;
 #elif defined(STATE_SAMPLES)
@@ -89,21 +108,21 @@ PixelState with_fragment(const PixelState& state, const PixelStateFragment& frag
 
 #ifdef SECOND_STATE
 PixelState accumulate_second_pass(const PixelState& state, const PixelState& read,
-                                  const PixelStateFragment& fragment, const PixelStateSettings& settings) {
+                                  const PixelStateFragment& fragment, const ParameterValues& values) {
     return blended(
         state,
-        from_shared(g::second_fragment_state(to_shared(read), to_shared(fragment), to_shared(settings))),
+        from_shared(g::second_fragment_state(to_shared(read), to_shared(fragment), settings_from(values))),
         1.0f);
 }
 
-PixelState readable(const PixelState& state, const PixelStateSettings& settings) {
+PixelState readable(const PixelState& state, const ParameterValues& values) {
     return from_shared(
-        g::filterable(g::converted(to_shared(state), to_shared(settings)), to_shared(settings)));
+        g::filterable(g::converted(to_shared(state), settings_from(values)), settings_from(values)));
 }
 #else
 constexpr auto accumulate_second_pass = nullptr;
 
-PixelState readable(const PixelState& state, const PixelStateSettings&) {
+PixelState readable(const PixelState& state, const ParameterValues&) {
     return state;
 }
 #endif
@@ -114,8 +133,8 @@ constexpr int SLOT = EXACT_ABSORBANCE_SLOT;
 constexpr int SLOT = -1;
 #endif
 
-Composited composited(const PixelState& state, const PixelStateSettings& settings) {
-    const g::Composited result = g::composited(to_shared(state), to_shared(settings));
+Composited composited(const PixelState& state, const ParameterValues& values) {
+    const g::Composited result = g::composited(to_shared(state), settings_from(values));
     return {result.red, result.green, result.blue, result.transmittance};
 }
 
@@ -123,8 +142,8 @@ Composited composited(const PixelState& state, const PixelStateSettings& setting
 constexpr auto transmittance_at = nullptr;
 #else
 float transmittance_at(const PixelState& state, const PixelStateFragment& fragment,
-                       const PixelStateSettings& settings) {
-    return g::transmittance_at(to_shared(state), to_shared(fragment), to_shared(settings));
+                       const ParameterValues& values) {
+    return g::transmittance_at(to_shared(state), to_shared(fragment), settings_from(values));
 }
 #endif
 
@@ -149,7 +168,8 @@ constexpr bool COLORS = false;
 }  // namespace
 
 const PixelStateKernel& pixel_state_kernel(PixelStateKernelTag<PixelStateTechnique::KERNEL_ID>) {
-    static constexpr PixelStateKernel kernel = {.accumulation = ACCUMULATION,
+    static constexpr PixelStateKernel kernel = {.settings = KERNEL_SETTINGS,
+                                                .accumulation = ACCUMULATION,
                                                 .holds_colors = COLORS,
                                                 .empty_state = empty_state,
                                                 .with_fragment = with_fragment,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/support/error.hpp"
@@ -43,17 +44,29 @@ Technique moment_technique(const MomentKernel& kernel, const Basis& basis, int m
 }
 
 /// Bits per pixel of the five numbers of each set: as summed in floats and, if they are converted, as read.
-int moment_transparency_bits(const MomentTransparencySettings& settings) {
+int moment_transparency_bits(const ParameterValues& values) {
     constexpr int READ_BITS[] = {0, 80, 96, 64};  // by ReadFormat; b_0 is a half float or a float
-    const int sets = moment_sets(settings);
-    const int divisor = resolution_divisor(settings);
+    const int sets = values.get<MomentSets>() == MomentSets::one ? 1 : 2;
+    const int divisor = 1 << static_cast<int>(values.get<MomentResolution>());
     const int pixels = divisor * divisor;  // that share one texel
-    return (sets * (160 + READ_BITS[static_cast<std::size_t>(settings.read_format)]) + pixels - 1) / pixels;
+    return (sets * (160 + READ_BITS[static_cast<std::size_t>(values.get<ReadFormat>())]) + pixels - 1) /
+           pixels;
 }
 
+int bits_of_layer(const ParameterValues& values) {
+    const auto bits = values.get<LayerBits>();
+    return bits == LayerBits::bits_16 ? 80 : bits == LayerBits::bits_8 ? 48 : 160;
+}
+
+/// others: the parameters that its passes read, but not its math file.
 Technique pixel_state_technique(const PixelStateMath& math, const char* id, const char* name,
-                                std::vector<ParameterId> parameters, const char* description,
+                                std::vector<ParameterId> others, const char* description,
                                 const char* source) {
+    std::vector<ParameterId> parameters = std::move(others);
+    for (const PixelStateSetting& setting : math.kernel->settings) parameters.push_back(setting.parameter);
+    // In the order of the registry, with what most techniques have at the end.
+    std::ranges::sort(parameters, {},
+                      [](ParameterId one) { return std::pair(one == ParameterId::renormalize, one); });
     return {.id = id,
             .name = name,
             .description = description,
@@ -74,30 +87,18 @@ std::vector<Technique> make_rows() {
 #undef MOMENT_TECHNIQUE
     };
 #define PARAMETERS(...) {__VA_ARGS__}
-#define MEMBERS(...) \
-    { __VA_ARGS__ }
-#define PIXEL_STATE_TECHNIQUE(id, file, type, key, name, parameters, members, floats_of, bits_of, \
-                              description, source)                                                \
-    rows.push_back(pixel_state_technique(                                                         \
-        {.kernel = &pixel_state_kernel(PixelStateKernelTag<PixelStateTechnique::id>()),           \
-         .math_file = #file,                                                                      \
-         .settings = []([[maybe_unused]] const ParameterValues& values) -> PixelStateSettings {   \
-             return type MEMBERS members;                                                         \
-         },                                                                                       \
-         .floats =                                                                                \
-             [](const PixelStateSettings& settings) {                                             \
-                 [[maybe_unused]] const type& s = std::get<type>(settings);                       \
-                 return floats_of;                                                                \
-             },                                                                                   \
-         .bits =                                                                                  \
-             [](const PixelStateSettings& settings) {                                             \
-                 [[maybe_unused]] const type& s = std::get<type>(settings);                       \
-                 return bits_of;                                                                  \
-             }},                                                                                  \
-        key, name, parameters, description, source));
+#define PIXEL_STATE_TECHNIQUE(id, file, key, name, others, floats_of, bits_of, description, source) \
+    rows.push_back(pixel_state_technique(                                                           \
+        {.kernel = &pixel_state_kernel(PixelStateKernelTag<PixelStateTechnique::id>()),             \
+         .math_file = #file,                                                                        \
+         .floats = []([[maybe_unused]] const ParameterValues& values) -> int { return floats_of; }, \
+         .bits = []([[maybe_unused]] const ParameterValues& values) -> int {                        \
+             [[maybe_unused]] const int floats = floats_of;                                         \
+             return bits_of;                                                                        \
+         }},                                                                                        \
+        key, name, others, description, source));
 #include "core/techniques/pixel_state_techniques.def"
 #undef PIXEL_STATE_TECHNIQUE
-#undef MEMBERS
 #undef PARAMETERS
     rows.push_back(
         {.id = "sorted",
@@ -155,37 +156,48 @@ float automatic_bias(const ParameterValues& values, const Technique& technique) 
     if (technique.has_moments())
         return values.get<BiasPreset>() == BiasPreset::robust ? technique.moments().robust_bias
                                                               : technique.moments().recommended_bias;
-    if (!technique.has_pixel_states()) return 0;
-    ParameterValues automatic = values;
-    automatic.set(ParameterId::alpha, std::nullopt);
-    const auto settings = technique.pixel_states().settings(automatic);
-    const auto* moments = std::get_if<MomentTransparencySettings>(&settings);
-    return moments != nullptr ? moments->bias : 0;
+    if (!technique.uses(ParameterId::alpha)) return 0;
+    return values.get<ReadFormat>() == ReadFormat::theta16 ? 6.0e-5f : 3.0e-7f;  // Sharpe 2018
+}
+
+int resolution_divisor(const Technique& technique, const ParameterValues& values) {
+    return technique.uses(ParameterId::resolution) ? 1 << static_cast<int>(values.get<MomentResolution>())
+                                                   : 1;
+}
+
+int moment_sets(const Technique& technique, const ParameterValues& values) {
+    return technique.uses(ParameterId::moment_passes) && values.get<MomentSets>() != MomentSets::one ? 2 : 1;
+}
+
+int sample_count(const Technique& technique, const ParameterValues& values) {
+    return technique.uses(ParameterId::samples) ? values.count(ParameterId::samples) : 0;
 }
 
 ResolvedParameters resolve(const ParameterValues& values, const Technique& technique) {
     const bool textbook = technique.uses(ParameterId::solver) && values.get<Solver>() == Solver::textbook;
     const bool ordered = technique.uses(ParameterId::accumulation) &&
                          values.get<MomentAccumulation>() == MomentAccumulation::ordered;
+    const float alpha = values[ParameterId::alpha].value_or(automatic_bias(values, technique));
+    ParameterValues settings = values;
+    settings.set(ParameterId::alpha, alpha);
     return {
         .beta = values.number(ParameterId::beta),
         .theta = std::max(values.number(ParameterId::theta), MIN_WRAPPING_ZONE),
-        .alpha = values[ParameterId::alpha].value_or(automatic_bias(values, technique)),
+        .alpha = alpha,
         .textbook = textbook,
         .factored_once = technique.uses(ParameterId::factorisation) &&
                          values.get<Factorisation>() == Factorisation::per_pixel && !textbook,
         .tolerance = technique.uses(ParameterId::tolerance) ? values.number(ParameterId::tolerance) : 0.0f,
         .ordered = ordered || needs_order(technique),
         .renormalize = values.is_on(ParameterId::renormalize),
-        .pixel_state =
-            technique.has_pixel_states() ? technique.pixel_states().settings(values) : PixelStateSettings()};
+        .settings = settings};
 }
 
 int stored_bits(const Technique& technique, const ParameterValues& values) {
     if (technique.has_moments())
         return technique.moment_kernel().bits * (1 + technique.moment_kernel().moment_floats);
     if (technique.is_truth()) return technique.truth().bits;
-    return technique.pixel_states().bits(technique.pixel_states().settings(values));
+    return technique.pixel_states().bits(values);
 }
 
 int bits_with_factor(const Technique& technique, const ParameterValues& values) {

@@ -26,11 +26,10 @@ struct MomentMath {
 
 /// A technique that stores other numbers than moments.
 struct PixelStateMath {
-    const PixelStateKernel* kernel;                          // never null
-    const char* math_file;                                   // shaders/shared/<math_file>.glsl
-    PixelStateSettings (*settings)(const ParameterValues&);  // its settings, from parameters
-    int (*floats)(const PixelStateSettings&);                // numbers per pixel with these settings
-    int (*bits)(const PixelStateSettings&);                  // bits per pixel, as in the published technique
+    const PixelStateKernel* kernel;         // never null
+    const char* math_file;                  // shaders/shared/<math_file>.glsl
+    int (*floats)(const ParameterValues&);  // numbers per pixel
+    int (*bits)(const ParameterValues&);    // bits per pixel, as in the published technique
 };
 
 /// The exact picture, whatever it costs.
@@ -91,7 +90,7 @@ struct ResolvedParameters {
     float tolerance = 0;         // epsilon; used if the number of moments is chosen per fragment
     bool ordered = false;        // fragments are added in order, not by blending
     bool renormalize = true;
-    PixelStateSettings pixel_state = {};
+    ParameterValues settings = {};  // all values, without `auto` in those that kernels read
 };
 ResolvedParameters resolve(const ParameterValues& values, const Technique& technique);
 
@@ -117,6 +116,15 @@ bool needs_order(const Technique& technique);
 
 /// True if the technique defines a function of depth, which the plot can draw beside the truth.
 bool has_function(const Technique& technique);
+
+/// How many pixels a texel of the moments covers in each direction; 1 for techniques with one resolution.
+int resolution_divisor(const Technique& technique, const ParameterValues& values);
+
+/// How many sets of moments a pixel stores; 1 for techniques that draw their state in one pass.
+int moment_sets(const Technique& technique, const ParameterValues& values);
+
+/// How many samples a pixel has; 0 for techniques without samples.
+int sample_count(const Technique& technique, const ParameterValues& values);
 
 /// The value of alpha = auto for the technique with the preset in these values.
 float automatic_bias(const ParameterValues& values, const Technique& technique);

@@ -2,8 +2,7 @@
 // If there are too many nodes, the one that matters least is removed.
 #define MAX_STATE_FLOATS 16
 #define STATE_ORDERED
-#define HAS_SETTINGS
-struct PixelStateSettings { int nodes; };   // 2 to 8
+#define SETTINGS(S) S(int, nodes)   // 2 to 8
 #include "pixel_state.glsl"
 
 const int MAX_NODES = 8;

@@ -2,11 +2,16 @@
 // of depth.
 #define MAX_STATE_FLOATS 16
 #define STATE_SUMS
-#define HAS_SETTINGS
-struct PixelStateSettings { int frequencies; bool lanczos; };   // K is 3 or 7; lanczos: damp the terms by Lanczos' sigma factors?
+#define SETTINGS(S) S(int, coefficients) S(bool, lanczos)   // lanczos: damp the terms by Lanczos' sigma factors?
 #include "pixel_state.glsl"
 
 const int MAX_FREQUENCY = 7;
+
+/// K of a series with 2K + 1 real coefficients: 7 of them (the choice 0) or 15.
+FN int frequencies(IN(PixelStateSettings) settings)
+{
+    return settings.coefficients == 0 ? 3 : MAX_FREQUENCY;
+}
 
 /// The state holds a_0, then a_1, b_1, a_2, b_2, and so on.
 FN PixelState empty_state(IN(PixelStateSettings) settings)
@@ -57,7 +62,7 @@ FN PixelState fragment_state(IN(PixelStateFragment) fragment, IN(PixelStateSetti
     UNROLL
     for (int k = 1; k <= MAX_FREQUENCY; ++k)
     {
-        bool there = k <= settings.frequencies;
+        bool there = k <= frequencies(settings);
         state.f[2 * k - 1] = there ? 2.0f * absorbance * waves.cosine[k] : 0.0f;
         state.f[2 * k] = there ? 2.0f * absorbance * waves.sine[k] : 0.0f;
     }
@@ -70,7 +75,7 @@ FN PixelState fragment_state(IN(PixelStateFragment) fragment, IN(PixelStateSetti
 FN float absorbance_at(IN(PixelState) state, float depth, IN(PixelStateSettings) settings)
 {
     Waves waves = depth_waves(depth);
-    float lanczos_angle = PI / (float(settings.frequencies) + 1.0f);
+    float lanczos_angle = PI / (float(frequencies(settings)) + 1.0f);
     Waves lanczos = waves_of(portable_sincos(lanczos_angle));
     PRECISE float absorbance = 0.5f * state.f[0] * depth;
     UNROLL
@@ -79,7 +84,7 @@ FN float absorbance_at(IN(PixelState) state, float depth, IN(PixelStateSettings)
         float sigma = settings.lanczos ? lanczos.sine[k] / (lanczos_angle * float(k)) : 1.0f;
         PRECISE float wave = (state.f[2 * k - 1] * waves.sine[k] + state.f[2 * k] * (1.0f - waves.cosine[k]))
             / (2.0f * PI * float(k));
-        absorbance = absorbance + (k <= settings.frequencies ? sigma * wave : 0.0f);
+        absorbance = absorbance + (k <= frequencies(settings) ? sigma * wave : 0.0f);
     }
     return absorbance;
 }

@@ -3,8 +3,7 @@
 #define MAX_STATE_FLOATS 32
 #define STATE_ORDERED
 #define HOLDS_COLORS
-#define HAS_SETTINGS
-struct PixelStateSettings { int layers; int bits; };   // 1 to 6 layers; bits is one of the formats below
+#define SETTINGS(S) S(int, layers) S(int, layer_bits)   // 1 to 6 layers; layer_bits: one of the formats below
 const int LAYERS_IN_16_BITS = 0;   // half floats for colours, 16 bits for depth and transmittance
 const int LAYERS_IN_8_BITS = 1;    // 8 bits for colours and transmittance, 16 for depth
 const int LAYERS_IN_FLOATS = 2;    // nothing is rounded
@@ -75,7 +74,7 @@ FN PixelState with_fragment(IN(PixelState) stored, IN(PixelStateFragment) fragme
 {
     PixelState state = empty_state(settings);
     Layer carried;
-    carried.depth = settings.bits == LAYERS_IN_FLOATS ? fragment.depth : rounded_to_unorm16(fragment.depth);
+    carried.depth = settings.layer_bits == LAYERS_IN_FLOATS ? fragment.depth : rounded_to_unorm16(fragment.depth);
     carried.red = fragment.red * fragment.opacity;
     carried.green = fragment.green * fragment.opacity;
     carried.blue = fragment.blue * fragment.opacity;
@@ -95,10 +94,10 @@ FN PixelState with_fragment(IN(PixelState) stored, IN(PixelStateFragment) fragme
         if (last) front = merged(front, behind);
         bool there = i < settings.layers;
         state.f[5 * i] = there ? front.depth : NO_DEPTH;
-        state.f[5 * i + 1] = there ? stored_color(front.red, settings.bits) : 0.0f;
-        state.f[5 * i + 2] = there ? stored_color(front.green, settings.bits) : 0.0f;
-        state.f[5 * i + 3] = there ? stored_color(front.blue, settings.bits) : 0.0f;
-        state.f[5 * i + 4] = there ? stored_transmittance(front.transmittance, settings.bits) : 1.0f;
+        state.f[5 * i + 1] = there ? stored_color(front.red, settings.layer_bits) : 0.0f;
+        state.f[5 * i + 2] = there ? stored_color(front.green, settings.layer_bits) : 0.0f;
+        state.f[5 * i + 3] = there ? stored_color(front.blue, settings.layer_bits) : 0.0f;
+        state.f[5 * i + 4] = there ? stored_transmittance(front.transmittance, settings.layer_bits) : 1.0f;
         carried = behind;
     }
     return state;
@@ -107,7 +106,7 @@ FN PixelState with_fragment(IN(PixelState) stored, IN(PixelStateFragment) fragme
 /// The product of the transmittances of all layers strictly in front of the fragment.
 FN float transmittance_at(IN(PixelState) state, IN(PixelStateFragment) fragment, IN(PixelStateSettings) settings)
 {
-    float depth = settings.bits == LAYERS_IN_FLOATS ? fragment.depth : rounded_to_unorm16(fragment.depth);
+    float depth = settings.layer_bits == LAYERS_IN_FLOATS ? fragment.depth : rounded_to_unorm16(fragment.depth);
     float t = 1.0f;
     UNROLL
     for (int i = 0; i < MAX_LAYERS; ++i) t = state.f[5 * i] < depth ? t * state.f[5 * i + 4] : t;

@@ -3,8 +3,7 @@
 // fragment by how visible it is according to the first set. Equations and sections are those of Sharpe 2018.
 #define MAX_STATE_FLOATS 16
 #define STATE_SUMS
-#define HAS_SETTINGS
-struct PixelStateSettings { int read_format; int moment_passes; int depth_range; float overestimation; float bias; };
+#define SETTINGS(S) S(int, read_format) S(int, moment_passes) S(int, depth_range) S(float, beta) S(float, alpha)
 const int READ_FLOATS = 0;          // read_format: floats, as stored
 const int READ_THETA16 = 1;         // 16 bits per moment, after the transform Theta_4
 const int READ_NLQM64 = 2;          // non-linearly quantised moments of 64 bits
@@ -74,7 +73,7 @@ FN BiasedMoments biased_for(IN(Moments) moments, IN(PixelStateSettings) settings
     for (int i = 0; i < 4; ++i)
     {
         biased.b[i] = moments.b[i];
-        PRECISE float bias_delta = settings.bias * (moments.b0 * (i % 2 == 0 ? 0.0f : target) - moments.b[i]);
+        PRECISE float bias_delta = settings.alpha * (moments.b0 * (i % 2 == 0 ? 0.0f : target) - moments.b[i]);
         biased.bias_delta[i] = bias_delta;
     }
     return biased;
@@ -140,11 +139,11 @@ FN float fraction_of(IN(Moments) moments, float depth, IN(PixelStateSettings) se
         quantised.far = moments.b[1];
         quantised.weight = moments.b[2];
         quantised.offset = moments.b[3];
-        return number_in_unit_range(fraction_of_two_depths(quantised, depth, settings.overestimation));
+        return number_in_unit_range(fraction_of_two_depths(quantised, depth, settings.beta));
     }
     Factor factor = factor_moments(biased_for(moments, settings));
     return number_in_unit_range(
-        fraction_in_front(reconstruct(factor, make_basis(0.0f), depth), settings.overestimation));
+        fraction_in_front(reconstruct(factor, make_basis(0.0f), depth), settings.beta));
 }
 
 /// Transmittance to the fragment from the first set (Equation 5). state: result of filterable.

@@ -11,9 +11,13 @@
 
 struct PixelState { float f[MAX_STATE_FLOATS]; };
 
-// A technique with parameters defines HAS_SETTINGS and `struct PixelStateSettings` before it includes this file. The same struct in
-// C++ is in core/techniques/pixel_state_settings.hpp.
-#ifndef HAS_SETTINGS
+// The parameters that the technique reads: before it includes this file, it defines SETTINGS(S) as S(type, id) for each of them. An
+// id is that of a row in core/parameters/parameters.def. Types are int (also for a choice), bool and float. Shaders read floats from
+// a uniform block, so that dragging a slider compiles no shader; only beta and alpha are there.
+#ifdef SETTINGS
+#define MEMBER(type, id) type id;
+struct PixelStateSettings { SETTINGS(MEMBER) };
+#else
 struct PixelStateSettings { int none; };   // GLSL has no empty structs
 #endif
 

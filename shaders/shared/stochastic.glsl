@@ -3,8 +3,7 @@
 // its transmittance.
 #define MAX_STATE_FLOATS 68
 #define STATE_SAMPLES
-#define HAS_SETTINGS
-struct PixelStateSettings { int samples; bool alpha_correction; };   // 1 to 64 samples
+#define SETTINGS(S) S(int, samples) S(bool, renormalize)   // 1 to 64 samples; renormalize: the alpha correction
 #include "pixel_state.glsl"
 
 const float NO_DEPTH = 2.0f;   // of a sample that no fragment covers
@@ -39,5 +38,5 @@ FN Composited composited(IN(PixelState) state, IN(PixelStateSettings) settings)
 {
     float empty = 0.0f;
     for (int s = 0; s < settings.samples; ++s) empty = state.f[1 + s] == NO_DEPTH ? empty + 1.0f : empty;
-    return transparent(settings.alpha_correction ? transmittance_of(state.f[0]) : empty / float(settings.samples));
+    return transparent(settings.renormalize ? transmittance_of(state.f[0]) : empty / float(settings.samples));
 }

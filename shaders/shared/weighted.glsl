@@ -3,8 +3,7 @@
 #define MAX_STATE_FLOATS 8
 #define STATE_SUMS
 #define HOLDS_COLORS
-#define HAS_SETTINGS
-struct PixelStateSettings { int weight; };   // weight: one of the following
+#define SETTINGS(S) S(int, weight)   // weight: one of the following
 const int WEIGHT_OF_WINDOW_DEPTH = 0;
 const int WEIGHT_OF_VIEW_DEPTH = 1;          // McGuire and Bavoil 2013
 const int WEIGHT_OF_G3D = 2;                 // McGuire and Mara 2017

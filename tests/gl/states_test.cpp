@@ -82,15 +82,15 @@ class StatesTest : public GlTest<::testing::TestWithParam<const Technique*>> {};
 
 // In eight bits, a product that is rounded the other way is off by 1/255 and is merged into the following
 // ones.
-float tolerance_of(const ResolvedParameters& parameters) {
-    const auto* layers = std::get_if<LayeredSettings>(&parameters.pixel_state);
-    return layers != nullptr && layers->bits == LayerBits::bits_8 ? 8e-3f : 2e-4f;
+float tolerance_of(const Technique& technique, const ParameterValues& values) {
+    const bool layers = technique.uses(ParameterId::layer_bits);
+    return layers && values.get<LayerBits>() == LayerBits::bits_8 ? 8e-3f : 2e-4f;
 }
 
 void expect_composed(const Technique& technique, const ParameterValues& values,
                      const std::vector<Covered>& pixels, const std::string& scene) {
     const ResolvedParameters parameters = resolve(values, technique);
-    const float tolerance = tolerance_of(parameters);
+    const float tolerance = tolerance_of(technique, values);
     float worst = 0;
     for (const auto& [shown, capture] : pixels) {
         worst = std::max(worst, distance_between(shown, pixel_state_color(capture.ray, technique, parameters,

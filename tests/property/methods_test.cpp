@@ -40,8 +40,7 @@ TEST(Fourier, IsTheTruncatedSeriesOfTheFragments) {
         const ParameterValues values = values_with(
             {{ParameterId::coefficients, many ? 1.0f : 0.0f}, {ParameterId::lanczos, lanczos ? 1.0f : 0.0f}});
         const std::vector<float> depths = even_depths(33);
-        const auto t =
-            pixel_state_transmittance(ray, technique, technique.pixel_states().settings(values), depths);
+        const auto t = pixel_state_transmittance(ray, technique, resolve(values, technique).settings, depths);
         for (std::size_t d = 0; d < depths.size(); ++d) {
             const double exact = fourier_absorbance(ray, many ? 7 : 3, lanczos, unit_depth(depths[d]));
             // A is up to 36 in floats. The error of T is at most the relative error of A.
@@ -70,8 +69,7 @@ TEST(Wavelet, InterpolatesTheMeansOfTheCells) {
     for (int i = 0; i < RAYS; ++i) {
         const ViewRay ray = random_ray(random, 1 + i % 12);
         const std::vector<float> depths = even_depths(61);
-        const auto t =
-            pixel_state_transmittance(ray, technique, technique.pixel_states().settings({}), depths);
+        const auto t = pixel_state_transmittance(ray, technique, resolve({}, technique).settings, depths);
         for (std::size_t d = 0; d < depths.size(); ++d) {
             const double x = unit_depth(depths[d]) * 15;
             const double cell = std::min(std::floor(x), 15.0);
@@ -121,8 +119,7 @@ TEST(Adaptive, IsThePublishedAlgorithmAndNeverAboveTheTruth) {
         const ViewRay ray = random_ray(random, 1 + i % 20);
         const ParameterValues values = values_with({{ParameterId::nodes, static_cast<float>(nodes)}});
         const std::vector<float> depths = even_depths(41);
-        const auto t =
-            pixel_state_transmittance(ray, technique, technique.pixel_states().settings(values), depths);
+        const auto t = pixel_state_transmittance(ray, technique, resolve(values, technique).settings, depths);
         const auto expected = adaptive_nodes(ray, static_cast<std::size_t>(nodes));
         const auto truth = true_absorbance(ray, depths);
         for (std::size_t d = 0; d < depths.size(); ++d) {
@@ -249,7 +246,7 @@ TEST(Weighted, IsTheWeightedMeanOverTheCoverageAndExactForOneFragment) {
         const glm::dvec4 color = color_of(ray, technique, values);
         expect_near(color, glm::dvec4(glm::dvec3(sum) / sum.a * (1 - t), t), 1e-5);
         if (ray.fragments.size() == 1) expect_near(color, true_color(ray), 1e-5);
-        const auto own = own_transmittance(ray, technique, technique.pixel_states().settings(values));
+        const auto own = own_transmittance(ray, technique, resolve(values, technique).settings);
         glm::dvec3 seen(0);
         for (std::size_t k = 0; k < own.size(); ++k)
             seen += glm::dvec3(ray.fragments[k].color) * opacity_of(ray.fragments[k]) *

@@ -58,7 +58,7 @@ TEST(MomentTransparency, IsFourExactMomentsBetweenThePlanes) {
         for (int i = 0; i < 2000; ++i) {
             const ViewRay ray = ray_between_planes(random, 1 + i % 8);
             const ParameterValues values = values_with({{ParameterId::depth_range, published ? 1.0f : 0.0f}});
-            const auto own = own_transmittance(ray, technique, technique.pixel_states().settings(values));
+            const auto own = own_transmittance(ray, technique, resolve(values, technique).settings);
             const ViewRay mapped = between_planes(ray, published);
             const auto exact = exact_function(mapped, require_technique("power4-32"), {.alpha = 3e-7f});
             std::vector<float> depths;
@@ -86,8 +86,8 @@ TEST(MomentTransparency, TheSecondSetKnowsTheFirst) {
             const ViewRay ray = ray_between_planes(random, 1 + i % 8);
             const ParameterValues values =
                 values_with({{ParameterId::moment_passes, static_cast<float>(passes)}});
-            const auto own = own_transmittance(ray, technique, technique.pixel_states().settings(values));
-            const auto first = own_transmittance(ray, technique, technique.pixel_states().settings({}));
+            const auto own = own_transmittance(ray, technique, resolve(values, technique).settings);
+            const auto first = own_transmittance(ray, technique, resolve({}, technique).settings);
             ViewRay seen = between_planes(ray, false);
             std::vector<float> depths;
             for (std::size_t k = 0; k < first.size(); ++k) {
@@ -122,8 +122,10 @@ TEST(MomentTransparency, ReadFormatsRoundAsMuchAsTheyShould) {
         const auto with_format = [&](int format, float bias) {
             return pixel_state_transmittance(
                 ray, technique,
-                technique.pixel_states().settings(values_with(
-                    {{ParameterId::read_format, static_cast<float>(format)}, {ParameterId::alpha, bias}})),
+                resolve(values_with({{ParameterId::read_format, static_cast<float>(format)},
+                                     {ParameterId::alpha, bias}}),
+                        technique)
+                    .settings,
                 even_depths(31));
         };
         for (std::size_t format = 1; format < 4; ++format) {

@@ -40,7 +40,7 @@ inline glm::dvec4 true_color(const ViewRay& ray) {
 }
 
 inline glm::dvec4 color_of(const ViewRay& ray, const Technique& technique, const ParameterValues& values) {
-    const PixelStateSettings settings = technique.pixel_states().settings(values);
+    const ParameterValues settings = resolve(values, technique).settings;
     const Composited all =
         technique.pixel_state_kernel().composited(pixel_state(ray, technique, settings), settings);
     return {all.red, all.green, all.blue, all.transmittance};

@@ -35,7 +35,7 @@ TEST(Stochastic, CountsTheSamplesThatSeeADepth) {
                 if (unit_random(f.seed, s) < f.opacity)
                     nearest[static_cast<std::size_t>(s)] =
                         std::min(nearest[static_cast<std::size_t>(s)], static_cast<double>(f.depth));
-        const auto own = own_transmittance(ray, technique, technique.pixel_states().settings(values));
+        const auto own = own_transmittance(ray, technique, resolve(values, technique).settings);
         for (std::size_t k = 0; k < own.size(); ++k) {
             const auto seeing = std::ranges::count_if(
                 nearest, [&](double z) { return z >= static_cast<double>(ray.fragments[k].depth); });
@@ -60,8 +60,8 @@ TEST(Stochastic, ConvergesWithTheRootOfTheSamples) {
                 reseeded(random_ray(random, 6), static_cast<std::uint32_t>(run * 64 + samples));
             const std::vector<float> depth = {0.25f};
             const double truth = std::exp(-true_absorbance(ray, depth)[0]);
-            const double t = static_cast<double>(pixel_state_transmittance(
-                ray, technique, technique.pixel_states().settings(values), depth)[0]);
+            const double t = static_cast<double>(
+                pixel_state_transmittance(ray, technique, resolve(values, technique).settings, depth)[0]);
             sum += t - truth;
             squares += (t - truth) * (t - truth);
             expected_squares += truth * (1 - truth) / samples;  // of a binomial distribution

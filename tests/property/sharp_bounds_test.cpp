@@ -20,7 +20,7 @@
 namespace momentscope::test {
 namespace {
 
-constexpr ResolvedParameters PARAMETERS = {.theta = 0.3f};
+const ResolvedParameters PARAMETERS = {.theta = 0.3f};
 
 // Even depths, and the own depth of every fragment.
 std::vector<float> depths_of(const ViewRay& ray, std::size_t even) {

@@ -101,7 +101,7 @@ TEST(Techniques, WithoutMomentsHaveStatesThatFit) {
             for (float value = parameter(id).minimum; value <= parameter(id).maximum; ++value) {
                 ParameterValues values;
                 values.set(id, value);
-                EXPECT_LE(technique.pixel_states().floats(technique.pixel_states().settings(values)),
+                EXPECT_LE(technique.pixel_states().floats(resolve(values, technique).settings),
                           STATE_CAPACITY);
             }
     }
