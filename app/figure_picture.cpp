@@ -53,8 +53,8 @@ void draw(const ui::Ui& ui, Drawn& one) {
     if (one.panel->plot)
         one.plot.draw(ui, one.measurement, one.state, PLOT);
     else
-        ImGui::Image(reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(GLuint(one.texture))), PICTURE,
-                     {one.panel->part.x, one.panel->part.y}, {one.panel->part.z, one.panel->part.w});
+        ImGui::Image(ui::texture_id(one.texture), PICTURE, {one.panel->part.x, one.panel->part.y},
+                     {one.panel->part.z, one.panel->part.w});
     ImGui::EndGroup();
 }
 

@@ -55,7 +55,7 @@ void FrameLog::line(const std::string& text) {
         return;
     }
     if (!file_.is_open()) file_.open(path_, std::ios::binary);
-    file_ << text << std::endl;  // flushed, so that the log of a running window can be watched
+    file_ << text << '\n' << std::flush;  // so that the log of a running window can be watched
 }
 
 void FrameLog::require_written() {

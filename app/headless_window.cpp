@@ -9,14 +9,14 @@
 
 namespace momentscope {
 
-HeadlessWindow::HeadlessWindow(glm::ivec2 size, const ui::ExplorerState& state, ui::WindowOptions options,
-                               FrameLog& log)
+HeadlessWindow::HeadlessWindow(glm::ivec2 size, const ui::ExplorerState& state,
+                               const ui::WindowOptions& options, FrameLog& log)
     : HeadlessWindow(make_gl_context("osmesa", size), std::make_shared<ProgramCache>(), size, state, options,
                      log) {}
 
 HeadlessWindow::HeadlessWindow(std::shared_ptr<GlContext> context, std::shared_ptr<ProgramCache> programs,
-                               glm::ivec2 size, const ui::ExplorerState& state, ui::WindowOptions options,
-                               FrameLog& log)
+                               glm::ivec2 size, const ui::ExplorerState& state,
+                               const ui::WindowOptions& options, FrameLog& log)
     : size_(size),
       most_(size),
       context_(std::move(context)),

@@ -12,12 +12,14 @@ namespace momentscope {
 class HeadlessWindow {
 public:
     /// Throws Error if there is no GL, or if the first scene cannot be shown.
-    HeadlessWindow(glm::ivec2 size, const ui::ExplorerState& state, ui::WindowOptions options, FrameLog& log);
+    HeadlessWindow(glm::ivec2 size, const ui::ExplorerState& state, const ui::WindowOptions& options,
+                   FrameLog& log);
 
     /// Uses a context that is current and at least as large, and programs that are shared with other
     /// renderers.
     HeadlessWindow(std::shared_ptr<GlContext> context, std::shared_ptr<ProgramCache> programs,
-                   glm::ivec2 size, const ui::ExplorerState& state, ui::WindowOptions options, FrameLog& log);
+                   glm::ivec2 size, const ui::ExplorerState& state, const ui::WindowOptions& options,
+                   FrameLog& log);
 
     /// Makes one frame, a sixtieth of a second after the last one plus the time that passed. It is painted
     /// only if pixels() is called.

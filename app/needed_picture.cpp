@@ -113,8 +113,7 @@ void write_needed_picture(const Image& picture, std::span<const PixelNeed> pixel
             if (i % 2 == 1) ImGui::SameLine(0, 24);
             ImGui::BeginGroup();
             ImGui::TextUnformatted(HEADINGS[i]);
-            ImGui::Image(reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(GLuint(textures[i]))),
-                         {width, height});
+            ImGui::Image(ui::texture_id(textures[i]), {width, height});
             if (i == 1) need_legend(histogram.by_certificate, pixels.size());
             if (i == 2) need_legend(histogram.by_error, pixels.size());
             if (i == 3) agreement_legend(histogram, pixels.size());

@@ -99,7 +99,7 @@ ShadowRow row_of(const std::string& scene, const std::string& technique, int map
 }  // namespace
 
 std::vector<ShadowRow> measure_shadows(const Scene& scene, const ShadowChartSettings& settings,
-                                       std::stop_token stop,
+                                       const std::stop_token& stop,
                                        const std::function<void(std::size_t, std::size_t)>& progress) {
     Renderer renderer;
     renderer.set_scene(scene);

@@ -38,7 +38,7 @@ struct ShadowChartSettings {
 /// first round links shaders. progress(done, all) counts rounds. Empty if stopped. Throws Error if a map
 /// cannot be drawn.
 std::vector<ShadowRow> measure_shadows(const Scene& scene, const ShadowChartSettings& settings,
-                                       std::stop_token stop,
+                                       const std::stop_token& stop,
                                        const std::function<void(std::size_t, std::size_t)>& progress);
 
 /// CSV with one line per row and a header.

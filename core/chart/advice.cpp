@@ -149,7 +149,7 @@ std::optional<Advice> checked_advice(std::span<const ChartRow> rows, const Advic
                                      HeldOutErrors& held_out,
                                      const std::function<std::optional<double>(std::size_t row)>& check) {
     for (;;) {  // ends, because each turn except the last checks another row
-        const Advice advice = advise(rows, bounds, held_out);
+        Advice advice = advise(rows, bounds, held_out);
         const std::optional<std::size_t> row = unchecked(advice, held_out);
         if (!row) return advice;
         held_out[*row] = check(*row);

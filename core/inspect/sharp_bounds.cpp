@@ -74,7 +74,7 @@ std::optional<SharpBounds> on_line(const ViewRay& ray, int degree, std::span<con
 
 std::optional<SharpBounds> sharp_bounds(const ViewRay& ray, const Technique& technique,
                                         const ResolvedParameters& parameters, std::span<const float> depths,
-                                        std::stop_token stop) {
+                                        const std::stop_token& stop) {
     if (!technique.has_moments() || !(total_absorbance(ray) > 0)) return SharpBounds();
     if (!technique.on_circle()) return on_line(ray, technique.moments().moment_count / 2, depths, stop);
     if (determined_on_circle(ray, technique.moments().moment_count)) return of_truth(ray, depths);

@@ -30,6 +30,6 @@ struct SharpBounds {
 /// linear program finds no solution.
 std::optional<SharpBounds> sharp_bounds(const ViewRay& ray, const Technique& technique,
                                         const ResolvedParameters& parameters, std::span<const float> depths,
-                                        std::stop_token stop = {});
+                                        const std::stop_token& stop = {});
 
 }  // namespace momentscope

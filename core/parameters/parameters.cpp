@@ -104,7 +104,7 @@ std::optional<float> parse_parameter(const Parameter& row, std::string_view text
     if (!value)
         throw Error(fmt::format("'{}' is not a value of the {} --{}; give {}.", text, row.name, row.key,
                                 parameter_values_text(row)));
-    return *value;
+    return value;
 }
 
 std::string parameter_text(const Parameter& row, std::optional<float> value) {

@@ -2,6 +2,7 @@
 // which stages a change makes stale.
 #pragma once
 #include <array>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,11 +25,13 @@ enum class ParameterId : std::size_t {
 #include "core/parameters/parameters.def"
 #undef PARAMETER
 };
-constexpr std::size_t PARAMETER_COUNT = 0
-#define PARAMETER(...) +1
+constexpr std::size_t PARAMETER_COUNT =
+    std::initializer_list<ParameterId>{
+#define PARAMETER(id, ...) ParameterId::id,
 #include "core/parameters/parameters.def"
 #undef PARAMETER
-    ;
+    }
+        .size();
 
 /// What kind of number a parameter is, and how its slider looks. toggle: 0 or 1. choice: an index into the
 /// names of its values. whole: a whole number.

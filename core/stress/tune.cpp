@@ -180,7 +180,7 @@ std::optional<TuneResult> tune(const std::vector<ViewRay>& all_rays, const TuneO
     ids.push_back(ParameterId::beta);
     std::size_t trials = 2;
     for (const ParameterId id : ids) trials += candidates(id, *options.technique).size();
-    Search search(rays, options, stop, progress, trials);
+    Search search(rays, options, std::move(stop), progress, trials);
     TuneResult result;
     result.values = options.values;
     result.error_before = search.measure(ParameterId::alpha, 0, options.values, false).error;
@@ -221,7 +221,7 @@ std::optional<float> least_safe_bias(const TuneResult& result, double most_failu
 }
 
 std::optional<std::vector<OverdrawTrial>> tune_by_overdraw(
-    const TuneOptions& options, int count, std::uint32_t seed, std::stop_token stop,
+    const TuneOptions& options, int count, std::uint32_t seed, const std::stop_token& stop,
     const std::function<void(std::size_t done, std::size_t all)>& progress) {
     std::vector<OverdrawTrial> trials;
     constexpr int DOUBLINGS = 10;

@@ -61,7 +61,7 @@ struct OverdrawTrial {
     TuneResult result;
 };
 std::optional<std::vector<OverdrawTrial>> tune_by_overdraw(
-    const TuneOptions& options, int rays, std::uint32_t seed, std::stop_token stop,
+    const TuneOptions& options, int rays, std::uint32_t seed, const std::stop_token& stop,
     const std::function<void(std::size_t done, std::size_t all)>& progress);
 
 /// `count` random rays of 2 to 5 fragments, the range in which moments matter.

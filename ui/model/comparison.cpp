@@ -69,7 +69,7 @@ void Comparison::work_on(Metric first, bool all) {
 }
 
 void Comparison::start(Metric metric) {
-    work_.start([pair = pair_, metric, number = number_](std::stop_token stop, const auto&) {
+    work_.start([pair = pair_, metric, number = number_](const std::stop_token& stop, const auto&) {
         std::optional<MetricResult> result = measure_pair(*pair, metric, stop);
         if (result) result->pair = number;
         return result;

@@ -210,16 +210,12 @@ void ScenePanel::draw_picture(const Ui& ui, const Measurement& m, const ScenePic
         return;
     }
     if (picture.texture == 0) return list.AddRectFilled(area.low, area.high, ui.colors.plot_background);
-    const auto texture = [](unsigned name) {
-        // NOLINTNEXTLINE(performance-no-int-to-ptr): ImGui hands textures on as pointers
-        return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(name));
-    };
     list.PushClipRect(area.low, area.high, true);
     // The first row in GL is the lowest. While another scene is read, the last picture may have another size.
     const auto draw_part = [&](unsigned name, float from, float to) {
         const float width = area.high.x - area.low.x;
         if (name == 0) return;
-        list.AddImage(texture(name), {area.low.x + from * width, area.low.y},
+        list.AddImage(texture_id(name), {area.low.x + from * width, area.low.y},
                       {area.low.x + to * width, area.high.y}, {from, 1}, {to, 0});
     };
     const CompareState& compare = state.compare;

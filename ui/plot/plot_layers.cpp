@@ -90,9 +90,12 @@ void draw_exits(ImDrawList& list, const PlotAxes& axes, const Palette& colors, c
 void draw_failure(ImDrawList& list, const PlotAxes& axes, const Palette& colors, const Measurement& m) {
     const float tick = 0.5f * em();
     for (const Range& range : m.failure.where)
-        for (float x = axes.x(range.low); x <= axes.x(range.high) + 0.5f; x += 0.5f * tick)
+        for (int i = 0;; ++i) {
+            const float x = axes.x(range.low) + 0.5f * tick * static_cast<float>(i);
+            if (x > axes.x(range.high) + 0.5f) break;
             list.AddLine({x - 0.25f * tick, axes.area.low.y + tick}, {x + 0.25f * tick, axes.area.low.y + 1},
                          colors.exit, 1.5f);
+        }
 }
 
 // A line from the truth to the reconstruction at every fragment's own depth: the error in the picture.

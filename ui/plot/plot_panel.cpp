@@ -277,7 +277,7 @@ void PlotPanel::draw(const Ui& ui, const Measurement& m, ExplorerState& state, I
     if (m.capture.ray.fragments.empty()) {
         draw_text(list,
                   {0.5f * (axes.area.low.x + axes.area.high.x), 0.5f * (axes.area.low.y + axes.area.high.y)},
-                  {0.5f, 0.5f}, empty_ray_text(m).c_str(), ui.colors.text);
+                  {0.5f, 0.5f}, empty_ray_text(m), ui.colors.text);
         ui.widget_rects["plot.empty"] = axes.area;
     }
     list.PopClipRect();

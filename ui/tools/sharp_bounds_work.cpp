@@ -29,7 +29,8 @@ std::optional<SharpBounds> SharpBoundsWork::update(const PlotState& plot, const 
     }
     if (!wanted || asked_ || work_.busy()) return shown;
     asked_ = input;
-    const auto work = [view_ray, input, parameters = curve.parameters](std::stop_token stop, const auto&) {
+    const auto work = [view_ray, input, parameters = curve.parameters](const std::stop_token& stop,
+                                                                       const auto&) {
         return sharp_bounds(view_ray, *input.technique, parameters,
                             plot_depths(view_ray, BOUND_SAMPLES, input.depths), stop);
     };

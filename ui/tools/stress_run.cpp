@@ -15,8 +15,9 @@ void StressRun::start(const ExplorerState& state) {
     options.values = state.parameters;
     options.rays = rays_;
     title_ = stress_title(options);
-    work_.start(
-        [options](std::stop_token stop, const auto& report) { return run_stress(options, stop, report); });
+    work_.start([options](const std::stop_token& stop, const auto& report) {
+        return run_stress(options, stop, report);
+    });
 }
 
 void StressRun::draw_progress(const Ui& ui) {

@@ -1,8 +1,8 @@
 #include "ui/widgets/drawing_painter.hpp"
 
 #include "ui/widgets/lines.hpp"
-#include "ui/widgets/ui.hpp"
 #include "ui/widgets/theme.hpp"
+#include "ui/widgets/ui.hpp"
 
 namespace momentscope::ui {
 

@@ -84,7 +84,7 @@ void use_key_numbers() {
     for (const auto& [imgui, letter] :
          {std::pair(ImGuiKey_A, 'A'), std::pair(ImGuiKey_C, 'C'), std::pair(ImGuiKey_V, 'V'),
           std::pair(ImGuiKey_X, 'X'), std::pair(ImGuiKey_Y, 'Y'), std::pair(ImGuiKey_Z, 'Z')})
-        io.KeyMap[imgui] = letter;
+        io.KeyMap[imgui] = static_cast<unsigned char>(letter);
 }
 
 }  // namespace momentscope::ui

@@ -1,5 +1,7 @@
 #include "ui/widgets/ui.hpp"
 
+#include <cstdint>
+
 #include "core/image/image.hpp"
 
 namespace momentscope::ui {
@@ -18,6 +20,11 @@ void label(const char* text, float width) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(text);
     ImGui::SameLine(width * em());
+}
+
+ImTextureID texture_id(unsigned name) {
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): ImGui hands textures on as pointers
+    return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(name));
 }
 
 ImU32 packed(const glm::vec3& color) {

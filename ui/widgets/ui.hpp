@@ -40,6 +40,9 @@ void label(const char* text, float width = 6.5f);
 /// A wrapped tooltip for the last drawn control: its meaning, and in weaker text its shortcut or source.
 void tooltip(const std::string& text, const std::string& weaker = "");
 
+/// A GL texture as ImGui hands it on.
+ImTextureID texture_id(unsigned name);
+
 /// A colour with channels in [0, 1], packed for draw lists.
 ImU32 packed(const glm::vec3& color);
 
