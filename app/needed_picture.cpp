@@ -10,6 +10,7 @@
 #include "app/gui_session.hpp"
 #include "app/image_texture.hpp"
 #include "ui/widgets/theme.hpp"
+#include "ui/widgets/ui.hpp"
 
 namespace momentscope {
 

@@ -4,8 +4,11 @@
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
 
+#include <memory>
 #include <new>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "pictures/picture_codec.hpp"
 
@@ -15,6 +18,8 @@ namespace {
 
 constexpr int MAX_MIB = 2048;  // that a decoder may take for a picture as it is stored
 
+thread_local std::string last_reason;
+
 OIIO::TypeDesc type_of(PictureNumbers numbers) {
     return numbers == PictureNumbers::floats ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
 }
@@ -23,38 +28,55 @@ class OiioReader : public PictureReader {
 public:
     explicit OiioReader(std::unique_ptr<OIIO::ImageInput> input) : input_(std::move(input)) {
         const OIIO::ImageSpec& spec = input_->spec();
+        channels_ = spec.channelnames;
+        channels_.resize(static_cast<std::size_t>(spec.nchannels > 0 ? spec.nchannels : 0));
+        for (const std::string& channel : channels_) names_.push_back(channel.c_str());
         header_ = {.width = spec.width,
                    .height = spec.height,
                    .depth = spec.depth,
-                   .channels = spec.channelnames,
+                   .channels = names_.data(),
+                   .channel_count = names_.size(),
                    .alpha_channel = spec.alpha_channel,
                    .holds_floats = spec.format.is_floating_point()};
-        header_.channels.resize(static_cast<std::size_t>(spec.nchannels > 0 ? spec.nchannels : 0));
     }
 
     const PictureHeader& header() const override { return header_; }
 
-    bool read(int first_channel, int channel_count, PictureNumbers numbers, void* pixels) override {
-        return input_->read_image(0, 0, first_channel, first_channel + channel_count, type_of(numbers),
-                                  pixels);
+    PictureOutcome read(int first_channel, int channel_count, PictureNumbers numbers, void* pixels) override {
+        try {
+            if (input_->read_image(0, 0, first_channel, first_channel + channel_count, type_of(numbers),
+                                   pixels))
+                return PictureOutcome::complete;
+        } catch (const std::bad_alloc&) {
+            return PictureOutcome::no_memory;
+        }
+        last_reason = input_->geterror();
+        return PictureOutcome::failed;
     }
-
-    std::string error() override { return input_->geterror(); }
 
 private:
     std::unique_ptr<OIIO::ImageInput> input_;
+    std::vector<std::string> channels_;
+    std::vector<const char*> names_;
     PictureHeader header_;
 };
 
-std::unique_ptr<PictureReader> open(const std::string& path, bool unassociated, std::string& reason) {
+struct OiioBytes : PictureBytes {
+    std::vector<unsigned char> bytes;
+
+    const char* data() const override { return reinterpret_cast<const char*>(bytes.data()); }
+    std::size_t size() const override { return bytes.size(); }
+};
+
+PictureReader* open(const char* path, bool unassociated) {
+    last_reason.clear();
     OIIO::ImageSpec as_stored;
     if (unassociated) as_stored.attribute("oiio:UnassociatedAlpha", 1);
     // Some decoders take the memory while they open the file.
     OIIO::attribute("limits:imagesize_MB", MAX_MIB);
     try {
-        if (auto input = OIIO::ImageInput::open(path, &as_stored))
-            return std::make_unique<OiioReader>(std::move(input));
-        reason = OIIO::geterror();
+        if (auto input = OIIO::ImageInput::open(path, &as_stored)) return new OiioReader(std::move(input));
+        last_reason = OIIO::geterror();
     } catch (const std::bad_alloc&) {
         OIIO::geterror();
     }
@@ -62,34 +84,39 @@ std::unique_ptr<PictureReader> open(const std::string& path, bool unassociated, 
 }
 
 // In memory, since the library does not tell when a disk is full.
-std::vector<unsigned char> encode(const char* kind, int width, int height, PictureNumbers numbers,
-                                  const void* pixels, std::string& reason) {
-    std::vector<unsigned char> bytes;
-    OIIO::Filesystem::IOVecOutput memory(bytes);
-    const std::string name = std::string("memory") + kind;
-    const OIIO::ImageSpec spec(width, height, 4, type_of(numbers));
-    const auto file = OIIO::ImageOutput::create(name, &memory);
-    if (file && file->open(name, spec) && file->write_image(type_of(numbers), pixels) && file->close())
-        return bytes;
-    reason = file ? file->geterror() : OIIO::geterror();
-    return {};
+PictureBytes* encode(const char* kind, int width, int height, PictureNumbers numbers, const void* pixels) {
+    try {
+        auto encoded = std::make_unique<OiioBytes>();
+        OIIO::Filesystem::IOVecOutput memory(encoded->bytes);
+        const std::string name = std::string("memory") + kind;
+        const OIIO::ImageSpec spec(width, height, 4, type_of(numbers));
+        const auto file = OIIO::ImageOutput::create(name, &memory);
+        if (file && file->open(name, spec) && file->write_image(type_of(numbers), pixels) && file->close())
+            return encoded.release();
+        last_reason = file ? file->geterror() : OIIO::geterror();
+    } catch (const std::bad_alloc&) {
+        last_reason = "there is too little memory";
+    }
+    return nullptr;
 }
 
-std::vector<float> magma(const std::vector<float>& numbers) {
-    const auto count = static_cast<int>(numbers.size());
-    OIIO::ImageBuf source(OIIO::ImageSpec(count, 1, 1, OIIO::TypeDesc::FLOAT));
-    const OIIO::ROI all(0, count, 0, 1, 0, 1);
-    source.set_pixels(all, OIIO::TypeDesc::FLOAT, numbers.data());
+const char* reason() {
+    return last_reason.c_str();
+}
+
+void magma(const float* numbers, std::size_t count, float* srgb) {
+    const auto width = static_cast<int>(count);
+    OIIO::ImageBuf source(OIIO::ImageSpec(width, 1, 1, OIIO::TypeDesc::FLOAT));
+    const OIIO::ROI all(0, width, 0, 1, 0, 1);
+    source.set_pixels(all, OIIO::TypeDesc::FLOAT, numbers);
     const OIIO::ImageBuf colored = OIIO::ImageBufAlgo::color_map(source, 0, "magma");
-    std::vector<float> srgb(3 * numbers.size());
-    colored.get_pixels(OIIO::ROI(0, count, 0, 1, 0, 1, 0, 3), OIIO::TypeDesc::FLOAT, srgb.data());
-    return srgb;
+    colored.get_pixels(OIIO::ROI(0, width, 0, 1, 0, 1, 0, 3), OIIO::TypeDesc::FLOAT, srgb);
 }
 
 }  // namespace
 
 extern "C" [[gnu::visibility("default")]] const PictureCodec* momentscope_picture_codec() {
-    static constexpr PictureCodec CODEC = {.open = open, .encode = encode, .magma = magma};
+    static constexpr PictureCodec CODEC = {.open = open, .encode = encode, .reason = reason, .magma = magma};
     return &CODEC;
 }
 

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "core/image/picture_file.hpp"
@@ -21,13 +23,13 @@ namespace {
 // Writes a picture with four channels.
 void write_pixels(const std::filesystem::path& path, int width, int height, PictureNumbers numbers,
                   const void* pixels) {
-    std::string reason;
-    const auto bytes = picture_codec().encode(path.extension() == ".exr" ? ".exr" : ".png", width, height,
-                                              numbers, pixels, reason);
-    if (bytes.empty())
-        throw Error(
-            fmt::format("The picture could not be made ({}); try a smaller --size.", first_sentence(reason)));
-    write_file({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path);
+    const PictureCodec& codec = picture_codec();
+    const char* const kind = path.extension() == ".exr" ? ".exr" : ".png";
+    const std::unique_ptr<PictureBytes> file(codec.encode(kind, width, height, numbers, pixels));
+    if (!file)
+        throw Error(fmt::format("The picture could not be made ({}); try a smaller --size.",
+                                first_sentence(codec.reason())));
+    write_file({file->data(), file->size()}, path);
 }
 
 /// The indices of red, green and blue in the values of a pixel (equal for a grey picture), and that of alpha.
@@ -39,16 +41,16 @@ struct Channels {
 // Channels are found by their names, because files may also hold depths and normals. Unnamed channels are
 // taken in order.
 Channels channels_of(const PictureHeader& header) {
+    const std::span<const char* const> names(header.channels, header.channel_count);
     const auto named = [&](std::string_view name) {
-        const auto found = std::ranges::find(header.channels, name);
-        return found == header.channels.end() ? std::nullopt
-                                              : std::optional<std::size_t>(found - header.channels.begin());
+        const auto found = std::ranges::find(names, name);
+        return found == names.end() ? std::nullopt : std::optional<std::size_t>(found - names.begin());
     };
     const auto red = named("R"), green = named("G"), blue = named("B");
     Channels channels{};
     if (red && green && blue)
         channels.color = {*red, *green, *blue};
-    else if (header.channels.size() >= 3 && !named("Y"))
+    else if (names.size() >= 3 && !named("Y"))
         channels.color = {0, 1, 2};
     else
         channels.color.fill(named("Y").value_or(0));

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <new>
 #include <system_error>
 #include <utility>
 
@@ -25,11 +24,10 @@ PictureFile::PictureFile(std::filesystem::path file, std::string kind, bool unas
     if (!std::filesystem::is_regular_file(path, code))
         throw Error(
             fmt::format("The {1} '{0}' is not an ordinary file; give the path of one.", path.string(), what));
-    std::string said;
-    reader = picture_codec().open(path.string(), unassociated, said);
+    reader.reset(picture_codec().open(path.c_str(), unassociated));
     if (!reader)
         throw Error(fmt::format("The {} '{}' cannot be read ({}); give another one.", what, path.string(),
-                                reason_of(said)));
+                                reason_of(picture_codec().reason())));
 }
 
 std::string PictureFile::reason_of(const std::string& said) const {
@@ -44,7 +42,7 @@ void PictureFile::require_size(int most_side, std::size_t most_pixels, std::size
     const auto pixels = static_cast<std::size_t>(std::max(size.width, 0)) *
                         static_cast<std::size_t>(std::max(size.height, 0));
     if (pixels < 1 || std::max(size.width, size.height) > most_side || pixels > most_pixels ||
-        size.depth > 1 || size.channels.empty())
+        size.depth > 1 || size.channel_count == 0)
         throw Error(fmt::format(
             "The {} '{}' has {}x{}{} pixels, but at most {} to a side and {} million in all are "
             "read; make it smaller.",
@@ -56,14 +54,13 @@ void PictureFile::require_size(int most_side, std::size_t most_pixels, std::size
 }
 
 void PictureFile::read(int first_channel, int channel_count, PictureNumbers numbers, void* pixels) {
-    try {
-        if (reader->read(first_channel, channel_count, numbers, pixels)) return;
-    } catch (const std::bad_alloc&) {
+    const PictureOutcome outcome = reader->read(first_channel, channel_count, numbers, pixels);
+    if (outcome == PictureOutcome::no_memory)
         throw Error(fmt::format("The {} '{}' needs more memory than there is; make it smaller.", what,
                                 path.string()));
-    }
-    throw Error(fmt::format("The {} '{}' ends before its last pixel ({}); write it again.", what,
-                            path.string(), reason_of(reader->error())));
+    if (outcome == PictureOutcome::failed)
+        throw Error(fmt::format("The {} '{}' ends before its last pixel ({}); write it again.", what,
+                                path.string(), reason_of(picture_codec().reason())));
 }
 
 }  // namespace momentscope

@@ -1,13 +1,12 @@
 #include "core/inspect/circle_bounds.hpp"
 
-#include <ClpSimplex.hpp>
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <future>
-#include <limits>
 #include <numbers>
-#include <numeric>
+
+#include "core/inspect/linear_program.hpp"
 
 namespace momentscope {
 
@@ -39,22 +38,15 @@ Eigen::VectorXd moments_at(double depth, int count, double theta) {
     return moments;
 }
 
-void add_column(ClpSimplex& solver, const Eigen::VectorXd& column, double cost) {
-    std::vector<int> rows(static_cast<std::size_t>(column.size()));
-    std::iota(rows.begin(), rows.end(), 0);
-    solver.addColumn(static_cast<int>(rows.size()), rows.data(), column.data(), 0,
-                     std::numeric_limits<double>::max(), cost);
+std::span<const double> numbers_of(const Eigen::VectorXd& vector) {
+    return {vector.data(), static_cast<std::size_t>(vector.size())};
 }
 
-/// Adds one constraint for each moment. Call it before any columns are added.
-void demand(ClpSimplex& solver, const Eigen::VectorXd& moments) {
-    solver.setLogLevel(0);
-    solver.scaling(0);  // scaling magnifies the tolerance of small masses; then truths are infeasible
-    solver.resize(static_cast<int>(moments.size()), 0);
-    for (int i = 0; i < static_cast<int>(moments.size()); ++i) solver.setRowBounds(i, moments[i], moments[i]);
-    solver.setPrimalTolerance(TOLERANCE);
-    solver.setDualTolerance(TOLERANCE);
-    solver.setMaximumIterations(MAX_PIVOTS);
+/// A program with one equation for each moment.
+LinearProgram program_of(const Eigen::VectorXd& moments) {
+    LinearProgram program(numbers_of(moments), TOLERANCE);
+    program.set_max_pivots(MAX_PIVOTS);
+    return program;
 }
 
 /// What all linear programs of a ray have in common.
@@ -71,15 +63,13 @@ struct Candidates {
 // Masses at a few of the depths of the fragments have the moments of all fragments (Carathéodory). Returns
 // these depths, or all if CLP finds no solution.
 std::vector<double> support_of(const std::vector<double>& own, const Candidates& candidates) {
-    ClpSimplex solver;
-    demand(solver, candidates.of_ray);
+    LinearProgram program = program_of(candidates.of_ray);
     for (const double depth : own)
-        add_column(solver, moments_at(depth, candidates.count, candidates.theta), 0);
-    solver.primal();
-    if (!solver.isProvenOptimal()) return own;
+        program.add_column(numbers_of(moments_at(depth, candidates.count, candidates.theta)), 0);
+    if (!program.primal()) return own;
     std::vector<double> support;
     for (std::size_t k = 0; k < own.size(); ++k)
-        if (solver.primalColumnSolution()[k] > 0) support.push_back(own[k]);
+        if (program.variables()[k] > 0) support.push_back(own[k]);
     return support;
 }
 
@@ -115,8 +105,8 @@ Candidates candidates_of(const ViewRay& ray, int count, double theta) {
 /// there would help. This finds the best of all candidates.
 class MassProgram {
 public:
-    explicit MassProgram(const Candidates& candidates) : candidates_(candidates) {
-        demand(solver_, candidates.of_ray);
+    explicit MassProgram(const Candidates& candidates)
+        : candidates_(candidates), program_(program_of(candidates.of_ray)) {
         for (int k = 0; k < GRID; k += FIRST_STEP) add(grid_depth(k));
         for (const double depth : candidates.support)  // all, or the program would have no solution
             if (std::ranges::find(depths_, depth) == depths_.end()) add(depth);
@@ -128,27 +118,25 @@ public:
     template <typename Cost>
     std::optional<double> least(double at, const Cost& cost) {
         if (is_new(at)) add(at);
-        for (std::size_t k = 0; k < depths_.size(); ++k)
-            solver_.setObjectiveCoefficient(static_cast<int>(k), cost(depths_[k]));
+        std::vector<double> costs;
+        for (const double depth : depths_) costs.push_back(cost(depth));
+        program_.set_costs(costs);
         for (int round = 0; round < MAX_ROUNDS; ++round) {
             if (!solve()) return std::nullopt;
             if (!add_what_helps(cost)) break;
         }
-        return solver_.objectiveValue();
+        return program_.cost();
     }
 
 private:
     // If the moments almost determine the truth, CLP may not find a way from the last basis. It may still
     // find one without a basis.
     bool solve() {
-        solver_.primal();
-        if (solver_.isProvenOptimal()) return true;
-        solver_.allSlackBasis(true);
-        solver_.primal();
-        if (solver_.isProvenOptimal()) return true;
-        solver_.allSlackBasis(true);
-        solver_.dual();
-        return solver_.isProvenOptimal();
+        if (program_.primal()) return true;
+        program_.forget_basis();
+        if (program_.primal()) return true;
+        program_.forget_basis();
+        return program_.dual();
     }
 
     bool is_new(double depth) const {
@@ -157,14 +145,14 @@ private:
     }
 
     void add(double depth, double cost = 0) {
-        add_column(solver_, moments_at(depth, candidates_.count, candidates_.theta), cost);
+        program_.add_column(numbers_of(moments_at(depth, candidates_.count, candidates_.theta)), cost);
         depths_.push_back(depth);
     }
 
     // Adds those candidates whose reduced cost is negative and less than that of their neighbours.
     template <typename Cost>
     bool add_what_helps(const Cost& cost) {
-        const Eigen::Map<const Eigen::VectorXd> dual(solver_.dualRowSolution(), candidates_.moments.cols());
+        const Eigen::Map<const Eigen::VectorXd> dual(program_.duals().data(), candidates_.moments.cols());
         const std::vector<double>& depths = candidates_.depths;
         const Eigen::VectorXd value = candidates_.moments * dual;
         const auto reduced = [&](std::size_t k) {
@@ -185,7 +173,7 @@ private:
 
     const Candidates& candidates_;
     std::vector<double> depths_;  // of the masses tried so far; each is a column of the program
-    ClpSimplex solver_;
+    LinearProgram program_;
 };
 
 enum class Bound { lower, upper };

@@ -1,4 +1,4 @@
-// builtin_scenes.hpp -- builds the built-in scenes, which scenes.cpp lists.
+// builtin_scenes.hpp -- builds the scenes of builtin_scenes.def.
 #pragma once
 #include <filesystem>
 
@@ -6,14 +6,9 @@
 
 namespace momentscope {
 
-Scene build_planes();
-Scene build_spheres();
-Scene build_teapots();
-Scene build_ties();
-Scene build_cloud();
-Scene build_foliage();
-Scene build_ship();
-Scene build_smoke();
+#define SCENE(id, description) Scene build_##id();
+#include "core/scene/builtin_scenes.def"
+#undef SCENE
 
 /// Foliage with leaves of the shape in a picture file. If the file cannot be read, the scene gets a warning
 /// and leaves are whole rectangles.

@@ -3,12 +3,13 @@
 
 #include "core/scene/text_encoding.hpp"
 
-#include <assimp/MemoryIOWrapper.h>
 #include <algorithm>
 #include <charconv>
-#include <cstdint>
+#include <cstddef>
 #include <fstream>
 #include <iterator>
+#include <new>
+#include <sstream>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -33,11 +34,62 @@ std::string percent_decoded(std::string_view text) {
     return decoded;
 }
 
-/// A file that owns a copy of the text.
-Assimp::IOStream* file_of(const std::string& text) {
-    auto* const bytes = new std::uint8_t[text.size()];
-    std::copy(text.begin(), text.end(), bytes);
-    return new Assimp::MemoryIOStream(bytes, text.size(), true);
+// The functions that Assimp calls. An exception must not pass through Assimp.
+
+std::istream& stream_of(aiFile* file) {
+    return *reinterpret_cast<std::istream*>(file->UserData);
+}
+
+std::size_t read_items(aiFile* file, char* to, std::size_t size, std::size_t count) {
+    std::istream& stream = stream_of(file);
+    stream.clear();  // the last read may have met the end
+    stream.read(to, static_cast<std::streamsize>(size * count));
+    return size > 0 ? static_cast<std::size_t>(stream.gcount()) / size : 0;
+}
+
+std::size_t place_in(aiFile* file) {
+    stream_of(file).clear();
+    return static_cast<std::size_t>(stream_of(file).tellg());
+}
+
+aiReturn seek_in(aiFile* file, std::size_t offset, aiOrigin origin) {
+    std::istream& stream = stream_of(file);
+    stream.clear();
+    const auto from = origin == aiOrigin_SET   ? std::ios::beg
+                      : origin == aiOrigin_CUR ? std::ios::cur
+                                               : std::ios::end;
+    return stream.seekg(static_cast<std::streamoff>(offset), from) ? aiReturn_SUCCESS : aiReturn_FAILURE;
+}
+
+std::size_t size_of(aiFile* file) {
+    const std::size_t here = place_in(file);
+    seek_in(file, 0, aiOrigin_END);
+    const std::size_t size = place_in(file);
+    seek_in(file, here, aiOrigin_SET);
+    return size;
+}
+
+std::size_t write_nothing(aiFile* /*file*/, const char* /*from*/, std::size_t /*size*/,
+                          std::size_t /*count*/) {
+    return 0;
+}
+
+void flush_nothing(aiFile* /*file*/) {}
+
+aiFile* open_file(aiFileIO* files, const char* name, const char* mode) try {
+    if (mode == nullptr || mode[0] != 'r') return nullptr;
+    auto stream = reinterpret_cast<FolderFiles*>(files->UserData)->open(name);
+    if (!stream) return nullptr;
+    auto* const file = new aiFile{read_items, write_nothing, place_in, size_of, seek_in, flush_nothing, {}};
+    file->UserData = reinterpret_cast<char*>(stream.release());
+    return file;
+} catch (const std::bad_alloc&) {
+    return nullptr;
+}
+
+void close_file(aiFileIO* /*files*/, aiFile* file) {
+    delete &stream_of(file);
+    delete file;
 }
 
 }  // namespace
@@ -49,7 +101,7 @@ FolderFiles::FolderFiles(fs::path mesh, std::optional<std::string> text, bool ur
 }
 
 /// The path to open; nullopt if there is no such ordinary file or it must not be opened.
-std::optional<std::string> FolderFiles::found(const std::string& file) const {
+std::optional<std::string> FolderFiles::found(const std::string& file) {
     if (file == mesh_.string()) return file;
     // Assimp prefixes every name with the folder.
     const std::string parent = mesh_.has_parent_path() ? mesh_.parent_path().string() : "";
@@ -79,21 +131,25 @@ std::optional<std::string> FolderFiles::found(const std::string& file) const {
     return std::nullopt;
 }
 
-bool FolderFiles::Exists(const char* file) const {
-    return found(file).has_value();
+std::unique_ptr<std::istream> FolderFiles::open(const std::string& name) {
+    const std::optional<std::string> path = found(name);
+    if (!path) return nullptr;
+    if (*path == mesh_.string() && text_) return std::make_unique<std::istringstream>(*text_);
+    auto file = std::make_unique<std::ifstream>(*path, std::ios::binary);
+    if (!*file) return nullptr;
+    if (*path != mesh_.string() &&
+        fs::path(*path).extension() == ".mtl") {  // the only text file beside the mesh
+        const std::string bytes{std::istreambuf_iterator<char>(*file), {}};
+        if (const std::optional<std::string> text = as_utf8(bytes))
+            return std::make_unique<std::istringstream>(*text);
+        file->clear();
+        file->seekg(0);
+    }
+    return file;
 }
 
-Assimp::IOStream* FolderFiles::Open(const char* file, const char* mode) {
-    if (mode == nullptr || mode[0] != 'r') return nullptr;
-    const std::optional<std::string> path = found(file);
-    if (!path) return nullptr;
-    if (*path == mesh_.string()) return text_ ? file_of(*text_) : DefaultIOSystem::Open(file, mode);
-    if (fs::path(*path).extension() == ".mtl") {  // the only text file beside the mesh itself
-        std::ifstream stream(*path, std::ios::binary);
-        const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-        if (const std::optional<std::string> text = as_utf8(bytes)) return file_of(*text);
-    }
-    return DefaultIOSystem::Open(path->c_str(), mode);
+aiFileIO FolderFiles::for_assimp() {
+    return {open_file, close_file, reinterpret_cast<char*>(this)};
 }
 
 }  // namespace momentscope

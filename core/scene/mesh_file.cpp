@@ -11,10 +11,10 @@
 #include "core/support/memory.hpp"
 #include "core/support/plain_text.hpp"
 
+#include <assimp/cimport.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <algorithm>
-#include <assimp/Importer.hpp>
 #include <cctype>
 #include <cstddef>
 #include <fstream>
@@ -80,14 +80,14 @@ struct PreparedFile {
 
 /// Converts text in other encodings to UTF-8, and OBJ to a form that Assimp reads without loss. Reads the
 /// nodes of glTF.
-PreparedFile prepare(const Assimp::Importer& importer, const std::filesystem::path& path) {
+PreparedFile prepare(const std::filesystem::path& path) {
     PreparedFile file;
     const std::string beginning = bytes_of(path, 256);
     if (as_utf8(beginning)) file.text = as_utf8(bytes_of(path));
 
     std::string extension = path.extension().string();
     std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
-    const bool known = importer.IsExtensionSupported(extension);
+    const bool known = aiIsExtensionSupported(extension.c_str()) == AI_TRUE;
     const std::string start = file.text ? file.text->substr(0, beginning.size()) : beginning;
     const std::size_t first = std::min(start.find_first_not_of(" \t\r\n"), start.size());
     const bool maybe_gltf = start.starts_with("glTF") || start.substr(first).starts_with('{');
@@ -103,6 +103,22 @@ PreparedFile prepare(const Assimp::Importer& importer, const std::filesystem::pa
         file.gltf = read_gltf(source, path);
     }
     return file;
+}
+
+struct Release {
+    void operator()(const aiScene* scene) const { aiReleaseImport(scene); }
+};
+using Imported = std::unique_ptr<const aiScene, Release>;
+
+/// Throws std::bad_alloc if there is less memory than Assimp takes for triangles. If it runs out of memory
+/// itself, it releases the scene twice and crashes.
+void require_memory_to_triangulate(const aiScene& scene) {
+    constexpr std::size_t BYTES = 64;  // an aiFace, its three indices and the bookkeeping of the heap
+    std::size_t triangles = 0;
+    for (unsigned m = 0; m < scene.mNumMeshes; ++m)
+        for (unsigned f = 0; f < scene.mMeshes[m]->mNumFaces; ++f)
+            triangles += std::max(scene.mMeshes[m]->mFaces[f].mNumIndices, 2u) - 2;
+    ::operator delete(::operator new(BYTES* triangles));
 }
 
 /// Throws Error with the reason why Assimp could not read the file.
@@ -141,23 +157,21 @@ std::vector<std::string> warnings_of(const PreparedFile& file, const FolderFiles
 
 }  // namespace
 
-// Everything that a hostile file could crash.
+// Everything that a hostile file could crash. It calls Assimp through its C interface, because the classes of
+// Assimp hold strings of one standard library and cannot be used with another.
 LoadedMesh read_mesh_here(const std::filesystem::path& path, const ReadReport& report) {
     try {
-        Assimp::Importer importer;  // writes no log as long as nobody creates the logger of Assimp
-        PreparedFile file = prepare(importer, path);
-        auto owned = std::make_unique<FolderFiles>(path, std::exchange(file.text, std::nullopt),
-                                                   file.gltf.has_value());
-        const FolderFiles& files = *owned;
-        importer.SetIOHandler(owned.release());  // owned by the importer from now on
+        PreparedFile file = prepare(path);
+        FolderFiles files(path, std::exchange(file.text, std::nullopt), file.gltf.has_value());
+        aiFileIO opened = files.for_assimp();
         // The first step is validation, before another step could follow an index that is out of range.
-        if (importer.ReadFile(path.string(), aiProcess_ValidateDataStructure) == nullptr)
-            refuse_unread(importer.GetErrorString(), files, path);
+        Imported scene(aiImportFileEx(path.c_str(), aiProcess_ValidateDataStructure, &opened));
+        if (!scene) refuse_unread(aiGetErrorString(), files, path);
         // The scene may be changed here, just as the next step changes it.
-        const std::vector<double> units = scale_to_one(const_cast<aiScene&>(*importer.GetScene()));
-        const aiScene* scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
-        if (scene == nullptr || scene->mRootNode == nullptr)
-            refuse_unread(importer.GetErrorString(), files, path);
+        const std::vector<double> units = scale_to_one(const_cast<aiScene&>(*scene));
+        require_memory_to_triangulate(*scene);
+        scene.reset(aiApplyPostProcessing(scene.release(), aiProcess_Triangulate));
+        if (!scene || scene->mRootNode == nullptr) refuse_unread("", files, path);
 
         if (report) report("placing its triangles");
         PlacedGraph graph = place_graph(*scene, units, file.gltf ? &*file.gltf : nullptr, path);

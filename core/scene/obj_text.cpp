@@ -2,6 +2,7 @@
 #include "core/scene/obj_text.hpp"
 
 #include "core/scene/mesh_error.hpp"
+#include "core/support/real_from_chars.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -31,7 +32,7 @@ std::optional<double> number_in(std::string_view word) {
     if (!(first >= '0' && first <= '9') && first != '.') return std::nullopt;  // "inf", "nan", "+-1"
     if (word.starts_with('+')) word.remove_prefix(1);  // from_chars does not accept this sign
     double value = 0.0;
-    const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
+    const auto [end, code] = real_from_chars(word, value);
     if (end != word.data() + word.size()) return std::nullopt;
     if (code == std::errc()) return value;
     const std::size_t exponent = word.find_first_of("eE");

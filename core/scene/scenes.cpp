@@ -16,21 +16,9 @@ namespace momentscope {
 namespace {
 
 constexpr SceneEntry ENTRIES[] = {
-    {"planes",
-     "Four parallel sheets that overlap in part, so a pixel sees none to all four: ideal cases as in Fig. 3.",
-     build_planes},
-    {"spheres", "Three intersecting spheres in a depth range of more than ten radii, as in Fig. 8.",
-     build_spheres},
-    {"teapots", "Seventeen Utah teapots in a row behind transparent curtains, as in Fig. 6.", build_teapots},
-    {"ties", "Pairs of sheets: at the same depth, very close, a step apart, and crossing each other.",
-     build_ties},
-    {"cloud", "A cloud of particles, tens of them on a ray, around a disk of 94 % opacity, as in Fig. 2.",
-     build_cloud},
-    {"foliage", "A red teapot in front of leaves that are cut out by an opacity texture, as in Fig. 7.",
-     build_foliage},
-    {"ship", "A rigged ship in fog of particles, tens of fragments on a ray, as in Fig. 1.", build_ship},
-    {"smoke", "Glass bottles in grass and dense smoke, as in the scenes of Moment Transparency.",
-     build_smoke},
+#define SCENE(id, description) {#id, description, build_##id},
+#include "core/scene/builtin_scenes.def"
+#undef SCENE
 };
 
 std::string scene_ids() {

@@ -86,8 +86,8 @@ void add_opacities(std::vector<Condition>& rows) {
                                       std::pair("opacity-.999", 0.999f), std::pair("opacity-.9999", 0.9999f)})
         rows.push_back({id, std::string(id).substr(8), "opacity",
                         fmt::format("Four fragments of opacity {:.4g} at random depths.", opacity), 4,
-                        of_ray([opacity = opacity](RandomNumbers& random, const Technique&) {
-                            return random_ray(random, 4, opacity, opacity);
+                        of_ray([share = opacity](RandomNumbers& random, const Technique&) {
+                            return random_ray(random, 4, share, share);
                         })});
 }
 

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <type_traits>
 
+#include "core/support/real_from_chars.hpp"
+
 namespace momentscope {
 
 /// The number in a text. It must be finite and in decimal notation, without spaces or '+'. nullopt for
@@ -13,8 +15,12 @@ namespace momentscope {
 template <typename T>
 std::optional<T> parse_number(std::string_view text) {
     T value{};
-    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (status != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    std::from_chars_result read{};
+    if constexpr (std::is_floating_point_v<T>)
+        read = real_from_chars(text, value);
+    else
+        read = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (read.ec != std::errc() || read.ptr != text.data() + text.size()) return std::nullopt;
     if constexpr (std::is_floating_point_v<T>)
         if (!std::isfinite(value)) return std::nullopt;
     return value;

@@ -2,11 +2,10 @@
 // CMakeLists.txt).
 #include "tests/fuzz/library.hpp"
 
+#include <assimp/cfileio.h>
 #include <assimp/scene.h>
 #include <sys/resource.h>
 #include <sys/time.h>
-
-#include <assimp/Importer.hpp>
 
 namespace momentscope::fuzz {
 
@@ -53,23 +52,22 @@ using momentscope::fuzz::InLibrary;
 
 // names that the linker requires
 extern "C" {
-const aiScene* __real__ZN6Assimp8Importer8ReadFileEPKcj(Assimp::Importer*, const char*, unsigned);
-const aiScene* __wrap__ZN6Assimp8Importer8ReadFileEPKcj(Assimp::Importer* self, const char* file,
-                                                        unsigned flags) {
+const aiScene* __real_aiImportFileEx(const char*, unsigned, aiFileIO*);
+const aiScene* __wrap_aiImportFileEx(const char* file, unsigned flags, aiFileIO* files) {
     const InLibrary in;
-    return __real__ZN6Assimp8Importer8ReadFileEPKcj(self, file, flags);
+    return __real_aiImportFileEx(file, flags, files);
 }
 
-const aiScene* __real__ZN6Assimp8Importer19ApplyPostProcessingEj(Assimp::Importer*, unsigned);
-const aiScene* __wrap__ZN6Assimp8Importer19ApplyPostProcessingEj(Assimp::Importer* self, unsigned flags) {
+const aiScene* __real_aiApplyPostProcessing(const aiScene*, unsigned);
+const aiScene* __wrap_aiApplyPostProcessing(const aiScene* scene, unsigned flags) {
     const InLibrary in;
-    return __real__ZN6Assimp8Importer19ApplyPostProcessingEj(self, flags);
+    return __real_aiApplyPostProcessing(scene, flags);
 }
 
-void __real__ZN6Assimp8ImporterD1Ev(Assimp::Importer*);
-void __wrap__ZN6Assimp8ImporterD1Ev(Assimp::Importer* self) {
+void __real_aiReleaseImport(const aiScene*);
+void __wrap_aiReleaseImport(const aiScene* scene) {
     const InLibrary in;
-    __real__ZN6Assimp8ImporterD1Ev(self);
+    __real_aiReleaseImport(scene);
 }
 }
 // NOLINTEND(bugprone-reserved-identifier)

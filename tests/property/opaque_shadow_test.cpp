@@ -4,14 +4,13 @@
 
 #include <gtest/gtest.h>
 
-#include <ClpSimplex.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <vector>
 
+#include "core/inspect/linear_program.hpp"
 #include "core/ray/random_ray.hpp"
 #include "core/techniques/moment_kernel.hpp"
 #include "core/techniques/technique.hpp"
@@ -60,29 +59,22 @@ double least_in_front(const std::vector<Mass>& region, double depth, std::vector
     grid.push_back(depth);
     for (const Mass& mass : region)
         grid.push_back(mass.depth);  // otherwise no mixture of the grid may have the moments
-    ClpSimplex solver;
-    solver.setLogLevel(0);
-    solver.scaling(0);
-    solver.setPrimalTolerance(1e-9);
-    solver.setDualTolerance(1e-9);
-    solver.resize(5, 0);
     constexpr double BIAS = 3e-7, TOWARDS[] = {1, 0, 0.375, 0, 0.375};
-    for (int j = 0; j < 5; ++j) {
-        double moment = BIAS * TOWARDS[j];
-        for (const Mass& mass : region) moment += (1 - BIAS) * mass.weight * std::pow(mass.depth, j);
-        solver.setRowBounds(j, moment, moment);
+    std::array<double, 5> moments{};
+    for (std::size_t j = 0; j < 5; ++j) {
+        moments[j] = BIAS * TOWARDS[j];
+        for (const Mass& mass : region)
+            moments[j] += (1 - BIAS) * mass.weight * std::pow(mass.depth, static_cast<int>(j));
     }
+    LinearProgram program(moments, 1e-9);
     for (const double z : grid) {
         const double size = 1 + z * z * z * z;
-        std::array<int, 5> rows{0, 1, 2, 3, 4};
         std::array<double, 5> column{};
-        for (int j = 0; j < 5; ++j) column[static_cast<std::size_t>(j)] = std::pow(z, j) / size;
-        solver.addColumn(5, rows.data(), column.data(), 0, std::numeric_limits<double>::max(),
-                         z < depth ? 1 / size : 0);
+        for (std::size_t j = 0; j < 5; ++j) column[j] = std::pow(z, static_cast<int>(j)) / size;
+        program.add_column(column, z < depth ? 1 / size : 0);
     }
-    solver.primal();
-    EXPECT_TRUE(solver.isProvenOptimal());
-    return solver.objectiveValue();
+    EXPECT_TRUE(program.primal());
+    return program.cost();
 }
 
 // 2001 depths of the depth range.

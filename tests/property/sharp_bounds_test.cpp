@@ -5,14 +5,15 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <ClpSimplex.hpp>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <random>
 #include <string>
 
 #include "core/inspect/curve.hpp"
+#include "core/inspect/linear_program.hpp"
 #include "core/ray/random_ray.hpp"
 #include "core/reference/exact_reconstruction.hpp"
 #include "tests/property/moment_rows.hpp"
@@ -129,12 +130,6 @@ double bound_on_grid(const ViewRay& ray, int moments, double depth, bool upper) 
             column.push_back(std::cos(j * std::acos(std::clamp(z, -1.0, 1.0))));
         return column;
     };
-    ClpSimplex solver;
-    solver.setLogLevel(0);
-    solver.scaling(0);
-    solver.setPrimalTolerance(1e-9);
-    solver.setDualTolerance(1e-9);
-    solver.resize(moments + 1, 0);
     std::vector<double> of_ray(static_cast<std::size_t>(moments) + 1);
     for (const Fragment& fragment : ray.fragments) {
         const std::vector<double> column = column_at(fragment.depth);
@@ -142,18 +137,13 @@ double bound_on_grid(const ViewRay& ray, int moments, double depth, bool upper) 
             static_cast<double>(fragment_absorbance(fragment.opacity)) / total_absorbance(ray);
         for (std::size_t j = 0; j < column.size(); ++j) of_ray[j] += share * column[j];
     }
-    for (int j = 0; j <= moments; ++j)
-        solver.setRowBounds(j, of_ray[static_cast<std::size_t>(j)], of_ray[static_cast<std::size_t>(j)]);
-    std::vector<int> rows(of_ray.size());
-    std::iota(rows.begin(), rows.end(), 0);
+    LinearProgram program(of_ray, 1e-9);
     for (const double z : grid) {
         const double cost = upper ? (z <= depth ? -1 : 0) : (z < depth ? 1 : 0);
-        solver.addColumn(moments + 1, rows.data(), column_at(z).data(), 0, std::numeric_limits<double>::max(),
-                         cost);
+        program.add_column(column_at(z), cost);
     }
-    solver.primal();
-    EXPECT_TRUE(solver.isProvenOptimal());
-    return upper ? -solver.objectiveValue() : solver.objectiveValue();
+    EXPECT_TRUE(program.primal());
+    return upper ? -program.cost() : program.cost();
 }
 
 // On a grid, the bounds are narrower, because the nearest possible masses are off by up to 1e-3 of depth,
