@@ -20,6 +20,8 @@
 namespace momentscope::test {
 namespace {
 
+using reference::Extended;
+
 constexpr ResolvedParameters PARAMETERS = {.theta = 0.3f};
 
 // Even depths, and the own depth of every fragment.
@@ -77,28 +79,29 @@ TEST_P(SharpBoundsOf, FewSurfacesAreTheTruth) {
 INSTANTIATE_TEST_SUITE_P(Techniques, SharpBoundsOf, ::testing::ValuesIn(moment_based_techniques()),
                          [](const auto& one) { return test_name(*one.param); });
 
-// Algorithm 1 in long double is sharp if its masses lie in the depth range. Otherwise the depth range is
+// Algorithm 1 in exact arithmetic is sharp if its masses lie in the depth range. Otherwise the depth range is
 // additional knowledge.
 TEST(SharpBounds, AreThoseOfAlgorithm1WhereItsMassesLieInTheDepthRange) {
+    using std::pow;
     RandomNumbers random(12);
     const Technique& technique = require_technique("power6-32");
     int compared = 0;
     for (int i = 0; i < 20; ++i) {
         const ViewRay ray = random_ray(random, 6);
-        reference::PowerMoments<6, long double> moments{};
-        long double total = 0;
+        reference::PowerMoments<6, Extended> moments{};
+        Extended total = 0;
         for (const Fragment& fragment : ray.fragments) {
-            const auto absorbance = static_cast<long double>(fragment_absorbance(fragment.opacity));
+            const auto absorbance = static_cast<Extended>(fragment_absorbance(fragment.opacity));
             total += absorbance;
             for (std::size_t k = 0; k < moments.size(); ++k)
-                moments[k] += absorbance * std::pow(static_cast<long double>(fragment.depth), k);
+                moments[k] += absorbance * pow(static_cast<Extended>(fragment.depth), static_cast<int>(k));
         }
-        for (long double& moment : moments) moment /= total;
+        for (Extended& moment : moments) moment /= total;
         const std::vector<float> depths = even_depths(21);
         const auto sharp = sharp_bounds(ray, technique, PARAMETERS, depths);
         ASSERT_TRUE(sharp);
         for (std::size_t d = 0; d < depths.size(); ++d) {
-            const auto exact = reference::power_bounds<6, long double>(moments, depths[d]);
+            const auto exact = reference::power_bounds<6, Extended>(moments, depths[d]);
             ASSERT_TRUE(exact);
             const double lower = static_cast<double>(exact->lower * total);
             const double upper = static_cast<double>(exact->upper * total);
@@ -106,8 +109,8 @@ TEST(SharpBounds, AreThoseOfAlgorithm1WhereItsMassesLieInTheDepthRange) {
             constexpr double ROUNDING = 2e-7;  // the bounds are floats
             EXPECT_GE(static_cast<double>(sharp->lower[d]), lower - ROUNDING * scale);
             EXPECT_LE(static_cast<double>(sharp->upper[d]), upper + ROUNDING * scale);
-            const bool inside = std::ranges::all_of(
-                exact->depth, [](long double depth) { return depth >= -1 && depth <= 1; });
+            const bool inside =
+                std::ranges::all_of(exact->depth, [](Extended depth) { return depth >= -1 && depth <= 1; });
             if (!inside) continue;
             ++compared;
             EXPECT_NEAR(static_cast<double>(sharp->lower[d]), lower, ROUNDING * scale);
@@ -181,11 +184,13 @@ TEST(SharpBounds, OfTheLineAreThoseOfALinearProgram) {
 TEST(CanonicalMasses, HaveTheMomentsAndLieInTheDepthRange) {
     std::mt19937 random(18);
     std::uniform_real_distribution<double> anywhere(-1, 1), any_mass(0.01, 1);
-    long double worst = 0;
+    using std::abs;
+    using std::pow;
+    Extended worst = 0;
     for (int degree = 2; degree <= 4; ++degree)
         for (int i = 0; i < 200; ++i) {
             std::vector<DepthMass> ray;
-            long double total = 0;
+            Extended total = 0;
             for (int k = 0; k < 6 + i % 7; ++k) {
                 ray.push_back({anywhere(random), any_mass(random)});
                 if (k < 2 && i % 4 == 0) ray.back().depth = k == 0 ? -1 : 1;
@@ -194,20 +199,20 @@ TEST(CanonicalMasses, HaveTheMomentsAndLieInTheDepthRange) {
             for (DepthMass& one : ray) one.mass /= total;
             const auto canonical = CanonicalMasses::of(ray, degree);
             ASSERT_TRUE(canonical);
-            const long double depth = i % 3 == 0 ? ray[2].depth : static_cast<long double>(anywhere(random));
+            const Extended depth = i % 3 == 0 ? ray[2].depth : static_cast<Extended>(anywhere(random));
             const std::vector<DepthMass> masses = canonical->at(depth);
             EXPECT_TRUE(
                 std::ranges::any_of(masses, [&](const DepthMass& one) { return one.depth == depth; }));
             EXPECT_LE(masses.size(), static_cast<std::size_t>(degree) + 2);
             for (const DepthMass& one : masses) {
                 EXPECT_GE(one.mass, -1e-15L);
-                EXPECT_LE(std::abs(one.depth), 1 + 1e-9L);
+                EXPECT_LE(abs(one.depth), 1 + 1e-9L);
             }
             for (int j = 0; j <= 2 * degree; ++j) {
-                long double difference = 0;
-                for (const DepthMass& one : ray) difference += one.mass * std::pow(one.depth, j);
-                for (const DepthMass& one : masses) difference -= one.mass * std::pow(one.depth, j);
-                worst = std::max(worst, std::abs(difference));
+                Extended difference = 0;
+                for (const DepthMass& one : ray) difference += one.mass * pow(one.depth, j);
+                for (const DepthMass& one : masses) difference -= one.mass * pow(one.depth, j);
+                worst = std::max(worst, Extended(abs(difference)));
             }
         }
     fmt::print("moments are off by at most {:.1e}\n", static_cast<double>(worst));
