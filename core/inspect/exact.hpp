@@ -1,25 +1,30 @@
-// exact.hpp -- what a technique would compute in exact arithmetic, here in long double. It uses
-// core/reference, which shares no code with shaders/. Tests and `stress` compare with it, and the window
-// draws it as the unbiased exact curve.
+// exact.hpp -- what a technique would compute in exact arithmetic, here with at least 64 bits
+// (core/reference/extended.hpp). It uses core/reference, which shares no code with shaders/. Tests and
+// `stress` compare with it, and the window draws it as the unbiased exact curve.
 #pragma once
 #include <functional>
 #include <optional>
 #include <vector>
 
 #include "core/inspect/curve.hpp"
+#include "core/reference/extended.hpp"
 
 namespace momentscope {
 
-using Real = long double;
-
 /// Two fractions of b0 at one depth. in_front: the fraction in front of it for beta = 0. query_weight: the
 /// mass w_0 at the depth itself.
-struct ExactFraction {
-    Real in_front = 0;
-    Real query_weight = 0;
-    Real with(float beta) const { return in_front + static_cast<Real>(beta) * query_weight; }
+template <class Number>
+struct ExactFractionOf {
+    Number in_front = 0;
+    Number query_weight = 0;
+    Number with(float beta) const { return in_front + static_cast<Number>(beta) * query_weight; }
 };
-using ExactFunction = std::function<ExactFraction(Real depth)>;
+template <class Number>
+using ExactFunctionOf = std::function<ExactFractionOf<Number>(Number depth)>;
+
+using Real = reference::Extended;
+using ExactFraction = ExactFractionOf<Real>;
+using ExactFunction = ExactFunctionOf<Real>;
 
 /// The exact function for the moments of a ray. It reads theta, alpha and the tolerance of the parameters,
 /// but not beta. nullopt if the biased matrix of moments is not positive definite, because no such function

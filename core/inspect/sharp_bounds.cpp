@@ -10,6 +10,8 @@ namespace momentscope {
 
 namespace {
 
+using reference::Extended;
+
 // The linear program of the circle treats depths that are closer than this as one.
 constexpr float MIN_SEPARATION = 1e-5f;
 
@@ -41,9 +43,9 @@ std::vector<DepthMass> masses_of(const ViewRay& ray, double total) {
     std::vector<DepthMass> masses;
     for (const Fragment& fragment : ray.fragments)
         if (fragment.opacity > 0)
-            masses.push_back({static_cast<long double>(fragment.depth),
-                              static_cast<long double>(fragment_absorbance(fragment.opacity)) /
-                                  static_cast<long double>(total)});
+            masses.push_back({static_cast<Extended>(fragment.depth),
+                              static_cast<Extended>(fragment_absorbance(fragment.opacity)) /
+                                  static_cast<Extended>(total)});
     return masses;
 }
 
@@ -55,13 +57,14 @@ std::optional<SharpBounds> on_line(const ViewRay& ray, int degree, std::span<con
     SharpBounds bounds;
     for (const float depth : depths) {
         if (stop.stop_requested()) return std::nullopt;
-        long double before = 0, until = 0;
-        for (const DepthMass& one : canonical->at(static_cast<long double>(depth))) {
-            if (one.depth < static_cast<long double>(depth)) before += one.mass;
-            if (one.depth <= static_cast<long double>(depth)) until += one.mass;
+        Extended before = 0, until = 0;
+        for (const DepthMass& one : canonical->at(static_cast<Extended>(depth))) {
+            if (one.depth < static_cast<Extended>(depth)) before += one.mass;
+            if (one.depth <= static_cast<Extended>(depth)) until += one.mass;
         }
-        const auto absorbance = [&](long double share) {
-            return static_cast<float>(total * static_cast<double>(std::clamp(share, 0.0L, 1.0L)));
+        const auto absorbance = [&](Extended share) {
+            return static_cast<float>(total *
+                                      static_cast<double>(std::clamp(share, Extended(0), Extended(1))));
         };
         bounds.depth.push_back(depth);
         bounds.lower.push_back(absorbance(before));

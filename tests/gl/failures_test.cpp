@@ -30,6 +30,8 @@ TEST_P(Failures, AreNextToNoneOnTheScenesWithTheRobustBias) {
     ParameterValues values;
     values.set(BiasPreset::robust);
     const ResolvedParameters parameters = resolve(values, technique);
+    using std::abs;
+    using std::exp;
     const auto beta = static_cast<Real>(parameters.beta);
     long fragments = 0, outside = 0, off = 0;
     for (const char* id : {"planes", "spheres", "teapots"}) {
@@ -46,9 +48,9 @@ TEST_P(Failures, AreNextToNoneOnTheScenesWithTheRobustBias) {
             for (std::size_t i = 0; i < capture.ray.fragments.size(); ++i) {
                 const Real t = capture.transmittance[i];
                 const ExactFraction fraction = (*exact)(static_cast<Real>(capture.ray.fragments[i].depth));
-                const Real expected = std::exp(-b0 * (fraction.in_front + beta * fraction.query_weight));
+                const Real expected = exp(-b0 * (fraction.in_front + beta * fraction.query_weight));
                 outside += t >= 0 && t <= 1 ? 0 : 1;  // the condition is false for NaN
-                off += std::abs(t - expected) > FAILED_ERROR ? 1 : 0;
+                off += abs(t - expected) > FAILED_ERROR ? 1 : 0;
                 ++fragments;
             }
         }

@@ -41,7 +41,8 @@ ViewRay ray_of_seed(RayMaker maker, std::uint32_t seed) {
 }
 
 Real transmittance(const ExactFraction& exact, Real b0, float beta) {
-    return std::exp(-b0 * (exact.in_front + static_cast<Real>(beta) * exact.query_weight));
+    using std::exp;
+    return exp(-b0 * (exact.in_front + static_cast<Real>(beta) * exact.query_weight));
 }
 
 constexpr std::array BETAS = {0.0f, 0.25f};  // the lower bound and the paper's choice
@@ -55,16 +56,18 @@ struct Measurement {
 
 void add_errors(const Curve& curve, std::size_t at, const ExactFraction& ideal, Real b0,
                 const std::optional<ExactFraction>& same, std::uint32_t seed, Measurement& result) {
+    using std::abs;
+    using std::exp;
     for (std::size_t k = 0; k < BETAS.size(); ++k) {
         const float beta = BETAS[k];
         const float a = curve.beta0[at] + beta * (curve.beta1[at] - curve.beta0[at]);
-        const Real t = std::exp(-static_cast<Real>(a));
+        const Real t = exp(-static_cast<Real>(a));
         Errors& errors = result.by_beta[k];
         errors.against_exact_moments.push_back(
-            {static_cast<float>(std::abs(t - transmittance(ideal, b0, beta))), seed});
+            {static_cast<float>(abs(t - transmittance(ideal, b0, beta))), seed});
         if (!same) continue;
         const Real exact = transmittance(*same, static_cast<Real>(curve.moments.b0), beta);
-        errors.against_float_moments.push_back(static_cast<float>(std::abs(t - exact)));
+        errors.against_float_moments.push_back(static_cast<float>(abs(t - exact)));
     }
 }
 
@@ -76,8 +79,9 @@ void measure_ray(const Technique& technique, const ParameterValues& values, RayM
     const auto exact = exact_function(ray, technique, curve.parameters);
     ASSERT_TRUE(exact) << "exact moments with bias must be positive definite";
     const auto from_stored = exact_function_of_stored(curve.moments, technique, curve.parameters);
+    using std::log1p;
     Real b0 = 0;
-    for (const Fragment& fragment : ray.fragments) b0 -= std::log1p(-static_cast<Real>(fragment.opacity));
+    for (const Fragment& fragment : ray.fragments) b0 -= log1p(-static_cast<Real>(fragment.opacity));
     ++result.rays;
     result.floored_pivots +=
         technique.moment_kernel().steps(curve.moments, settings_of(curve.parameters), 0.0f).floored_pivots;

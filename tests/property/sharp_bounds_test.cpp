@@ -7,19 +7,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
-#include <random>
 #include <string>
 
 #include "core/inspect/curve.hpp"
 #include "core/inspect/linear_program.hpp"
 #include "core/ray/random_ray.hpp"
 #include "core/reference/exact_reconstruction.hpp"
+#include "core/reference/extended.hpp"
 #include "tests/property/moment_rows.hpp"
 
 namespace momentscope::test {
 namespace {
+
+using reference::Extended;
 
 const ResolvedParameters PARAMETERS = {.theta = 0.3f};
 
@@ -78,28 +78,29 @@ TEST_P(SharpBoundsOf, FewSurfacesAreTheTruth) {
 INSTANTIATE_TEST_SUITE_P(Techniques, SharpBoundsOf, ::testing::ValuesIn(moment_based_techniques()),
                          [](const auto& one) { return test_name(*one.param); });
 
-// Algorithm 1 in long double is sharp if its masses lie in the depth range. Otherwise the depth range is
+// Algorithm 1 in exact arithmetic is sharp if its masses lie in the depth range. Otherwise the depth range is
 // additional knowledge.
 TEST(SharpBounds, AreThoseOfAlgorithm1WhereItsMassesLieInTheDepthRange) {
+    using std::pow;
     RandomNumbers random(12);
     const Technique& technique = require_technique("power6-32");
     int compared = 0;
     for (int i = 0; i < 20; ++i) {
         const ViewRay ray = random_ray(random, 6);
-        reference::PowerMoments<6, long double> moments{};
-        long double total = 0;
+        reference::PowerMoments<6, Extended> moments{};
+        Extended total = 0;
         for (const Fragment& fragment : ray.fragments) {
-            const auto absorbance = static_cast<long double>(fragment_absorbance(fragment.opacity));
+            const auto absorbance = static_cast<Extended>(fragment_absorbance(fragment.opacity));
             total += absorbance;
             for (std::size_t k = 0; k < moments.size(); ++k)
-                moments[k] += absorbance * std::pow(static_cast<long double>(fragment.depth), k);
+                moments[k] += absorbance * pow(static_cast<Extended>(fragment.depth), static_cast<int>(k));
         }
-        for (long double& moment : moments) moment /= total;
+        for (Extended& moment : moments) moment /= total;
         const std::vector<float> depths = even_depths(21);
         const auto sharp = sharp_bounds(ray, technique, PARAMETERS, depths);
         ASSERT_TRUE(sharp);
         for (std::size_t d = 0; d < depths.size(); ++d) {
-            const auto exact = reference::power_bounds<6, long double>(moments, depths[d]);
+            const auto exact = reference::power_bounds<6, Extended>(moments, depths[d]);
             ASSERT_TRUE(exact);
             const double lower = static_cast<double>(exact->lower * total);
             const double upper = static_cast<double>(exact->upper * total);
@@ -107,8 +108,8 @@ TEST(SharpBounds, AreThoseOfAlgorithm1WhereItsMassesLieInTheDepthRange) {
             constexpr double ROUNDING = 2e-7;  // the bounds are floats
             EXPECT_GE(static_cast<double>(sharp->lower[d]), lower - ROUNDING * scale);
             EXPECT_LE(static_cast<double>(sharp->upper[d]), upper + ROUNDING * scale);
-            const bool inside = std::ranges::all_of(
-                exact->depth, [](long double depth) { return depth >= -1 && depth <= 1; });
+            const bool inside =
+                std::ranges::all_of(exact->depth, [](Extended depth) { return depth >= -1 && depth <= 1; });
             if (!inside) continue;
             ++compared;
             EXPECT_NEAR(static_cast<double>(sharp->lower[d]), lower, ROUNDING * scale);

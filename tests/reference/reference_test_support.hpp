@@ -4,16 +4,16 @@
 #include <array>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
-#include <complex>
 #include <iostream>
 #include <random>
 #include <vector>
 
 #include "core/reference/exact_reconstruction.hpp"
+#include "core/reference/extended.hpp"
 
 namespace momentscope::reference {
 
-using Long = long double;
+using Long = Extended;
 using Wide = boost::multiprecision::cpp_bin_float_50;
 using Random = std::mt19937;
 
@@ -95,24 +95,35 @@ inline double report(const char* what, std::size_t m, std::vector<double> errors
     return quantile(.99);
 }
 
+using C = Complex<Long>;
+inline Long modulus(const C& a) {
+    using std::sqrt;
+    return sqrt(squared_modulus(a));
+}
+inline C power(const C& x, std::size_t exponent) {
+    C result{1, 0};
+    for (std::size_t k = 0; k < exponent; ++k) result = result * x;
+    return result;
+}
+
 /// Plain Gaussian elimination with row exchanges. It shares nothing with the factorisation of the references.
-using C = std::complex<Long>;
 inline std::vector<C> eliminate(std::vector<std::vector<C>> a, std::vector<C> b) {
     const std::size_t n = b.size();
     for (std::size_t k = 0; k < n; ++k) {
         std::size_t best = k;
-        for (std::size_t i = k; i < n; ++i) best = std::abs(a[i][k]) > std::abs(a[best][k]) ? i : best;
+        for (std::size_t i = k; i < n; ++i)
+            best = squared_modulus(a[i][k]) > squared_modulus(a[best][k]) ? i : best;
         std::swap(a[k], a[best]);
         std::swap(b[k], b[best]);
         for (std::size_t i = k + 1; i < n; ++i) {
-            const C scale = a[i][k] / a[k][k];
-            for (std::size_t j = k; j < n; ++j) a[i][j] -= scale * a[k][j];
-            b[i] -= scale * b[k];
+            const C scale = a[i][k] * inverse(a[k][k]);
+            for (std::size_t j = k; j < n; ++j) a[i][j] = a[i][j] - scale * a[k][j];
+            b[i] = b[i] - scale * b[k];
         }
     }
     for (std::size_t k = n; k-- > 0;) {
-        for (std::size_t j = k + 1; j < n; ++j) b[k] -= a[k][j] * b[j];
-        b[k] /= a[k][k];
+        for (std::size_t j = k + 1; j < n; ++j) b[k] = b[k] - a[k][j] * b[j];
+        b[k] = b[k] * inverse(a[k][k]);
     }
     return b;
 }

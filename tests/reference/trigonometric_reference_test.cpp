@@ -16,13 +16,13 @@ TYPED_TEST_SUITE(Trigonometric, TrigonometricCounts);
 
 /// Eq. 6 as printed: four cases with comparisons of psi.
 Long printed_psi(C x) {
-    const Long re = x.real(), im = x.imag();
+    const auto& [re, im] = x;
     if (re >= 0 && im >= 0) return -re + im;
     if (re < 0 && im >= 0) return 2 - re - im;
     return re < 0 ? 4 + re - im : 6 + re + im;
 }
 Long printed_fraction(C x, C x0, Long theta) {
-    const Long far = printed_psi(std::polar(1.0L, 2 * pi<Long>() - theta));
+    const Long far = printed_psi(unit<Long>(2 * pi<Long>() - theta));
     if (printed_psi(x) < printed_psi(x0)) return 1;
     return theta <= 0 || printed_psi(x) <= far ? 0 : (printed_psi(x) - far) / (7 - far);
 }
@@ -32,20 +32,20 @@ Long printed_fraction(C x, C x0, Long theta) {
 template <std::size_t M>
 Long scan_circle(const TrigonometricMoments<M, Long>& b, Long phase0, Long theta) {
     const auto moment = [&](std::size_t i, std::size_t j) {
-        return i >= j ? C(b[i - j].re, b[i - j].im) : C(b[j - i].re, -b[j - i].im);
+        return i >= j ? b[i - j] : C{b[j - i].re, -b[j - i].im};
     };
     std::vector<std::vector<C>> toeplitz(M + 1);
     std::vector<C> v(M + 1), right(M + 1);
     for (std::size_t i = 0; i <= M; ++i) {
         for (std::size_t j = 0; j <= M; ++j) toeplitz[i].push_back(moment(i, j));
-        v[i] = std::polar(1.0L, Long(i) * phase0);
+        v[i] = unit<Long>(Long(i) * phase0);
         right[i] = moment(i, 0);
     }
     const auto q = eliminate(toeplitz, v);
-    const auto kernel = [&](Long angle) {
-        C sum = 0;
-        for (std::size_t j = 0; j <= M; ++j) sum += std::conj(q[j]) * std::polar(1.0L, Long(j) * angle);
-        return (sum * std::polar(1.0L, -Long(M) * (angle - phase0) / 2)).real();
+    const auto kernel = [&](const Long& angle) -> Long {
+        C sum;
+        for (std::size_t j = 0; j <= M; ++j) sum = sum + C{q[j].re, -q[j].im} * unit<Long>(Long(j) * angle);
+        return (sum * unit<Long>(-Long(M) * (angle - phase0) / 2)).re;
     };
     std::vector<C> node{v[1]};
     const Long step = 2 * pi<Long>() / 3000;
@@ -54,24 +54,25 @@ Long scan_circle(const TrigonometricMoments<M, Long>& b, Long phase0, Long theta
         const bool sign = kernel(low) > 0;
         if (sign == (kernel(high) > 0)) continue;
         for (int k = 0; k < 64; ++k) ((kernel((low + high) / 2) > 0) == sign ? low : high) = (low + high) / 2;
-        node.push_back(std::polar(1.0L, low));
+        node.push_back(unit<Long>(low));
     }
     if (node.size() != M + 1) return -1;
     std::vector<std::vector<C>> vandermonde(M + 1);
     for (std::size_t j = 0; j <= M; ++j)
-        for (const C& x : node) vandermonde[j].push_back(std::pow(x, int(j)));
+        for (const C& x : node) vandermonde[j].push_back(power(x, j));
     const auto weight = eliminate(vandermonde, right);
     Long sum = 0;
-    for (std::size_t l = 1; l <= M; ++l) sum += weight[l].real() * printed_fraction(node[l], node[0], theta);
+    for (std::size_t l = 1; l <= M; ++l) sum += weight[l].re * printed_fraction(node[l], node[0], theta);
     return sum;
 }
 
 TYPED_TEST(Trigonometric, AgreesWithAScanOfTheCircle) {
     constexpr std::size_t M = TypeParam::value;
+    using std::abs;
     Random random(5);
     int scanned = 0, rays = 150;
     for (int ray = 0; ray < rays; ++ray) {
-        const Long theta = ray % 3 == 0 ? 0 : pi<Long>() / (ray % 3 == 1 ? 10 : 2);
+        const Long theta = ray % 3 == 0 ? Long(0) : Long(pi<Long>() / (ray % 3 == 1 ? 10 : 2));
         const auto masses = convert<Long>(random_masses(random, 1 + std::size_t(ray % 10), 0));
         const auto factor = trigonometric_factor<M, Long>(masses, 1e-3L, theta);
         ASSERT_TRUE(factor);
@@ -80,32 +81,32 @@ TYPED_TEST(Trigonometric, AgreesWithAScanOfTheCircle) {
         const Long scan = scan_circle<M>(factor->moments, phase_of_depth(z0, theta), theta);
         if (scan < 0) continue;  // two roots lie within one step of the scan
         ++scanned;
-        EXPECT_LT(std::abs(values.beta0 - scan), 1e-9L);
+        EXPECT_LT(abs(Long(values.beta0 - scan)), 1e-9L);
     }
     EXPECT_GT(scanned, rays * 9 / 10);
 }
 
 TYPED_TEST(Trigonometric, SupportReproducesTheMomentsAndIncludesX0) {
     constexpr std::size_t M = TypeParam::value;
+    using std::abs;
     Random random(6);
     for (int ray = 0; ray < 300; ++ray) {
-        const Long theta = ray % 2 ? 0 : pi<Long>() / 10;
+        const Long theta = ray % 2 ? Long(0) : Long(pi<Long>() / 10);
         const auto masses = convert<Long>(random_masses(random, 1 + std::size_t(ray % 10), 0));
         const auto factor = trigonometric_factor<M, Long>(masses, TRIGONOMETRIC_ALPHA[M], theta);
         ASSERT_TRUE(factor);
         const Long ends[] = {-1, 1, masses[0].depth};
         const auto values = trigonometric_values(*factor, ends[ray % 3], theta);
         for (std::size_t j = 0; j <= M; ++j) {
-            C sum = 0;
-            for (std::size_t l = 0; l <= M; ++l)
-                sum += values.weight[l] * std::pow(C(values.node[l].re, values.node[l].im), int(j));
-            EXPECT_LT(std::abs(sum - C(factor->moments[j].re, factor->moments[j].im)), 1e-9L);
+            C sum;
+            for (std::size_t l = 0; l <= M; ++l) sum = sum + power(values.node[l], j) * values.weight[l];
+            EXPECT_LT(modulus(sum - factor->moments[j]), 1e-9L);
             EXPECT_GE(values.weight[j], -1e-9L);
         }
-        EXPECT_LT(std::abs(values.w0 - values.weight[0]), 1e-9L);
+        EXPECT_LT(abs(Long(values.w0 - values.weight[0])), 1e-9L);
         if (theta != 0 || ray % 3 == 2) continue;
         const Long known = ray % 3 == 0 ? values.beta0 : values.beta1 - 1;  // no mass before -1, all up to 1
-        EXPECT_LT(std::abs(known), 1e-9L);
+        EXPECT_LT(abs(known), 1e-9L);
     }
 }
 

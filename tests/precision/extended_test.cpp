@@ -1,0 +1,189 @@
+// extended_test.cpp -- the numbers in software that replace long double where it is too narrow
+// (core/reference/extended.hpp), in the exact curve and in the canonical masses. 100 digits are the truth.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cfloat>
+#include <chrono>
+#include <random>
+
+#include "core/inspect/canonical_masses.inl"
+#include "core/inspect/exact.inl"
+#include "core/reference/software_extended.hpp"
+#include "tests/effort.hpp"
+#include "tests/property/moment_rows.hpp"
+#include "tests/property/random_rays.hpp"
+
+namespace momentscope::test {
+namespace {
+
+using reference::SoftwareExtended;
+using Digits100 = boost::multiprecision::cpp_bin_float_100;
+
+// The bits of sums, products, quotients and square roots.
+TEST(SoftwareExtended, HasTheArithmeticOfLongDouble) {
+    if (LDBL_MANT_DIG != 64) GTEST_SKIP() << "long double has other bits here";
+    std::mt19937 random(1);
+    std::uniform_real_distribution<long double> anywhere(-1, 1);
+    const auto bits = [](const SoftwareExtended& number) { return static_cast<long double>(number); };
+    for (int i = 0; i < effort(20'000, 1'000'000); ++i) {
+        const long double a = std::ldexp(anywhere(random), static_cast<int>(random() % 40));
+        const long double b = anywhere(random);
+        const SoftwareExtended x(a), y(b);
+        ASSERT_EQ(bits(x + y), a + b);
+        ASSERT_EQ(bits(x * y), a * b);
+        ASSERT_EQ(bits(x / y), a / b);
+        ASSERT_EQ(bits(sqrt(abs(x))), std::sqrt(std::abs(a)));
+    }
+}
+
+class Errors {
+public:
+    void add(double error) { errors_.push_back(error); }
+    double quantile(double share) {
+        std::ranges::sort(errors_);
+        return errors_[static_cast<std::size_t>(share * static_cast<double>(errors_.size() - 1))];
+    }
+    void print(const char* what) {
+        fmt::print("{}: median {:.1e}, 99 % {:.1e}, worst {:.1e}\n", what, quantile(0.5), quantile(0.99),
+                   quantile(1));
+    }
+
+private:
+    std::vector<double> errors_;
+};
+
+template <class Number>
+double distance(const Number& a, const Digits100& b) {
+    return static_cast<double>(abs(Digits100(a) - b));
+}
+
+std::vector<ViewRay> random_rays(int count) {
+    std::mt19937 random(2);
+    std::vector<ViewRay> rays;
+    for (int i = 0; i < count; ++i) rays.push_back(i % 2 == 0 ? random_ray(random) : clustered_ray(random));
+    return rays;
+}
+
+/// The exact function of a technique. Those with the most moments need the most digits.
+template <class Number>
+std::optional<ExactFunctionOf<Number>> exact_in(BasisId basis, const ViewRay& ray,
+                                                const ResolvedParameters& parameters) {
+    using namespace any_precision;
+    const auto masses = exact_masses<Number>(ray);
+    if (basis == BasisId::power) return Exact<Number, BasisId::power, 8, 32>::of_masses(masses, parameters);
+    if (basis == BasisId::nested) return Exact<Number, BasisId::nested, 8, 32>::of_masses(masses, parameters);
+    return Exact<Number, BasisId::trigonometric, 4, 32>::of_masses(masses, parameters);
+}
+
+class ExactCurve : public testing::TestWithParam<const char*> {
+protected:
+    /// Errors of both fractions of b0 at the depths of the fragments.
+    template <class Number>
+    Errors errors() const {
+        Errors errors;
+        for (const ViewRay& ray : random_rays(effort(30, 2000))) {
+            const auto exact = exact_in<Digits100>(basis, ray, parameters);
+            const auto tried = exact_in<Number>(basis, ray, parameters);
+            for (const Fragment& fragment : ray.fragments) {
+                const auto truth = (*exact)(Digits100(fragment.depth));
+                if (!tried) {
+                    errors.add(1);  // these numbers take the matrix for singular
+                    continue;
+                }
+                const auto result = (*tried)(static_cast<Number>(fragment.depth));
+                errors.add(distance(result.in_front, truth.in_front));
+                errors.add(distance(result.query_weight, truth.query_weight));
+            }
+        }
+        return errors;
+    }
+
+    /// Seconds for a curve of 512 depths; `sum` is the sum of its values.
+    template <class Number>
+    double seconds(const ViewRay& ray, Number& sum) const {
+        const auto start = std::chrono::steady_clock::now();
+        const auto exact = exact_in<Number>(basis, ray, parameters);
+        for (int k = 0; k < 512; ++k) sum += (*exact)(static_cast<Number>(k) / 256 - 1).in_front;
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+
+    const Technique& technique = require_technique(GetParam());
+    const BasisId basis = technique.moments().basis->id;
+    const ResolvedParameters parameters = resolve(ParameterValues(), technique);
+};
+
+// The matrix of the moments is badly conditioned: 99 % of the errors are below 1e-13, but only below 1e-10
+// with doubles.
+TEST_P(ExactCurve, IsAsExactInSoftwareAsInLongDouble) {
+    Errors software = errors<SoftwareExtended>(), hardware = errors<long double>();
+    software.print("in software   ");
+    hardware.print("as long double");
+    errors<double>().print("as double     ");
+    EXPECT_LT(software.quantile(0.99), 1e-12);
+}
+
+// It asserts nothing about speed; docs/accuracy.md states the ratio.
+TEST_P(ExactCurve, TakesLongerInSoftware) {
+    std::mt19937 random(3);
+    const ViewRay ray = random_ray(random);
+    double software = 1e9, hardware = 1e9;
+    SoftwareExtended software_sum = 0;
+    long double hardware_sum = 0;
+    for (int round = 0; round < effort(3, 30); ++round) {  // interleaved; the quickest round counts
+        hardware = std::min(hardware, seconds(ray, hardware_sum));
+        software = std::min(software, seconds(ray, software_sum));
+    }
+    fmt::print("512 depths in {:.2f} ms as long double, in {:.1f} ms in software: {:.0f} times as long\n",
+               1e3 * hardware, 1e3 * software, software / hardware);
+    EXPECT_NEAR(static_cast<double>(software_sum), static_cast<double>(hardware_sum), 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(Techniques, ExactCurve, testing::Values("power8-32", "trig4-32", "adaptive"),
+                         [](const auto& row) { return test_name(require_technique(row.param)); });
+
+/// The masses of a ray in any numbers; equal in all.
+template <class Number>
+std::vector<DepthMassOf<Number>> masses_of(const ViewRay& ray) {
+    std::vector<DepthMassOf<Number>> masses;
+    Number total = 0;
+    for (const Fragment& fragment : ray.fragments) {
+        masses.push_back({static_cast<Number>(fragment.depth), static_cast<Number>(fragment.opacity)});
+        total += masses.back().mass;
+    }
+    for (auto& one : masses) one.mass /= total;
+    return masses;
+}
+
+/// The error of the mass in front of a depth, which is the lower sharp bound.
+template <class Number>
+void add_error(const ViewRay& ray, double depth, Errors& errors) {
+    const auto in_front = [&]<class N>(N at) -> std::optional<N> {
+        const auto canonical = CanonicalMassesOf<N>::of(masses_of<N>(ray), 4);
+        if (!canonical) return std::nullopt;
+        N sum = 0;
+        for (const auto& one : canonical->at(at))
+            if (one.depth < at) sum += one.mass;
+        return sum;
+    };
+    const auto truth = in_front(Digits100(depth));
+    const auto result = in_front(Number(depth));
+    if (truth) errors.add(result ? distance(*result, *truth) : 1);
+}
+
+TEST(CanonicalMasses, AreAsExactInSoftwareAsInLongDouble) {
+    Errors software, hardware;
+    for (const ViewRay& ray : random_rays(effort(40, 2000))) {
+        if (ray.fragments.size() < 6) continue;
+        for (const double depth : {-0.7, 0.1, 0.6}) {
+            add_error<SoftwareExtended>(ray, depth, software);
+            add_error<long double>(ray, depth, hardware);
+        }
+    }
+    software.print("in software   ");
+    hardware.print("as long double");
+    EXPECT_LT(software.quantile(0.99), 1e-17);
+}
+
+}  // namespace
+}  // namespace momentscope::test
