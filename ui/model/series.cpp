@@ -21,7 +21,7 @@ constexpr SeriesRow ROWS[] = {
      "without bias, can have. The truth is never outside. The wider the gap, the less the moments say.",
      nullptr},
     {Series::unbiased_exact, "ghost", "X", "exact, no bias", nullptr,
-     "The unbiased exact curve: the reconstruction without moment bias, computed in long double. Its distance to the "
+     "The unbiased exact curve: the reconstruction without moment bias, computed with at least 64 bits. Its distance to the "
      "orange curve is the price of bias and rounding.",
      nullptr},
     {Series::stems, "stems", "C", "canonical masses", nullptr,
