@@ -1,12 +1,13 @@
 #include "core/compare/flip.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <future>
 #include <numbers>
 #include <utility>
 
 #include "core/compare/color_spaces.hpp"
+#include "core/support/parallel_for.hpp"
 
 namespace momentscope {
 
@@ -246,14 +247,15 @@ Seen seen(const Image& image, const std::stop_token& stop) {
 }
 
 std::vector<float> flip_differences(const Image& reference, const Image& test, const std::stop_token& stop) {
-    auto other = std::async(std::launch::async, [&] { return seen(test, stop); });
-    const Seen a = seen(reference, stop);
-    const Seen b = other.get();
+    std::array<Seen, 2> both;
+    parallel_for(2, [&](std::size_t i) { both[i] = seen(i == 0 ? reference : test, stop); });
+    const auto& [a, b] = both;
     const double most = color_distance(hunt_lab({0, 1, 0}), hunt_lab({0, 0, 1}));
     constexpr double KNEE = 0.4, AT_KNEE = 0.95;
     std::vector<float> map(a.colors.size());
-    const auto compare = [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
+    const auto width = static_cast<std::size_t>(reference.width);
+    parallel_for(static_cast<std::size_t>(reference.height), [&](std::size_t row) {
+        for (std::size_t i = row * width; i < (row + 1) * width; ++i) {
             const double c = color_distance(a.colors[i], b.colors[i]);
             const double knee = KNEE * most;
             const double color =
@@ -263,11 +265,7 @@ std::vector<float> flip_differences(const Image& reference, const Image& test, c
                                              std::numbers::sqrt2);
             map[i] = static_cast<float>(std::pow(color, 1 - feature));
         }
-    };
-    const std::size_t half = map.size() / 2;
-    auto upper = std::async(std::launch::async, compare, 0, half);
-    compare(half, map.size());
-    upper.get();
+    });
     return map;
 }
 

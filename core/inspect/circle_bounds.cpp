@@ -3,10 +3,10 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <future>
 #include <numbers>
 
 #include "core/inspect/linear_program.hpp"
+#include "core/support/parallel_for.hpp"
 
 namespace momentscope {
 
@@ -202,10 +202,10 @@ std::optional<std::vector<float>> bounds_of(Bound bound, const Candidates& candi
 std::optional<SharpBounds> circle_bounds(const ViewRay& ray, int count, double theta,
                                          std::span<const float> depths, const std::stop_token& stop) {
     const Candidates candidates = candidates_of(ray, count, theta);
-    auto other =
-        std::async(std::launch::async, [&] { return bounds_of(Bound::upper, candidates, depths, stop); });
-    auto lower = bounds_of(Bound::lower, candidates, depths, stop);
-    auto upper = other.get();
+    std::optional<std::vector<float>> lower, upper;
+    parallel_for(2, [&](std::size_t i) {
+        (i == 0 ? lower : upper) = bounds_of(i == 0 ? Bound::lower : Bound::upper, candidates, depths, stop);
+    });
     if (!lower || !upper) return std::nullopt;
     return SharpBounds{{depths.begin(), depths.end()}, std::move(*lower), std::move(*upper)};
 }

@@ -37,7 +37,16 @@ public:
         });
     }
     bool busy() const { return result_.valid(); }
+    bool finished() const {
+        return busy() && result_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    }
     void cancel() { stop_.request_stop(); }
+
+    /// Ends the work, waits for that, and forgets its result.
+    void discard() {
+        cancel();
+        result_ = {};
+    }
     bool cancelled() const { return stop_.stop_requested(); }
     float share() const {
         return static_cast<float>(done_.load()) / static_cast<float>(std::max<std::size_t>(all_.load(), 1));
@@ -45,9 +54,8 @@ public:
 
     /// The result, or nullopt while the work is not finished. Throws whatever the work threw.
     std::optional<Result> take() {
-        if (!busy() || result_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
-            return std::nullopt;
-        return result_.get();
+        if (!finished()) return std::nullopt;
+        return result_.get();  // makes the future invalid, even if get() throws
     }
 
 private:

@@ -11,15 +11,16 @@ namespace {
 
 constexpr int MIN_DIVISOR = 2, MAX_DIVISOR = 4;
 
-std::vector<Mesh> coarse_meshes(std::vector<Mesh> meshes) {
-    for (Mesh& mesh : meshes) mesh = coarse_mesh(std::move(mesh));
+std::vector<Mesh> coarse_meshes(std::vector<Mesh> meshes, const std::stop_token& stop) {
+    for (Mesh& mesh : meshes)
+        if (!stop.stop_requested()) mesh = coarse_mesh(std::move(mesh));
     return meshes;
 }
 
 }  // namespace
 
 void DraftPicture::set_scene(const Scene& scene) {
-    coarse_meshes_ = {};
+    coarse_meshes_.discard();
     is_coarse_ = false;
     scene_ = scene;
     scene_stale_ = true;
@@ -33,10 +34,13 @@ void DraftPicture::set_objects(const std::vector<Object>& objects) {
 
 void DraftPicture::use_coarse_meshes() {
     if (is_coarse_) return;
-    if (!coarse_meshes_.valid())
-        coarse_meshes_ = std::async(std::launch::async, coarse_meshes, scene_.meshes);
-    if (coarse_meshes_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
-    scene_.meshes = coarse_meshes_.get();
+    if (!coarse_meshes_.busy())
+        coarse_meshes_.start([meshes = scene_.meshes](const std::stop_token& stop, const auto&) {
+            return coarse_meshes(meshes, stop);
+        });
+    std::optional<std::vector<Mesh>> meshes = coarse_meshes_.take();
+    if (!meshes) return;
+    scene_.meshes = *std::move(meshes);
     is_coarse_ = scene_stale_ = true;
     divisor_ = MIN_DIVISOR;
 }

@@ -1,9 +1,9 @@
 // draft_picture.hpp -- the picture at a reduced resolution and with fewer triangles, while a control moves.
 #pragma once
-#include <future>
 #include <memory>
 
 #include "core/render/view_from_light.hpp"
+#include "core/support/background_work.hpp"
 
 namespace momentscope::ui {
 
@@ -40,7 +40,7 @@ private:
     std::shared_ptr<ProgramCache> programs_;
     std::unique_ptr<Renderer> renderer_;  // created on first use
     Scene scene_;
-    std::future<std::vector<Mesh>> coarse_meshes_;  // of the scene; valid while they are computed
+    BackgroundWork<std::vector<Mesh>> coarse_meshes_;  // of the scene
     bool is_coarse_ = false;
     bool scene_stale_ = true;
     int divisor_ = 2;

@@ -11,18 +11,13 @@
 
 namespace momentscope::ui {
 
-SceneLoader::~SceneLoader() {
-    cancel();  // the future waits for its thread
-}
-
 void SceneLoader::start(const std::string& id_or_path, float opacity) {
     assert(!busy());
     name_ = id_or_path;
-    stop_ = std::stop_source();
     drawing_is_told_ = false;
     tell("");
     started_ = std::chrono::steady_clock::now();
-    result_ = std::async(std::launch::async, [this, id_or_path, opacity, stop = stop_.get_token()] {
+    work_.start([this, id_or_path, opacity](const std::stop_token& stop, const auto&) {
         Scene scene = load_scene(id_or_path, opacity, stop, [this](const std::string& what) { tell(what); });
         scene.id = id_or_path;
         const SceneSize size = size_of(scene);
@@ -33,10 +28,8 @@ void SceneLoader::start(const std::string& id_or_path, float opacity) {
 }
 
 std::optional<Scene> SceneLoader::take() {
-    if (!busy() || result_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
-        return std::nullopt;
-    if (!std::exchange(drawing_is_told_, true)) return std::nullopt;
-    return result_.get();  // makes the future invalid, so busy() is false, even if get() throws
+    if (!work_.finished() || !std::exchange(drawing_is_told_, true)) return std::nullopt;
+    return work_.take();
 }
 
 void SceneLoader::tell(const std::string& what) {
