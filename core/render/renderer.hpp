@@ -91,8 +91,8 @@ public:
     /// failure_texture(). nullopt, and nothing is drawn, if the technique reconstructs nothing.
     std::optional<FailureCounts> draw_failures();
 
-    /// sRGB with alpha, to be drawn over display_texture(). Call it only after draw_failures().
-    GLuint failure_texture() const { return failures_->texture(); }
+    /// sRGB with alpha, to be drawn over display_texture(). 0 before draw_failures().
+    GLuint failure_texture() const { return failures_ ? failures_->texture() : 0; }
 
     const std::shared_ptr<ProgramCache>& programs() const { return programs_; }
     OrderedAccess ordered_access() const { return access_; }

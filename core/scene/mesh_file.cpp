@@ -171,7 +171,8 @@ LoadedMesh read_mesh_here(const std::filesystem::path& path, const ReadReport& r
         const std::vector<double> units = scale_to_one(const_cast<aiScene&>(*scene));
         require_memory_to_triangulate(*scene);
         scene.reset(aiApplyPostProcessing(scene.release(), aiProcess_Triangulate));
-        if (!scene || scene->mRootNode == nullptr) refuse_unread("", files, path);
+        if (!scene || scene->mRootNode == nullptr)
+            refuse_unread("Assimp could not make triangles of it", files, path);
 
         if (report) report("placing its triangles");
         PlacedGraph graph = place_graph(*scene, units, file.gltf ? &*file.gltf : nullptr, path);

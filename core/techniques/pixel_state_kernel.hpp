@@ -42,8 +42,7 @@ struct PixelStateSetting {
     Type type;
 };
 
-/// Functions take the values of parameters (ResolvedParameters::settings), of which none that they read may
-/// be `auto`.
+/// All functions take ResolvedParameters::settings. No parameter that they read may be `auto`.
 struct PixelStateKernel {
     std::span<const PixelStateSetting> settings;  // the macro SETTINGS of the math file, in its order
     Accumulation accumulation;

@@ -58,13 +58,13 @@ int bits_of_layer(const ParameterValues& values) {
     return bits == LayerBits::bits_16 ? 80 : bits == LayerBits::bits_8 ? 48 : 160;
 }
 
-/// others: the parameters that its passes read, but not its math file.
+/// others: parameters that its passes read and its math file does not.
 Technique pixel_state_technique(const PixelStateMath& math, const char* id, const char* name,
                                 std::vector<ParameterId> others, const char* description,
                                 const char* source) {
     std::vector<ParameterId> parameters = std::move(others);
     for (const PixelStateSetting& setting : math.kernel->settings) parameters.push_back(setting.parameter);
-    // In the order of the registry, with what most techniques have at the end.
+    // In the order of the registry, but `renormalize` comes last.
     std::ranges::sort(parameters, {},
                       [](ParameterId one) { return std::pair(one == ParameterId::renormalize, one); });
     return {.id = id,

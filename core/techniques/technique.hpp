@@ -90,7 +90,7 @@ struct ResolvedParameters {
     float tolerance = 0;         // epsilon; used if the number of moments is chosen per fragment
     bool ordered = false;        // fragments are added in order, not by blending
     bool renormalize = true;
-    ParameterValues settings = {};  // all values, without `auto` in those that kernels read
+    ParameterValues settings = {};  // all values; those that kernels read are not `auto`
 };
 ResolvedParameters resolve(const ParameterValues& values, const Technique& technique);
 

@@ -1,5 +1,6 @@
 // without_kernels.cpp -- replaces the mathematics, the built-in scenes and the shadows when only the readers
 // are linked. No file reaches these parts, and building them with sanitizers takes minutes.
+#include "core/report/page_files.hpp"
 #include "core/scene/builtin_scenes.hpp"
 #include "core/shadow/shadow_settings.hpp"
 #include "core/support/version.hpp"
@@ -39,29 +40,19 @@ MomentKernel moment_kernel_of(int count, int bits) {
 #include "core/techniques/pixel_state_techniques.def"
 #undef PIXEL_STATE_TECHNIQUE
 
-Scene build_planes() {
-    return {};
-}
-Scene build_spheres() {
-    return {};
-}
-Scene build_teapots() {
-    return {};
-}
-Scene build_ties() {
-    return {};
-}
-Scene build_cloud() {
-    return {};
-}
-Scene build_foliage() {
-    return {};
-}
-Scene build_ship() {
-    return {};
-}
-Scene build_smoke() {
-    return {};
+#define SCENE(id, description) \
+    Scene build_##id() {       \
+        return {};             \
+    }
+#include "core/scene/builtin_scenes.def"
+#undef SCENE
+
+const std::map<std::string_view, std::string_view>& page_files() {
+    static const std::map<std::string_view, std::string_view> FILES = {
+        {"chart.html", "{style}{metric}{method}{choices}{drawings}{rows}{script}"},
+        {"chart.css", ""},
+        {"chart.js", ""}};
+    return FILES;
 }
 std::uint32_t add_mesh(Scene& /*scene*/, Mesh /*mesh*/) {
     return 0;

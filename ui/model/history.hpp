@@ -25,8 +25,6 @@ public:
     const ExplorerState& undo();
     const ExplorerState& redo();
 
-    const ExplorerState& present() const { return present_; }
-
 private:
     std::vector<ExplorerState> past_, future_;  // the last element is the nearest step
     ExplorerState present_;

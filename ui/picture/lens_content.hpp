@@ -9,10 +9,10 @@ struct LensInput {
     glm::ivec2 middle;  // the picked pixel
     glm::ivec2 size;    // of the picture
     bool map;           // is a map of differences shown instead of the picture?
-    bool changed;       // are there other pixels than in the last frame?
+    bool changed;       // did the pixels change since the last frame?
 };
 
-/// Reads pixels back only if the lens shows other ones than in the last frame.
+/// Reads pixels back only if the content of the lens changed.
 void update_lens(Lens& lens, const Update& update, const Renderer& renderer,
                  const PictureComparison& comparison, const LensInput& input);
 

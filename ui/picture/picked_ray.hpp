@@ -13,7 +13,7 @@ public:
     /// Has nothing been measured yet?
     bool empty() const { return measurement_.curve.technique == nullptr; }
 
-    /// Changes whenever other fragments were captured.
+    /// Changes whenever fragments are captured.
     long number() const { return number_; }
 
     /// Captures the picked pixel and the pins of the full picture where they are stale, and measures.

@@ -11,8 +11,8 @@ struct PictureChange {
     View now;
     Stage stage;  // the first one that runs again
 
-    /// Has the pixel other fragments now? After the opaque pass, they depend only on their order, on the
-    /// light and on what low-resolution moments mix.
+    /// Can the fragments of a pixel differ from before? After the opaque pass they depend only on their
+    /// order, on the light, and on what low-resolution moments mix.
     bool changes_fragments() const;
 };
 

@@ -34,7 +34,7 @@ private:
 
     enum class Drag { none, pick, divider, region };
 
-    ImDrawList* list_ = nullptr;  // of the window that draw_controls drew into
+    ImDrawList* list_ = nullptr;  // of the window that draw_controls drew into and left
     bool flip_held_ = false;
     bool focus_go_to_ = false;
     Drag drag_ = Drag::none;  // of the left button

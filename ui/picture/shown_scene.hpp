@@ -19,7 +19,8 @@ public:
     /// The scene that was read, once it is there. Throws the Error of a file that cannot be used.
     std::optional<Scene> take_read() { return loader_.take(); }
 
-    /// The scene of the state if it is not the shown one. A mesh file is only begun to be read. Throws Error
+    /// The scene of the state if it is not the shown one. For a mesh file it only starts the
+    /// reading and returns nullopt. Throws Error
     /// if there is no such scene.
     std::optional<Scene> take_wanted(const ExplorerState& state);
 

@@ -1,4 +1,4 @@
-// stress_panel.hpp -- the tab that tests techniques under difficult conditions.
+// stress_run.hpp -- tests techniques under difficult conditions in the background; the Stress tab.
 #pragma once
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-// chart_panel.hpp -- the tab that charts the techniques on the scene and recommends one of them.
+// technique_chart.hpp -- charts the techniques on the scene and recommends one of them; the Chart tab.
 #pragma once
 #include <filesystem>
 #include <optional>

@@ -1,4 +1,4 @@
-// chart_panel_advice.cpp -- the bounds on error and bits, and the techniques that meet them.
+// technique_chart_advice.cpp -- the bounds on error and bits, and the techniques that meet them.
 #include <fmt/format.h>
 
 #include "core/report/advice_text.hpp"

@@ -17,7 +17,7 @@ struct WorkArea {
     glm::ivec2 picture;
 };
 
-/// The tools above the picture. They and the mouse in the picture's place change the state.
+/// Draws the tools above the picture and handles the mouse over it. Both change the state.
 WorkArea draw_scene_controls(const Ui& ui, Workspace& workspace);
 
 /// The picture, the plot, the pinned plots and the tabs. Call it directly after draw_scene_controls, which

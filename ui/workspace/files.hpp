@@ -16,7 +16,7 @@ public:
     void save_chart();
     bool is_open() const { return dialog_.is_open(); }
 
-    /// Draws the dialog if it is open, and uses the chosen file. The status line tells about success or
+    /// Draws the dialog if it is open, and uses the chosen file. The status line reports success or
     /// failure.
     void draw(const Ui& ui, Workspace& workspace);
 

@@ -1,4 +1,4 @@
-// workspace.hpp -- the user's choices, and everything that the window holds beside them. Commands and panels
+// workspace.hpp -- the user's choices, and everything that the window holds besides them. Commands and panels
 // read and change it; ui/window updates and draws it.
 #pragma once
 #include <functional>
@@ -38,7 +38,7 @@ struct WindowOptions {
 /// The list of commands that opens above the window.
 struct PaletteState {
     bool open = false;
-    bool begin = false;  // it opens in the next frame
+    bool begin = false;  // it was opened; the next frame shows it and gives it the keyboard
     std::string typed;
     int chosen = 0;  // the entry that Enter runs
 
