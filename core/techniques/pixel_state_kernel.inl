@@ -44,6 +44,13 @@ constexpr PixelStateSetting::Type TYPE<bool> = PixelStateSetting::Type::boolean;
 #define ROW(type, name) PixelStateSetting{ParameterId::name, TYPE<type>},
 constexpr PixelStateSetting SETTING_ROWS[] = {SETTINGS(ROW)};
 constexpr std::span<const PixelStateSetting> KERNEL_SETTINGS = SETTING_ROWS;
+static_assert(std::ranges::all_of(KERNEL_SETTINGS,
+                                  [](const PixelStateSetting& one) {
+                                      return one.type != PixelStateSetting::Type::number ||
+                                             one.parameter == ParameterId::beta ||
+                                             one.parameter == ParameterId::alpha;
+                                  }),
+              "shaders read no other parameter from the uniform block (settings_text in state_passes.cpp)");
 
 g::PixelStateSettings settings_from(const ParameterValues& values) {
 #define VALUE(type, name) static_cast<type>(values.number(ParameterId::name)),

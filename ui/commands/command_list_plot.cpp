@@ -7,12 +7,9 @@
 
 namespace momentscope::ui {
 
-void add_compare(List& list) {
-    list.push_back(plain("compare.flip", "Flip to the reference", {"G"},
-                         "Shows the picture of the reference while the key is held.", {}));
-    list.push_back(plain("compare.take_reference", "Take this technique as the reference", {"Shift+G"},
-                         "Makes the current technique the reference for the techniques that you choose next.",
-                         [](Workspace& w) { w.state.compare.reference = w.state.technique; }));
+namespace {
+
+void add_modes(List& list) {
     const struct {
         CompareMode mode;
         const char* id;
@@ -33,6 +30,32 @@ void add_compare(List& list) {
                         [mode = row.mode](Workspace& w) { toggle(w.state.compare, mode); },
                         has_picture,
                         [mode = row.mode](const Workspace& w) { return w.state.compare.mode == mode; }});
+}
+
+void add_chart(List& list) {
+    list.push_back({"compare.measure_chart",
+                    "Measure the chart",
+                    {},
+                    "Measures the time and the error of every technique on this scene, in the Chart tab.",
+                    [](Workspace& w) { measure_chart(w); },
+                    [](const Workspace& w) { return has_picture(w) && !w.chart.measuring(); }});
+    list.push_back({"compare.cancel_chart",
+                    "Stop measuring the chart",
+                    {},
+                    "Ends the measurement; finished rows stay.",
+                    [](Workspace& w) { w.chart.cancel(); },
+                    [](const Workspace& w) { return w.chart.measuring(); }});
+}
+
+}  // namespace
+
+void add_compare(List& list) {
+    list.push_back(plain("compare.flip", "Flip to the reference", {"G"},
+                         "Shows the picture of the reference while the key is held.", {}));
+    list.push_back(plain("compare.take_reference", "Take this technique as the reference", {"Shift+G"},
+                         "Makes the current technique the reference for the techniques that you choose next.",
+                         [](Workspace& w) { w.state.compare.reference = w.state.technique; }));
+    add_modes(list);
     list.push_back({"compare.swap",
                     "Swap the sides of the wipe",
                     {"Shift+W"},
@@ -50,18 +73,7 @@ void add_compare(List& list) {
                     "Measures only the whole picture again.",
                     [](Workspace& w) { forget_region(w.state.compare); },
                     [](const Workspace& w) { return w.state.compare.region.has_value(); }});
-    list.push_back({"compare.measure_chart",
-                    "Measure the chart",
-                    {},
-                    "Measures the time and the error of every technique on this scene, in the Chart tab.",
-                    [](Workspace& w) { measure_chart(w); },
-                    [](const Workspace& w) { return has_picture(w) && !w.chart.measuring(); }});
-    list.push_back({"compare.cancel_chart",
-                    "Stop measuring the chart",
-                    {},
-                    "Ends the measurement; finished rows stay.",
-                    [](Workspace& w) { w.chart.cancel(); },
-                    [](const Workspace& w) { return w.chart.measuring(); }});
+    add_chart(list);
     for (const MetricRow& row : metrics())
         list.push_back(choice(
             fmt::format("compare.metric_{}", row.key), fmt::format("Metric: {}", row.name), {}, row.help,
