@@ -54,9 +54,9 @@ void write_technique(const std::filesystem::path& folder, const Technique& techn
     factored.defines["NO_ALPHA_MAPS"] = "1";
     write(folder, id + ".lean", "passes/color.frag", factored);
     const auto access = OrderedAccess::interlock;
-    write(folder, id + ".ordered", "passes/moments.frag", accumulation_variant(technique, true, access));
+    write(folder, id + ".ordered", "passes/moments.frag", accumulation_variant(technique, {.ordered = true}, access));
     if (technique.moment_kernel().bits == 32)
-        write(folder, id, "passes/moments.frag", accumulation_variant(technique, false, access));
+        write(folder, id, "passes/moments.frag", accumulation_variant(technique, {}, access));
 }
 
 void write_pixel_state(const std::filesystem::path& folder, const Technique& technique) {

@@ -22,10 +22,14 @@ double shown_absorbance(double t, double total) {
 
 MomentVector sum_moments(const ViewRay& ray, const Technique& technique,
                          const ResolvedParameters& parameters) {
+    const MomentKernel& kernel = technique.moment_kernel();
+    const ReconstructionSettings settings = settings_of(parameters);
     MomentVector sum;
+    if (parameters.knows_ends())
+        for (const Fragment& fragment : ray.fragments)
+            kernel.add_ends(sum, fragment.depth, fragment_absorbance(fragment.opacity));
     for (const Fragment& fragment : ray.fragments)
-        technique.moment_kernel().add_fragment(sum, fragment.depth, fragment_absorbance(fragment.opacity),
-                                               parameters.theta);
+        kernel.add_fragment(sum, fragment.depth, fragment_absorbance(fragment.opacity), settings);
     return sum;
 }
 

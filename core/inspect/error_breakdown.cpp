@@ -8,6 +8,7 @@
 
 #include "core/inspect/drawn_fragments.hpp"
 #include "core/inspect/exact.hpp"
+#include "core/inspect/fragment_estimates.hpp"
 #include "core/inspect/pixel_color.hpp"
 #include "core/inspect/pixel_state_curve.hpp"
 
@@ -26,14 +27,31 @@ struct Step {
 };
 
 // The sum of colours times opacity times these transmittances, over what lies behind (paper, Equation 2).
-glm::dvec3 weighted_color(const ViewRay& ray, const std::vector<double>& t, bool renormalized,
-                          const glm::vec3& behind) {
-    glm::dvec4 sum(0);
-    for (std::size_t i = 0; i < t.size(); ++i)
-        sum += glm::dvec4(ray.fragments[i].color, 1) * (t[i] * static_cast<double>(ray.fragments[i].opacity));
+// spread: how far renormalisation may move each of them; empty for techniques without moments.
+glm::dvec3 weighted_color(const ViewRay& ray, const std::vector<double>& t, const std::vector<double>& spread,
+                          const ResolvedParameters& parameters, const glm::vec3& behind) {
+    glm::dvec4 sum(0), uncertain(0);
+    for (std::size_t i = 0; i < t.size(); ++i) {
+        const glm::dvec4 covered =
+            glm::dvec4(ray.fragments[i].color, 1) * static_cast<double>(ray.fragments[i].opacity);
+        sum += covered * t[i];
+        if (!spread.empty()) uncertain += covered * spread[i];
+    }
     const double through = std::exp(-total_absorbance(ray));
-    const double scale = renormalized && sum.a > 0 ? (1 - through) / sum.a : 1;
+    if (parameters.moves_uncertain() && uncertain.a > 0)
+        sum += uncertain * std::clamp((1 - through - sum.a) / uncertain.a, -1.0, 1.0);
+    const double scale = parameters.renormalizes() && sum.a > 0 ? (1 - through) / sum.a : 1;
     return glm::dvec3(sum) * scale + glm::dvec3(behind) * through;
+}
+
+glm::dvec3 color_of_estimates(const ViewRay& ray, const std::vector<ExactEstimate>& estimates,
+                              const ResolvedParameters& parameters, const glm::vec3& behind) {
+    std::vector<double> t, spread;
+    for (const ExactEstimate& one : estimates) {
+        t.push_back(one.transmittance);
+        spread.push_back(one.spread);
+    }
+    return weighted_color(ray, t, spread, parameters, behind);
 }
 
 std::vector<double> transmittances(const std::vector<double>& absorbances) {
@@ -44,11 +62,11 @@ std::vector<double> transmittances(const std::vector<double>& absorbances) {
 
 // No function of depth can tell which of two surfaces at the same depth lies in front. Neither occludes the
 // other.
-void add_step_of_ties(std::vector<Step>& steps, const ViewRay& ray, bool renormalized,
+void add_step_of_ties(std::vector<Step>& steps, const ViewRay& ray, const ResolvedParameters& parameters,
                       const glm::vec3& behind) {
     if (!has_ties(ray)) return;
     const std::vector<double> t = transmittances(true_absorbance(ray, own_depths(ray)));
-    steps.push_back({"surfaces at the same depth", weighted_color(ray, t, renormalized, behind)});
+    steps.push_back({"surfaces at the same depth", weighted_color(ray, t, {}, parameters, behind)});
 }
 
 // The technique whose exact function is used. All bases on the line hold the same information as the same
@@ -62,34 +80,45 @@ std::vector<Step> moment_steps(const ViewRay& ray, const Technique& technique, c
                                const glm::vec3& behind) {
     const ResolvedParameters parameters = resolve(values, technique);
     const Technique& reference = with_reference(technique);
-    const std::vector<float> depths = own_depths(ray);
-    const auto exact_color = [&](float theta, float beta, float alpha) {
-        ResolvedParameters exact = parameters;
-        exact.theta = theta;
-        exact.alpha = alpha;
-        const auto absorbances = exact_absorbance(exact_function(ray, reference, exact), ray, beta, depths);
-        return weighted_color(ray, transmittances(absorbances), parameters.renormalize, behind);
+    const bool by_beta = parameters.estimation.estimate != Estimate::expected;
+    ResolvedParameters exact = parameters;
+    const auto add = [&](std::string cause) {
+        const auto estimates = exact_estimates(exact_function(ray, reference, exact), ray, exact);
+        return Step{std::move(cause), color_of_estimates(ray, estimates, parameters, behind)};
     };
     std::vector<Step> steps;
-    add_step_of_ties(steps, ray, parameters.renormalize, behind);
-    steps.push_back({fmt::format("the moment count ({} {} moments for {})", technique.moments().moment_count,
-                                 family_name(technique.moments().basis->family),
-                                 fragment_count_text(ray.fragments.size())),
-                     exact_color(technique.on_circle() ? MIN_WRAPPING_ZONE : parameters.theta, 0, 0)});
-    if (technique.on_circle()) steps.push_back({"the wrapping zone", exact_color(parameters.theta, 0, 0)});
-    steps.push_back({"the overestimation weight", exact_color(parameters.theta, parameters.beta, 0)});
-    if (&reference == &technique)
-        steps.push_back(
-            {"the moment bias", exact_color(parameters.theta, parameters.beta, parameters.alpha)});
-    const Curve curve = sample_curve(ray, technique, values, depths);
-    std::vector<double> t;
-    for (const float absorbance : curve.reconstructed)
-        t.push_back(static_cast<double>(transmittance(absorbance)));
+    add_step_of_ties(steps, ray, parameters, behind);
+    exact.alpha = 0;
+    if (technique.on_circle()) exact.theta = MIN_WRAPPING_ZONE;
+    if (by_beta) {
+        exact.estimation.estimate = Estimate::own_beta;
+        exact.beta = 0;
+    }
+    steps.push_back(add(fmt::format("the moment count ({} {} moments for {})",
+                                    technique.moments().moment_count,
+                                    family_name(technique.moments().basis->family),
+                                    fragment_count_text(ray.fragments.size()))));
+    exact.theta = parameters.theta;
+    if (technique.on_circle()) steps.push_back(add("the wrapping zone"));
+    if (by_beta) {
+        exact.beta = parameters.beta;
+        steps.push_back(add("the overestimation weight"));
+    }
+    if (parameters.estimation.estimate == Estimate::beta) {
+        exact.estimation.estimate = Estimate::beta;
+        steps.push_back(add("self-occlusion"));
+    }
+    exact.alpha = parameters.alpha;
+    if (&reference == &technique) steps.push_back(add("the moment bias"));
+    std::vector<ExactEstimate> shown;
+    for (const FragmentEstimate& one : fragment_estimates(ray, technique, parameters))
+        shown.push_back({static_cast<double>(one.lower), static_cast<double>(one.upper),
+                         static_cast<double>(one.transmittance), static_cast<double>(one.spread)});
     steps.push_back({&reference != &technique               ? "the moment bias"
                      : technique.moment_kernel().bits == 16 ? "16-bit drift of the moments"
                      : parameters.textbook                  ? "the textbook solver"
                                                             : "rounding of floats",
-                     weighted_color(ray, t, parameters.renormalize, behind)});
+                     color_of_estimates(ray, shown, parameters, behind)});
     return steps;
 }
 
@@ -110,7 +139,7 @@ std::vector<Step> pixel_state_steps(const ViewRay& ray, const Technique& techniq
     ParameterValues ideal = values;
     std::vector<Step> steps;
     if (!technique.pixel_state_kernel().holds_colors && technique.pixel_state_kernel().has_depths())
-        add_step_of_ties(steps, ray, resolve(values, technique).renormalize, behind);
+        add_step_of_ties(steps, ray, resolve(values, technique), behind);
     const auto add = [&](const char* cause, const ViewRay& of) {
         const ResolvedParameters parameters = resolve(ideal, technique);
         steps.push_back({cause, glm::dvec3(pixel_state_color(of, technique, parameters, behind))});
@@ -182,9 +211,10 @@ PixelColors colors_of(const ViewRay& ray, const Technique& technique, const Para
 // otherwise the remaining error has other causes.
 bool harmful_renormalization(const ViewRay& ray, const Technique& technique, const ParameterValues& values,
                              const glm::vec3& behind, double error) {
-    if (!technique.uses(ParameterId::renormalize) || !values.is_on(ParameterId::renormalize)) return false;
+    if (!technique.uses(ParameterId::renormalize) || !resolve(values, technique).renormalizes())
+        return false;
     ParameterValues without = values;
-    without.turn(ParameterId::renormalize, false);
+    without.set(Renormalization::off);
     const PixelColors colors = colors_of(ray, technique, without, behind);
     return glm::length(glm::dvec3(colors.technique) - glm::dvec3(colors.truth)) < error;
 }
@@ -209,7 +239,7 @@ ErrorBreakdown pixel_error_breakdown(const ViewRay& ray, const Technique& techni
     breakdown.error = glm::length(shown - truth);
     ParameterValues chained = values;
     if (harmful_renormalization(ray, technique, values, behind, breakdown.error))
-        chained.turn(ParameterId::renormalize, false);  // renormalisation becomes the last step
+        chained.set(Renormalization::off);  // renormalisation becomes the last step
     std::vector<Step> steps = technique.has_pixel_states()
                                   ? pixel_state_steps(ray, technique, chained, behind)
                                   : moment_steps(ray, technique, chained, behind);

@@ -26,6 +26,49 @@ std::vector<reference::PointMass<Number>> exact_masses(const ViewRay& ray) {
     return masses;
 }
 
+constexpr int END_STEPS = 65535;  // of the depth range, as in shaders/shared/ends.glsl
+
+/// The ends of a ray in steps of the depth range: near from depth 1 down, far from depth -1 up.
+template <class Number>
+struct RaySteps {
+    Number near = 0, far = 0;
+    bool known() const { return near + far >= END_STEPS; }
+};
+
+/// The step that holds a distance from one side of the depth range.
+template <class Number>
+Number step_of(const Number& distance) {
+    using std::ceil;
+    return ceil(distance * END_STEPS / 2);
+}
+
+template <class Number>
+RaySteps<Number> steps_of_depth(const Number& depth) {
+    return {step_of<Number>(1 - depth), step_of<Number>(1 + depth)};
+}
+
+template <class Number>
+RaySteps<Number> steps_of_masses(std::span<const reference::PointMass<Number>> masses) {
+    const Number least = Number(1) / 256;  // fainter fragments do not count
+    RaySteps<Number> steps;
+    for (const auto& mass : masses) {
+        if (mass.absorbance < least) continue;
+        const RaySteps<Number> own = steps_of_depth(mass.depth);
+        steps.near = std::max(steps.near, own.near);
+        steps.far = std::max(steps.far, own.far);
+    }
+    return steps;
+}
+
+/// A depth in the interval between the ends; the depth itself if the ends are not known.
+template <class Number>
+Number in_interval(const Number& depth, const RaySteps<Number>& steps) {
+    if (!steps.known()) return depth;
+    const Number width = std::max(Number(steps.near + steps.far - END_STEPS), Number(1));
+    const Number from_near = (depth - 1) * END_STEPS / 2 + steps.near;
+    return std::clamp(Number(2 * from_near / width - 1), Number(-1), Number(1));
+}
+
 /// std::lerp, which takes only built-in numbers.
 template <class Number>
 Number mixed(const Number& a, const Number& b, const Number& share) {
@@ -135,6 +178,30 @@ std::optional<ExactFunctionOf<Number>> on_the_line(const reference::PowerMoments
     };
 }
 
+// The sharp bounds of the pixel's own interval. depth: in that interval.
+template <class Number, std::size_t M>
+std::optional<ExactFunctionOf<Number>> between_ends(const reference::PowerMoments<M, Number>& moments,
+                                                    const reference::PowerMoments<M, Number>& bias,
+                                                    Number alpha) {
+    const auto factor =
+        reference::factor_interval<M, Number>(reference::normalise_and_bias(moments, bias, alpha));
+    if (!factor) return std::nullopt;
+    return [factor = *factor](Number depth) {
+        const auto masses = reference::interval_masses(factor, depth);
+        return ExactFractionOf<Number>{masses.in_front, masses.at_depth};
+    };
+}
+
+// The exact function of a line, of the depths that the moments are taken of.
+template <class Number, std::size_t M>
+std::optional<ExactFunctionOf<Number>> on_a_line(const reference::PowerMoments<M, Number>& moments,
+                                                 const reference::PowerMoments<M, Number>& bias,
+                                                 const ResolvedParameters& p) {
+    const auto alpha = static_cast<Number>(p.alpha);
+    if (p.in_own_interval()) return between_ends<Number, M>(moments, bias, alpha);
+    return on_the_line<Number, M>(moments, bias, alpha);
+}
+
 template <class Number, std::size_t M>
 std::optional<ExactFunctionOf<Number>> on_the_circle(
     const reference::TrigonometricMoments<M, Number>& moments, Number alpha, Number theta) {
@@ -182,14 +249,12 @@ struct Exact {
     using Masses = std::span<const reference::PointMass<Number>>;
 
     static std::optional<ExactFunctionOf<Number>> of_masses(Masses masses, const ResolvedParameters& p) {
-        const auto alpha = static_cast<Number>(p.alpha);
-        const auto theta = static_cast<Number>(p.theta);
+        [[maybe_unused]] const auto alpha = static_cast<Number>(p.alpha);
+        [[maybe_unused]] const auto theta = static_cast<Number>(p.theta);
         if constexpr (basis == BasisId::power)
-            return on_the_line<Number, M>(reference::power_moments<M>(masses), table_bias<Number, M>(bits),
-                                          alpha);
+            return on_a_line<Number, M>(reference::power_moments<M>(masses), table_bias<Number, M>(bits), p);
         else if constexpr (basis == BasisId::chebyshev)
-            return on_the_line<Number, M>(reference::power_moments<M>(masses), arcsine_moments<Number, M>(),
-                                          alpha);
+            return on_a_line<Number, M>(reference::power_moments<M>(masses), arcsine_moments<Number, M>(), p);
         else if constexpr (basis == BasisId::nested)
             return with_nested_orders(reference::power_moments<M>(masses), alpha,
                                       static_cast<Number>(p.tolerance));
@@ -201,14 +266,14 @@ struct Exact {
 
     static std::optional<ExactFunctionOf<Number>> of_stored(const MomentVector& stored,
                                                             const ResolvedParameters& p) {
-        const auto alpha = static_cast<Number>(p.alpha);
+        [[maybe_unused]] const auto alpha = static_cast<Number>(p.alpha);
         if constexpr (basis == BasisId::power) {
-            return on_the_line<Number, M>(real_moments<Number, M>(stored, bits, true),
-                                          table_bias<Number, M>(bits), alpha);
+            return on_a_line<Number, M>(real_moments<Number, M>(stored, bits, true),
+                                        table_bias<Number, M>(bits), p);
         } else if constexpr (basis == BasisId::chebyshev) {
-            return on_the_line<Number, M>(
+            return on_a_line<Number, M>(
                 power_of_chebyshev<Number, M>(real_moments<Number, M>(stored, bits, false)),
-                arcsine_moments<Number, M>(), alpha);
+                arcsine_moments<Number, M>(), p);
         } else if constexpr (basis == BasisId::nested) {
             return with_nested_orders(
                 power_of_chebyshev<Number, M>(real_moments<Number, M>(stored, bits, false)), alpha,
@@ -228,11 +293,25 @@ struct Exact {
 // Calls `use` with the Exact of a technique and returns the result; nullopt for techniques without moments.
 template <class Number, typename Use>
 std::optional<ExactFunctionOf<Number>> with_exact(const Technique& technique, const Use& use) {
-#define MOMENT_TECHNIQUE(row, basis, count, bits, text, ...) \
-    if (std::string_view(technique.id) == (text)) return use(Exact<Number, BasisId::basis, count, bits>());
+    if (!technique.has_moments()) return std::nullopt;
+    const MomentMath& math = technique.moments();
+#define MOMENT_TECHNIQUE(row, basis_id, count, bits_of, ...)                           \
+    if (math.basis->id == BasisId::basis_id && math.moment_count == (count) &&         \
+        math.kernel->bits == (bits_of))                                                \
+        return use(Exact<Number, BasisId::basis_id, count, bits_of>());
 #include "core/techniques/moment_techniques.def"
 #undef MOMENT_TECHNIQUE
     return std::nullopt;
+}
+
+// Takes scene depths to the interval between the ends.
+template <class Number>
+std::optional<ExactFunctionOf<Number>> of_scene_depths(std::optional<ExactFunctionOf<Number>> function,
+                                                       const RaySteps<Number>& steps) {
+    if (!function) return std::nullopt;
+    return [function = std::move(*function), steps](Number depth) {
+        return function(in_interval(depth, steps));
+    };
 }
 
 // The two functions of exact.hpp.
@@ -240,9 +319,16 @@ std::optional<ExactFunctionOf<Number>> with_exact(const Technique& technique, co
 template <class Number>
 std::optional<ExactFunctionOf<Number>> exact_function(const ViewRay& ray, const Technique& technique,
                                                       const ResolvedParameters& parameters) {
-    const auto masses = exact_masses<Number>(ray);
+    auto masses = exact_masses<Number>(ray);
     if (masses.empty()) return std::nullopt;
-    return with_exact<Number>(technique, [&](auto exact) { return exact.of_masses(masses, parameters); });
+    RaySteps<Number> steps;
+    if (parameters.in_own_interval()) {
+        steps = steps_of_masses<Number>(masses);
+        for (auto& mass : masses) mass.depth = in_interval(mass.depth, steps);
+    }
+    return of_scene_depths(with_exact<Number>(
+                               technique, [&](auto exact) { return exact.of_masses(masses, parameters); }),
+                           steps);
 }
 
 template <class Number>
@@ -250,7 +336,12 @@ std::optional<ExactFunctionOf<Number>> exact_function_of_stored(const MomentVect
                                                                 const Technique& technique,
                                                                 const ResolvedParameters& parameters) {
     if (!(stored.b0 > 0)) return std::nullopt;
-    return with_exact<Number>(technique, [&](auto exact) { return exact.of_stored(stored, parameters); });
+    RaySteps<Number> steps;
+    if (parameters.in_own_interval())
+        steps = {static_cast<Number>(stored.near_step), static_cast<Number>(stored.far_step)};
+    return of_scene_depths(with_exact<Number>(
+                               technique, [&](auto exact) { return exact.of_stored(stored, parameters); }),
+                           steps);
 }
 
 }  // namespace momentscope::any_precision

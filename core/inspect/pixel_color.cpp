@@ -5,7 +5,15 @@
 #include "core/inspect/drawn_fragments.hpp"
 #include "core/inspect/pixel_state_curve.hpp"
 
+#include "core/support/glsl.hpp"
+
 namespace momentscope {
+
+namespace glsl {
+namespace {
+#include "shaders/shared/renormalization.glsl"
+}  // namespace
+}  // namespace glsl
 
 namespace {
 
@@ -23,6 +31,15 @@ glm::vec3 sorted_color(const ViewRay& ray, const glm::vec3& background) {
 
 }  // namespace
 
+glm::vec3 composited_color(glm::vec4 weighted, const glm::vec4& uncertain, float absorbance,
+                           const ResolvedParameters& parameters, const glm::vec3& background) {
+    const float behind = std::exp(-absorbance);
+    if (parameters.moves_uncertain())
+        weighted += glsl::moved_share(weighted.a, uncertain.a, 1 - behind) * uncertain;
+    const float scale = parameters.renormalizes() && weighted.a > 0 ? (1 - behind) / weighted.a : 1;
+    return glm::vec3(weighted) * scale + behind * background;
+}
+
 PixelColors pixel_colors(const ViewRay& ray, const std::vector<PixelHistoryRow>& rows,
                          const Technique& technique, const ResolvedParameters& parameters,
                          const glm::vec3& background) {
@@ -33,18 +50,17 @@ PixelColors pixel_colors(const ViewRay& ray, const std::vector<PixelHistoryRow>&
         return colors;
     }
     float absorbance = 0;
-    glm::vec4 weighted(0);
+    glm::vec4 weighted(0), uncertain(0);
     for (const PixelHistoryRow& row : rows) {
         absorbance += row.absorbance;
         weighted += row.source;
+        uncertain += row.uncertain;
     }
     if (technique.has_pixel_states()) {
         colors.technique = pixel_state_color(ray, technique, parameters, background);
         return colors;
     }
-    const float behind = std::exp(-absorbance);
-    const float scale = parameters.renormalize && weighted.a > 0 ? (1 - behind) / weighted.a : 1;
-    colors.technique = glm::vec3(weighted) * scale + behind * background;
+    colors.technique = composited_color(weighted, uncertain, absorbance, parameters, background);
     return colors;
 }
 

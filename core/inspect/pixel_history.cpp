@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "core/inspect/drawn_fragments.hpp"
+#include "core/inspect/fragment_estimates.hpp"
 #include "core/inspect/pixel_state_curve.hpp"
 
 namespace momentscope {
@@ -19,6 +20,9 @@ std::vector<PixelHistoryRow> pixel_history(const ViewRay& ray, std::span<const f
                                        ? own_transmittance(ray, technique, curve.parameters.settings)
                                        : std::vector<float>();
     const std::vector<bool> drawn = drawn_flags(ray, technique);
+    const std::vector<FragmentEstimate> estimates =
+        technique.has_moments() ? fragment_estimates(ray, technique, curve.parameters)
+                                : std::vector<FragmentEstimate>();
     std::vector<PixelHistoryRow> in_submission_order;
     glm::vec4 sum(0);
     for (std::size_t i = 0; i < ray.fragments.size(); ++i) {
@@ -28,6 +32,11 @@ std::vector<PixelHistoryRow> pixel_history(const ViewRay& ray, std::span<const f
         row.absorbance = fragment_absorbance(fragment.opacity);
         row.true_transmittance = std::exp(-curve.truth[i]);
         row.transmittance = own.empty() ? transmittance(curve.reconstructed[i]) : own[i];
+        if (!estimates.empty()) {
+            row.estimate = estimates[i];
+            row.transmittance = estimates[i].transmittance;
+            row.uncertain = estimates[i].spread * fragment.opacity * glm::vec4(fragment.color, 1);
+        }
         if (!gl_transmittance.empty()) row.gl_transmittance = gl_transmittance[i];
         if (drawn[i]) row.source = row.transmittance * fragment.opacity * glm::vec4(fragment.color, 1);
         row.sum = sum;

@@ -17,6 +17,8 @@ struct PixelHistoryRow {
     std::optional<float> gl_transmittance;  // by the second pass of the GL, if there is one
     glm::vec4 source;                       // what blending adds: T alpha_l (colour, 1); 0 if not drawn
     glm::vec4 sum;                          // the sum before it, of all submitted earlier
+    std::optional<FragmentEstimate> estimate;  // with moments: what bounds the transmittance
+    glm::vec4 uncertain;  // what renormalisation may add or take: spread alpha_l (colour, 1)
 
     /// Computed minus true. Positive if the fragment is too visible.
     double error() const { return static_cast<double>(transmittance) - true_transmittance; }

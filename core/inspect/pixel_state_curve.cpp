@@ -125,7 +125,7 @@ glm::vec3 pixel_state_color(const ViewRay& ray, const Technique& technique,
             weighted +=
                 glm::vec4(fragment.color, 1) * fragment.opacity *
                 kernel.transmittance_at(state, pixel_state_fragment(ray, fragment), parameters.settings);
-        const bool scaled = parameters.renormalize && weighted.a > 0;
+        const bool scaled = parameters.renormalizes() && weighted.a > 0;
         color = glm::vec3(weighted) * (scaled ? (1 - all.transmittance) / weighted.a : 1.0f);
     }
     return color + background * all.transmittance;

@@ -56,6 +56,12 @@ bool is_whole(const Parameter& row) {
     return row.scale == Scale::choice || row.scale == Scale::whole || row.scale == Scale::toggle;
 }
 
+// A switch, or a choice whose first name is `off`; `on` then means its second.
+bool can_be_off(const Parameter& row) {
+    return row.scale == Scale::toggle ||
+           (!row.choices.empty() && std::string_view(row.choices.front()) == "off");
+}
+
 }  // namespace
 
 std::span<const Parameter> parameters() {
@@ -95,8 +101,8 @@ ParameterValues values_with(const ParameterSettings& settings) {
 
 std::optional<float> parse_parameter(const Parameter& row, std::string_view text) {
     if (text == "auto") return std::nullopt;
-    if (row.scale == Scale::toggle && (text == "on" || text == "true")) return 1.0f;
-    if (row.scale == Scale::toggle && (text == "off" || text == "false")) return 0.0f;
+    if (can_be_off(row) && (text == "on" || text == "true")) return 1.0f;
+    if (can_be_off(row) && (text == "off" || text == "false")) return 0.0f;
     const auto choice =
         std::ranges::find(row.choices, text, [](const char* name) { return std::string_view(name); });
     if (choice != row.choices.end()) return static_cast<float>(choice - row.choices.begin());

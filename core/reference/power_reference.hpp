@@ -59,14 +59,11 @@ Sample<Real> sample_polynomial(const std::array<Real, Count>& coefficient, std::
 template <class Real, std::size_t Size>
 std::array<Real, Size - 1> gauss_nodes(const TriangularFactor<Real, Real, Size>& hankel) {
     std::array<Real, Size - 1> node{};
-    for (std::size_t degree = 1; degree < Size; ++degree) {
+    node[0] = -hankel.inverse[1][0];
+    for (std::size_t degree = 2; degree < Size; ++degree) {
         const auto polynomial = [&](const Real& z) {
             return sample_polynomial(hankel.inverse[degree], degree, z);
         };
-        if (degree == 1) {
-            node[0] = -hankel.inverse[1][0];
-            continue;
-        }
         const std::array<Real, Size - 1> before = node;
         node[0] = outer_root(polynomial, before[0], -1, degree % 2 == 0);
         for (std::size_t i = 1; i + 1 < degree; ++i)

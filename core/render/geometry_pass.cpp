@@ -8,7 +8,9 @@ void draw_transparent(const SceneBuffers& scene, GLuint target, Blending blendin
     glDepthMask(GL_FALSE);
     if (blending != Blending::none) glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, blending == Blending::over ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
+    if (blending == Blending::greatest) glBlendEquation(GL_MAX);
     scene.draw(Surfaces::transparent);
+    if (blending == Blending::greatest) glBlendEquation(GL_FUNC_ADD);
     glDisable(GL_BLEND);
     glDepthMask(GL_TRUE);
     glDisable(GL_DEPTH_TEST);

@@ -6,9 +6,9 @@
 
 namespace momentscope {
 
-/// How the output of a fragment is written: it replaces the stored value, is added to it, or is composited
-/// over it.
-enum class Blending { none, add, over };
+/// How the output of a fragment is written: it replaces the stored value, is added to it, is composited over
+/// it, or is stored if it is greater.
+enum class Blending { none, add, over, greatest };
 
 /// Draws into `target` with the program in use. Depth is tested, but not written. Afterwards blending and
 /// depth test are off.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "core/gl/texture.hpp"
 #include "core/render/geometry_pass.hpp"
 #include "core/support/error.hpp"
@@ -14,9 +16,16 @@ namespace {
 
 constexpr const char* SCENE = "passes/scene.vert";
 constexpr const char* MOMENTS = "passes/moments.frag";
+constexpr const char* ENDS = "passes/ends.frag";
 constexpr const char* FACTOR = "passes/factor.frag";
 constexpr const char* COLOR = "passes/color.frag";
 constexpr const char* FAILURES = "passes/failures.frag";
+
+// Texture units, as in shaders/passes.
+constexpr GLuint FACTOR_UNITS[] = {3, 4, 5, 7};
+constexpr GLuint ENDS_UNIT = 6;
+constexpr float END_STEPS = 65535;
+constexpr GLuint UNCERTAIN_UNIT = 8;
 
 struct Formats {
     GLenum total_absorbance, four_moments, two_moments;
@@ -25,6 +34,17 @@ struct Formats {
 Formats formats_of(const MomentKernel& kernel) {
     if (kernel.bits == 16) return {GL_R16F, GL_RGBA16, GL_RG16};
     return {GL_R32F, GL_RGBA32F, GL_RG32F};
+}
+
+// Defines what the passes of moments must know of the ends of a ray.
+void define_ends(ShaderVariant& variant, const ResolvedParameters& parameters) {
+    if (parameters.knows_ends()) variant.defines["KNOWN_ENDS"] = "1";
+    if (parameters.in_own_interval()) variant.defines["OWN_INTERVAL"] = "1";
+}
+
+// The ends are stored by the first pass itself, unless a pass before it needs them.
+bool ends_with_moments(const ResolvedParameters& parameters) {
+    return parameters.knows_ends() && !parameters.in_own_interval();
 }
 
 }  // namespace
@@ -44,17 +64,22 @@ ShaderVariant reconstruction_variant(const Technique& technique, const ResolvedP
     ShaderVariant variant = moment_variant(technique);
     if (parameters.textbook) variant.defines["TEXTBOOK_SOLVER"] = "1";
     if (parameters.factored_once) variant.defines["STORED_FACTOR"] = "1";
+    if (parameters.estimation.estimate != Estimate::beta)
+        variant.defines["ESTIMATE"] = std::to_string(static_cast<int>(parameters.estimation.estimate));
+    define_ends(variant, parameters);
     return variant;
 }
 
-ShaderVariant accumulation_variant(const Technique& technique, bool ordered, OrderedAccess access) {
+ShaderVariant accumulation_variant(const Technique& technique, const ResolvedParameters& parameters,
+                                   OrderedAccess access) {
     ShaderVariant variant = moment_variant(technique);
-    define_access(variant, ordered ? access : OrderedAccess::none);
+    define_access(variant, parameters.ordered ? access : OrderedAccess::none);
+    define_ends(variant, parameters);
     return variant;
 }
 
 MomentPasses::MomentPasses(const Technique& technique, glm::ivec2 size, GLuint depth, OrderedAccess access)
-    : technique_(technique), access_(access), size_(size) {
+    : technique_(technique), access_(access), depth_(depth), size_(size) {
     if (const std::string why = why_unavailable(technique, access); !why.empty())
         throw Error(
             fmt::format("{} cannot be drawn here. {} Choose a variant of 32 bits.", technique.name, why));
@@ -71,13 +96,40 @@ MomentPasses::MomentPasses(const Technique& technique, glm::ivec2 size, GLuint d
     color_target_ = make_framebuffer({weighted_color_}, depth);
 }
 
+// The targets that only some parameters need.
+void MomentPasses::make_optional_targets(const ResolvedParameters& parameters) {
+    if (parameters.knows_ends() && ends_ == 0) {
+        ends_ = make_texture(GL_RG16, size_);
+        ends_target_ = make_framebuffer({ends_}, depth_);
+        std::vector<GLuint> targets = {total_absorbance_, moments_1_to_4_};
+        if (moments_5_to_8_ != 0) targets.push_back(moments_5_to_8_);
+        targets.push_back(ends_);
+        moments_and_ends_target_ = make_framebuffer(targets.data(), static_cast<int>(targets.size()), depth_);
+    }
+    if (parameters.moves_uncertain() && uncertain_color_ == 0) {
+        uncertain_color_ = make_texture(GL_RGBA16F, size_);
+        uncertain_target_ = make_framebuffer({weighted_color_, uncertain_color_}, depth_);
+    }
+}
+
+void MomentPasses::draw_ends(const PassInput& input) {
+    clear_colors(ends_target_, 1);
+    glUseProgram(input.programs.get(SCENE, ENDS, input.lean({})));
+    draw_transparent(input.scene, ends_target_, Blending::greatest);
+}
+
 void MomentPasses::draw_moments(const PassInput& input) {
+    make_optional_targets(input.parameters);
+    if (input.parameters.in_own_interval()) draw_ends(input);
+    const bool with_ends = ends_with_moments(input.parameters);
+    const GLuint target = with_ends ? moments_and_ends_target_ : moment_target_;
+    const GLuint colors = moments_5_to_8_ != 0 ? 3 : 2;  // of moments
     const bool ordered = input.parameters.ordered;
     if (ordered && access_ == OrderedAccess::none)
         throw Error(fmt::format("{} Set --accumulation to blending.", NO_ORDERED_ACCESS));
     const bool by_images = ordered && access_ == OrderedAccess::interlock;
     factored_bias_.reset();
-    clear_colors(moment_target_, moments_5_to_8_ != 0 ? 3 : 2);
+    clear_colors(target, static_cast<int>(colors) + (with_ends ? 1 : 0));
     if (by_images) {
         const Formats formats = formats_of(technique_.moment_kernel());
         const bool two = technique_.moment_kernel().moment_floats == 6;
@@ -86,17 +138,22 @@ void MomentPasses::draw_moments(const PassInput& input) {
         if (moments_5_to_8_ != 0)
             glBindImageTexture(2, moments_5_to_8_, 0, GL_FALSE, 0, GL_READ_WRITE,
                                two ? formats.two_moments : formats.four_moments);
+        if (with_ends) glBindImageTexture(3, ends_, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RG16);
     }
-    glUseProgram(
-        input.programs.get(SCENE, MOMENTS, input.lean(accumulation_variant(technique_, ordered, access_))));
-    draw_transparent(input.scene, by_images ? depth_target_ : moment_target_,
+    glBindTextureUnit(ENDS_UNIT, ends_);
+    glUseProgram(input.programs.get(
+        SCENE, MOMENTS, input.lean(accumulation_variant(technique_, input.parameters, access_))));
+    if (with_ends) glBlendEquationi(colors, GL_MAX);
+    draw_transparent(input.scene, by_images ? depth_target_ : target,
                      ordered ? Blending::none : Blending::add);
+    if (with_ends) glBlendEquation(GL_FUNC_ADD);
     if (by_images) glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
 }
 
-void MomentPasses::make_factors() {
+void MomentPasses::make_factors(int floats) {
+    factors_.clear();
     std::vector<GLuint> targets;
-    for (int left = technique_.moment_kernel().factor_floats; left > 0; left -= 4) {
+    for (int left = floats; left > 0; left -= 4) {
         factors_.push_back(make_texture(left == 1 ? GL_R32F : left == 2 ? GL_RG32F : GL_RGBA32F, size_));
         targets.push_back(factors_.back());
     }
@@ -106,28 +163,40 @@ void MomentPasses::make_factors() {
 // Factors depend on alpha, but not on beta or theta.
 void MomentPasses::draw_factors(const PassInput& input) {
     if (factored_bias_ == input.parameters.alpha) return;
-    if (factors_.empty()) make_factors();
+    const MomentKernel& kernel = technique_.moment_kernel();
+    const int floats =
+        kernel.factor_floats + (input.parameters.in_own_interval() ? kernel.inner_floats : 0);
+    if (static_cast<int>(factors_.size()) != (floats + 3) / 4) make_factors(floats);
     bind_stored();
     glBindFramebuffer(GL_FRAMEBUFFER, factor_target_);
-    glUseProgram(input.programs.get("passes/fullscreen.vert", FACTOR, moment_variant(technique_)));
+    ShaderVariant variant = moment_variant(technique_);
+    define_ends(variant, input.parameters);
+    glUseProgram(input.programs.get("passes/fullscreen.vert", FACTOR, variant));
     draw_fullscreen();
     factored_bias_ = input.parameters.alpha;
 }
 
 void MomentPasses::draw_color(const PassInput& input) {
     if (input.parameters.factored_once) draw_factors(input);
-    clear_colors(color_target_, 1);
-    glUseProgram(input.programs.get(
-        SCENE, COLOR, input.lean(input.lit(reconstruction_variant(technique_, input.parameters)))));
+    make_optional_targets(input.parameters);
+    const bool uncertain = input.parameters.moves_uncertain();
+    const GLuint target = uncertain ? uncertain_target_ : color_target_;
+    clear_colors(target, uncertain ? 2 : 1);
+    ShaderVariant variant = input.lean(input.lit(reconstruction_variant(technique_, input.parameters)));
+    if (uncertain) variant.defines["UNCERTAIN"] = "1";
+    glUseProgram(input.programs.get(SCENE, COLOR, variant));
     bind_stored();
-    draw_transparent(input.scene, color_target_, Blending::add);
+    draw_transparent(input.scene, target, Blending::add);
 }
 
 void MomentPasses::draw_composite(const PassInput& input) {
-    glUseProgram(input.programs.get("passes/fullscreen.vert", "passes/composite.frag"));
+    ShaderVariant variant;
+    if (input.parameters.moves_uncertain()) variant.defines["UNCERTAIN"] = "1";
+    glUseProgram(input.programs.get("passes/fullscreen.vert", "passes/composite.frag", variant));
     glBindTextureUnit(0, input.opaque_color);
     glBindTextureUnit(1, weighted_color_);
     glBindTextureUnit(2, total_absorbance_);
+    glBindTextureUnit(UNCERTAIN_UNIT, uncertain_color_);
     draw_fullscreen();
 }
 
@@ -159,12 +228,17 @@ std::vector<MomentVector> MomentPasses::read_moments(glm::ivec2 corner, glm::ive
     const std::vector<float> absorbances = read(total_absorbance_, GL_RED, 1);
     const std::vector<float> first = read(moments_1_to_4_, GL_RGBA, 4);
     const std::vector<float> second = floats > 4 ? read(moments_5_to_8_, GL_RGBA, 4) : std::vector<float>();
+    const std::vector<float> ends = ends_ != 0 ? read(ends_, GL_RG, 2) : std::vector<float>();
     check_gl("reading moments");
     std::vector<MomentVector> moments(count);
     for (std::size_t i = 0; i < count; ++i) {
         moments[i].b0 = absorbances[i];
         for (std::size_t k = 0; k < floats; ++k)
             moments[i].b[k] = k < 4 ? first[4 * i + k] : second[4 * i + k - 4];
+        if (!ends.empty()) {
+            moments[i].near_step = std::round(ends[2 * i] * END_STEPS);
+            moments[i].far_step = std::round(ends[2 * i + 1] * END_STEPS);
+        }
     }
     return moments;
 }
@@ -173,8 +247,8 @@ void MomentPasses::bind_stored() const {
     glBindTextureUnit(0, total_absorbance_);
     glBindTextureUnit(1, moments_1_to_4_);
     glBindTextureUnit(2, moments_5_to_8_);
-    for (std::size_t i = 0; i < factors_.size(); ++i)
-        glBindTextureUnit(static_cast<GLuint>(3 + i), factors_[i]);
+    for (std::size_t i = 0; i < factors_.size(); ++i) glBindTextureUnit(FACTOR_UNITS[i], factors_[i]);
+    glBindTextureUnit(ENDS_UNIT, ends_);
 }
 
 }  // namespace momentscope

@@ -12,7 +12,8 @@ ShaderVariant moment_variant(const Technique& technique);
 ShaderVariant reconstruction_variant(const Technique& technique, const ResolvedParameters& parameters);
 
 /// The variant that sums moments: by blending, or in order by an access other than none.
-ShaderVariant accumulation_variant(const Technique& technique, bool ordered, OrderedAccess access);
+ShaderVariant accumulation_variant(const Technique& technique, const ResolvedParameters& parameters,
+                                   OrderedAccess access);
 
 class MomentPasses : public Transparency {
 public:
@@ -28,13 +29,18 @@ public:
 
 private:
     void bind_stored() const;
+    void make_optional_targets(const ResolvedParameters& parameters);
+    void draw_ends(const PassInput& input);
     void draw_factors(const PassInput& input);
-    void make_factors();
+    void make_factors(int floats);
 
     const Technique& technique_;
     OrderedAccess access_;
     GlTexture total_absorbance_, moments_1_to_4_, moments_5_to_8_, weighted_color_;
+    GlTexture ends_, uncertain_color_;  // made at first use
     GlFramebuffer moment_target_, depth_target_, color_target_;
+    GlFramebuffer moments_and_ends_target_, ends_target_, uncertain_target_;
+    GLuint depth_;
     std::vector<GlTexture> factors_;  // made at first use
     GlFramebuffer factor_target_;
     glm::ivec2 size_;

@@ -120,7 +120,7 @@ void Renderer::update_frame_block(const View& view) {
     const FrameBlock block = {view_matrix(view.camera),
                               projection_matrix(view.camera, aspect),
                               glm::vec4(warp.x, warp.y, NEAR_PLANE, FAR_PLANE),
-                              glm::vec4(p.beta, p.alpha, p.renormalize ? 1 : 0, 0),
+                              glm::vec4(p.beta, p.alpha, p.renormalizes() ? 1 : 0, 0),
                               std::bit_cast<std::array<glm::vec4, 2>>(basis),
                               glm::ivec4(view.size, warp.z, 0)};
     glNamedBufferSubData(frame_block_, 0, sizeof(block), &block);

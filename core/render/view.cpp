@@ -27,6 +27,11 @@ Stage first_stale_of_technique(const View& before, const View& after) {
     if (after.technique->uses(ParameterId::moment_passes))
         for (const ParameterId id : {ParameterId::beta, ParameterId::alpha})
             if (before.parameters[id] != after.parameters[id]) first = std::min(first, Stage::moments);
+    // What is uncertain about weights is summed in the second pass.
+    const auto before_uncertain = before.parameters.get<Renormalization>() == Renormalization::uncertain;
+    const auto after_uncertain = after.parameters.get<Renormalization>() == Renormalization::uncertain;
+    if (after.technique->uses(ParameterId::renormalize) && before_uncertain != after_uncertain)
+        first = std::min(first, Stage::color);
     for (const ParameterId id : PICTURE_PARAMETERS)
         if (before.parameters[id] != after.parameters[id]) first = std::min(first, parameter(id).invalidates);
     return first;

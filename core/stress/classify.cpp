@@ -16,12 +16,17 @@ double transmittance_of_fraction(float fraction, float b0) {
     return std::exp(-static_cast<double>(b0) * clamped);
 }
 
+std::vector<std::size_t> some_fragments(const ViewRay& ray) {
+    constexpr std::size_t MOST = 8;
+    const std::size_t step = std::max<std::size_t>(ray.fragments.size() / MOST, 1);
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < ray.fragments.size() && places.size() < MOST; i += step) places.push_back(i);
+    return places;
+}
+
 std::vector<float> some_own_depths(const ViewRay& ray) {
-    constexpr std::size_t MAX_DEPTHS = 8;
-    const std::size_t step = std::max<std::size_t>(ray.fragments.size() / MAX_DEPTHS, 1);
     std::vector<float> depths;
-    for (std::size_t i = 0; i < ray.fragments.size() && depths.size() < MAX_DEPTHS; i += step)
-        depths.push_back(ray.fragments[i].depth);
+    for (const std::size_t i : some_fragments(ray)) depths.push_back(ray.fragments[i].depth);
     return depths;
 }
 

@@ -21,7 +21,10 @@ Outcome classify(float fraction, double t, double exact_t);
 /// T of a fraction of b0. The fraction is clamped as in the shaders: NaN counts as 0.
 double transmittance_of_fraction(float fraction, float b0);
 
-/// The depths of at most 8 fragments of a ray, chosen evenly in submission order.
+/// At most 8 fragments of a ray, chosen evenly in submission order: indices into ViewRay::fragments.
+std::vector<std::size_t> some_fragments(const ViewRay& ray);
+
+/// Their depths.
 std::vector<float> some_own_depths(const ViewRay& ray);
 
 }  // namespace momentscope

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/inspect/exact.hpp"
+#include "core/inspect/fragment_estimates.hpp"
 #include "core/stress/classify.hpp"
 #include "core/support/parallel_for.hpp"
 #include "core/techniques/moment_kernel.hpp"
@@ -49,6 +50,32 @@ public:
     void add(const StressCase& tried, RandomNumbers& random) {
         const Technique& technique = *cell_.technique;
         const ResolvedParameters parameters = resolve(tried.values, technique);
+        if (parameters.is_published())
+            add_queries(tried, parameters, random);
+        else
+            add_fragments(tried, parameters, random);
+        cell_.non_monotone += falls(tried, technique) ? 1 : 0;
+        ++cell_.rays;
+    }
+
+    StressCell finish() {
+        const auto mean = [](const std::vector<double>& values) {
+            return values.empty() ? 0
+                                  : std::accumulate(values.begin(), values.end(), 0.0) /
+                                        static_cast<double>(values.size());
+        };
+        std::ranges::sort(errors_);
+        cell_.mean = mean(errors_);
+        cell_.mean_from_truth = mean(from_truth_);
+        if (!errors_.empty()) cell_.percentile_99 = errors_[(errors_.size() - 1) * 99 / 100];
+        if (!errors_.empty()) cell_.worst = errors_.back();
+        return cell_;
+    }
+
+private:
+    // Techniques as published: at the depths of fragments and at random depths, by the bounds of beta.
+    void add_queries(const StressCase& tried, const ResolvedParameters& parameters, RandomNumbers& random) {
+        const Technique& technique = *cell_.technique;
         const ReconstructionSettings settings = settings_of(parameters);
         const MomentKernel& kernel = technique.moment_kernel();
         const MomentVector stored = sum_moments(tried.ray, technique, parameters);
@@ -75,27 +102,39 @@ public:
             depends |= std::abs(t - transmittance_of_fraction(of_reordered[i], reordered.b0)) > VISIBLE;
         }
         cell_.order_dependent += depends ? 1 : 0;
-        cell_.non_monotone += falls(tried, technique) ? 1 : 0;
         if (settings.solver == Solver::robust)
             cell_.floored += kernel.steps(stored, settings, 0).floored_pivots > 0 ? 1 : 0;
-        ++cell_.rays;
     }
 
-    StressCell finish() {
-        const auto mean = [](const std::vector<double>& values) {
-            return values.empty() ? 0
-                                  : std::accumulate(values.begin(), values.end(), 0.0) /
-                                        static_cast<double>(values.size());
-        };
-        std::ranges::sort(errors_);
-        cell_.mean = mean(errors_);
-        cell_.mean_from_truth = mean(from_truth_);
-        if (!errors_.empty()) cell_.percentile_99 = errors_[(errors_.size() - 1) * 99 / 100];
-        if (!errors_.empty()) cell_.worst = errors_.back();
-        return cell_;
+    // Techniques that know more of a fragment than its depth.
+    void add_fragments(const StressCase& tried, const ResolvedParameters& parameters, RandomNumbers& random) {
+        const Technique& technique = *cell_.technique;
+        const auto estimates = fragment_estimates(tried.ray, technique, parameters);
+        const auto exact =
+            exact_estimates(exact_function(tried.ray, technique, parameters), tried.ray, parameters);
+        const MomentVector stored = sum_moments(tried.ray, technique, parameters);
+        const MomentVector reordered = sum_moments(shuffled(tried.ray, random), technique, parameters);
+        const auto b0 = static_cast<double>(stored.b0);
+        bool depends = false;
+        for (const std::size_t i : some_fragments(tried.ray)) {
+            const Fragment& fragment = tried.ray.fragments[i];
+            const FragmentEstimate& estimate = estimates[i];
+            const auto t = static_cast<double>(estimate.transmittance);
+            const double truth = true_absorbance(tried.ray, std::span(&fragment.depth, 1)).front();
+            count_outcome(static_cast<float>(-std::log(t) / b0), t, exact[i].transmittance, tried);
+            count_bounds(estimate.lower / stored.b0, estimate.upper / stored.b0, truth / b0);
+            from_truth_.push_back(std::abs(t - std::exp(-truth)));
+            const float own = fragment_absorbance(fragment.opacity);
+            FragmentEstimate other;
+            technique.moment_kernel().estimates(reordered, settings_of(parameters), {&fragment.depth, 1},
+                                                {&own, 1}, {&other, 1});
+            depends |= std::abs(t - static_cast<double>(other.transmittance)) > VISIBLE;
+        }
+        cell_.order_dependent += depends ? 1 : 0;
+        cell_.floored +=
+            technique.moment_kernel().steps(stored, settings_of(parameters), 0).floored_pivots > 0 ? 1 : 0;
     }
 
-private:
     // Counts the outcome of a query. Each query counts once, for the worst thing that happened.
     void count_outcome(float fraction, double t, double t_exact, const StressCase& tried) {
         ++cell_.queries;

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/inspect/exact.hpp"
+#include "core/inspect/fragment_estimates.hpp"
 #include "core/stress/classify.hpp"
 #include "core/support/error.hpp"
 #include "core/support/parallel_for.hpp"
@@ -64,9 +65,37 @@ void add_ray(const ViewRay& ray, const MomentVector& stored, std::span<const flo
     }
 }
 
+// The same for techniques that know more of a fragment than its depth.
+void add_fragments(const ViewRay& ray, const Technique& technique, const ResolvedParameters& parameters,
+                   bool judged, Sums& sums) {
+    const auto estimates = fragment_estimates(ray, technique, parameters);
+    std::vector<ExactEstimate> exact, of_stored;
+    if (judged) {
+        const auto stored =
+            exact_function_of_stored(sum_moments(ray, technique, parameters), technique, parameters);
+        exact = exact_estimates(exact_function(ray, technique, parameters), ray, parameters);
+        if (stored) of_stored = exact_estimates(stored, ray, parameters);
+    }
+    for (const std::size_t i : some_fragments(ray)) {
+        const auto t = static_cast<double>(estimates[i].transmittance);
+        const double error = t - std::exp(-true_absorbance(ray, std::span(&ray.fragments[i].depth, 1)).front());
+        sums.squares += error * error;
+        ++sums.queries;
+        if (!judged) continue;
+        const double exact_t = exact[i].transmittance;
+        sums.failures += !(std::abs(t - exact_t) <= FAILED_ERROR) ? 1 : 0;
+        sums.inherent +=
+            of_stored.empty() || std::abs(of_stored[i].transmittance - exact_t) > FAILED_ERROR ? 1 : 0;
+    }
+}
+
 // Adds the errors of several rays. All their queries run at once.
 void add_rays(std::span<const ViewRay> rays, const Technique& technique, const ResolvedParameters& parameters,
               bool judged, Sums& sums) {
+    if (!parameters.is_published()) {
+        for (const ViewRay& ray : rays) add_fragments(ray, technique, parameters, judged, sums);
+        return;
+    }
     std::vector<RayQueries> queries;
     std::vector<MomentVector> stored;
     std::vector<float> depths;

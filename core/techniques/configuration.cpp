@@ -53,7 +53,9 @@ int geometry_passes(const Configuration& configuration) {
     const Technique& technique = *configuration.technique;
     const bool twice = technique.uses(ParameterId::moment_passes) &&
                        configuration.values.get<MomentSets>() != MomentSets::one;
-    return technique.geometry_passes + (twice ? 1 : 0);
+    const bool depths_first = technique.uses(ParameterId::interval) &&
+                              configuration.values.get<MomentInterval>() == MomentInterval::pixel;
+    return technique.geometry_passes + (twice ? 1 : 0) + (depths_first ? 1 : 0);
 }
 
 std::string configuration_text(const Configuration& configuration) {

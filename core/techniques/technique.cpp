@@ -17,30 +17,46 @@ namespace {
 
 // Only the circle has a wrapping zone, only published algorithms have a textbook solver, and moments in 16
 // bits cannot be blended.
-std::vector<ParameterId> moment_parameters(const MomentKernel& kernel, const Basis& basis) {
-    std::vector<ParameterId> ids = {ParameterId::beta};
+// Techniques with an estimation of their own read no parameter of it.
+std::vector<ParameterId> moment_parameters(const MomentKernel& kernel, const Basis& basis,
+                                           const std::optional<Estimation>& own) {
+    std::vector<ParameterId> ids;
+    if (!own) ids.push_back(ParameterId::beta);
     if (basis.has_wrapping_zone()) ids.push_back(ParameterId::theta);
     if (basis.chooses_order) ids.push_back(ParameterId::tolerance);
     ids.insert(ids.end(), {ParameterId::alpha, ParameterId::preset});
-    if (kernel.has_textbook) ids.push_back(ParameterId::solver);
+    if (kernel.has_textbook && !own) ids.push_back(ParameterId::solver);
     // Moments in 16 bits have no stored factor: it would take more bits than 16-bit storage saves.
     if (kernel.bits == 32) ids.push_back(ParameterId::factorisation);
     if (kernel.bits == 32) ids.push_back(ParameterId::accumulation);
-    ids.push_back(ParameterId::renormalize);
+    if (!own)
+        ids.insert(ids.end(), {ParameterId::estimate, ParameterId::ends, ParameterId::interval,
+                               ParameterId::renormalize});
     return ids;
 }
 
 Technique moment_technique(const MomentKernel& kernel, const Basis& basis, int moment_count, const char* id,
                            const char* name, float recommended_bias, float robust_bias,
-                           const char* description, const char* source) {
+                           const char* description, const char* source,
+                           const std::optional<Estimation>& own = {}) {
     return {.id = id,
             .name = name,
             .description = description,
             .source = source,
-            .math = MomentMath{&kernel, &basis, moment_count, recommended_bias, robust_bias},
-            .parameters = moment_parameters(kernel, basis),
-            .geometry_passes = 2,
+            .math = MomentMath{&kernel, &basis, moment_count, recommended_bias, robust_bias, own},
+            .parameters = moment_parameters(kernel, basis, own),
+            .geometry_passes = own && own->interval == MomentInterval::pixel ? 3 : 2,
             .order_dependent = kernel.bits == 16};
+}
+
+/// A technique with the moments of another row. rows: those of moment_techniques.def.
+Technique interval_technique(MomentTechnique moments_of, MomentInterval interval,
+                             const std::vector<Technique>& rows, const char* id, const char* name, float bias,
+                             float robust_bias, const char* description, const char* source) {
+    const MomentMath& math = rows[static_cast<std::size_t>(moments_of)].moments();
+    return moment_technique(*math.kernel, *math.basis, math.moment_count, id, name, bias, robust_bias,
+                            description, source,
+                            Estimation{Estimate::expected, RayEnds::known, interval, Renormalization::uncertain});
 }
 
 /// Bits per pixel of the five numbers of each set: as summed in floats and, if they are converted, as read.
@@ -86,6 +102,10 @@ std::vector<Technique> make_rows() {
 #include "core/techniques/moment_techniques.def"
 #undef MOMENT_TECHNIQUE
     };
+#define INTERVAL_TECHNIQUE(kernel, taken_in, ...) \
+    rows.push_back(interval_technique(MomentTechnique::kernel, MomentInterval::taken_in, rows, __VA_ARGS__));
+#include "core/techniques/interval_techniques.def"
+#undef INTERVAL_TECHNIQUE
 #define PARAMETERS(...) {__VA_ARGS__}
 #define PIXEL_STATE_TECHNIQUE(id, file, key, name, others, floats_of, bits_of, description, source) \
     rows.push_back(pixel_state_technique(                                                           \
@@ -173,6 +193,18 @@ int sample_count(const Technique& technique, const ParameterValues& values) {
     return technique.uses(ParameterId::samples) ? values.count(ParameterId::samples) : 0;
 }
 
+namespace {
+
+Estimation estimation_of(const ParameterValues& values, const Technique& technique) {
+    if (technique.has_moments() && technique.moments().estimation) return *technique.moments().estimation;
+    if (!technique.uses(ParameterId::estimate))
+        return {.renormalization = values.get<Renormalization>()};
+    return {values.get<Estimate>(), values.get<RayEnds>(), values.get<MomentInterval>(),
+            values.get<Renormalization>()};
+}
+
+}  // namespace
+
 ResolvedParameters resolve(const ParameterValues& values, const Technique& technique) {
     const bool textbook = technique.uses(ParameterId::solver) && values.get<Solver>() == Solver::textbook;
     const bool ordered = technique.uses(ParameterId::accumulation) &&
@@ -189,22 +221,29 @@ ResolvedParameters resolve(const ParameterValues& values, const Technique& techn
                          values.get<Factorisation>() == Factorisation::per_pixel && !textbook,
         .tolerance = technique.uses(ParameterId::tolerance) ? values.number(ParameterId::tolerance) : 0.0f,
         .ordered = ordered || needs_order(technique),
-        .renormalize = values.is_on(ParameterId::renormalize),
+        .estimation = estimation_of(values, technique),
         .settings = settings};
 }
 
 int stored_bits(const Technique& technique, const ParameterValues& values) {
+    constexpr int END_BITS = 32;  // two ends of 16 bits
     if (technique.has_moments())
-        return technique.moment_kernel().bits * (1 + technique.moment_kernel().moment_floats);
+        return technique.moment_kernel().bits * (1 + technique.moment_kernel().moment_floats) +
+               (resolve(values, technique).knows_ends() ? END_BITS : 0);
     if (technique.is_truth()) return technique.truth().bits;
     return technique.pixel_states().bits(values);
 }
 
 int bits_with_factor(const Technique& technique, const ParameterValues& values) {
     const int stored = stored_bits(technique, values);
-    if (!technique.has_moments() || !resolve(values, technique).factored_once) return stored;
+    if (!technique.has_moments()) return stored;
+    const ResolvedParameters parameters = resolve(values, technique);
+    if (!parameters.factored_once) return stored;
     // The factor may replace the moments while alpha does not change; only the window keeps both.
-    return std::max(stored, technique.moment_kernel().bits * (1 + technique.moment_kernel().factor_floats));
+    const MomentKernel& kernel = technique.moment_kernel();
+    const int moment_bits = kernel.bits * (1 + kernel.moment_floats);
+    const int floats = kernel.factor_floats + (parameters.in_own_interval() ? kernel.inner_floats : 0);
+    return stored + std::max(kernel.bits * (1 + floats) - moment_bits, 0);
 }
 
 std::string bits_text(const Technique& technique, int bits) {
@@ -212,7 +251,34 @@ std::string bits_text(const Technique& technique, int bits) {
     return technique.is_truth() ? "grows with the fragments" : "none";
 }
 
+namespace {
+
+// Why these ways to estimate T make no sense together; nullptr if they do.
+const char* why_no_estimate(const Technique& technique, const ParameterValues& values) {
+    const Estimation chosen = resolve(values, technique).estimation;
+    const bool uncertain = chosen.renormalization == Renormalization::uncertain;
+    if (!technique.has_moments())
+        return uncertain ? "Only techniques with moments know which fragments are uncertain: renormalise uniformly, or not at all."
+                         : nullptr;
+    const bool own_interval = chosen.interval == MomentInterval::pixel;
+    if (own_interval && chosen.ends == RayEnds::off)
+        return "The pixel's own interval lies between the ends of its ray: set the ends to known.";
+    if (own_interval && technique.moments().basis->chooses_order)
+        return "The adaptive order is chosen by the bounds of the whole line: leave the interval at scene.";
+    if (uncertain && chosen.estimate == Estimate::beta)
+        return "What is uncertain shows only after a fragment's own absorbance is taken out: set the estimate to own-beta "
+               "or expected.";
+    const bool published = chosen.estimate == Estimate::beta && chosen.ends == RayEnds::off && !uncertain;
+    if (resolve(values, technique).textbook && !published)
+        return "Algorithms 1 and 2 as published give no bounds: set the solver to robust, or the estimate to beta and the ends "
+               "to off.";
+    return nullptr;
+}
+
+}  // namespace
+
 const char* why_refused(const Technique& technique, const ParameterValues& values) {
+    if (const char* why = why_no_estimate(technique, values); why != nullptr) return why;
     const bool low =
         technique.uses(ParameterId::resolution) && values.get<MomentResolution>() != MomentResolution::full;
     const auto format = values.get<ReadFormat>();
@@ -242,7 +308,10 @@ ReconstructionSettings settings_of(const ResolvedParameters& parameters) {
             .wrapping_zone_angle = parameters.theta,
             .tolerance = parameters.tolerance,
             .bias = parameters.alpha,
-            .solver = parameters.textbook ? Solver::textbook : Solver::robust};
+            .solver = parameters.textbook ? Solver::textbook : Solver::robust,
+            .estimate = parameters.estimation.estimate,
+            .ends = parameters.estimation.ends,
+            .interval = parameters.estimation.interval};
 }
 
 }  // namespace momentscope

@@ -1,5 +1,6 @@
 // technique.hpp -- the registry of techniques.
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,6 +16,14 @@ namespace momentscope {
 struct MomentKernel;
 struct ReconstructionSettings;
 
+/// How the transmittance to a fragment follows from moments (docs/less_error.md).
+struct Estimation {
+    Estimate estimate = Estimate::beta;
+    RayEnds ends = RayEnds::off;
+    MomentInterval interval = MomentInterval::scene;
+    Renormalization renormalization = Renormalization::uniform;
+};
+
 /// A technique that stores moments of the absorbance and reconstructs the transmittance from them.
 struct MomentMath {
     const MomentKernel* kernel;  // its functions in C++, of moments and depths; never null
@@ -22,6 +31,7 @@ struct MomentMath {
     int moment_count;            // m
     float recommended_bias;      // alpha = auto with the preset table1
     float robust_bias;           // alpha = auto with the preset robust (docs/bias.md)
+    std::optional<Estimation> estimation = {};  // of its own; nullopt if parameters choose it
 };
 
 /// A technique that stores other numbers than moments.
@@ -89,7 +99,14 @@ struct ResolvedParameters {
     bool factored_once = false;  // moments are factored once per pixel, between the passes
     float tolerance = 0;         // epsilon; used if the number of moments is chosen per fragment
     bool ordered = false;        // fragments are added in order, not by blending
-    bool renormalize = true;
+
+    bool renormalizes() const { return estimation.renormalization != Renormalization::off; }
+    bool moves_uncertain() const { return estimation.renormalization == Renormalization::uncertain; }
+    bool is_published() const { return estimation.estimate == Estimate::beta && !knows_ends(); }
+    bool knows_ends() const { return estimation.ends == RayEnds::known; }
+    bool in_own_interval() const { return estimation.interval == MomentInterval::pixel; }
+
+    Estimation estimation = {};
     ParameterValues settings = {};  // all values; those that kernels read are not `auto`
 };
 ResolvedParameters resolve(const ParameterValues& values, const Technique& technique);

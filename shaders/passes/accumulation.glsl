@@ -9,6 +9,11 @@
 #define SECOND_MOMENTS 1
 #endif
 
+// With KNOWN_ENDS, but not with OWN_INTERVAL, it also maximises the ends of the ray: by MAX blending, or like the moments.
+#if defined(KNOWN_ENDS) && !defined(OWN_INTERVAL)
+#define ACCUMULATES_ENDS
+#endif
+
 #ifdef INTERLOCK
 layout(pixel_interlock_ordered) in;
 #if MOMENT_BITS == 16
@@ -27,6 +32,9 @@ layout(binding = 2, rgba16) uniform coherent image2D moments_5_to_8;
 #elif MOMENT_FLOATS == 8
 layout(binding = 2, rgba32f) uniform coherent image2D moments_5_to_8;
 #endif
+#ifdef ACCUMULATES_ENDS
+layout(binding = 3, rg16) uniform coherent image2D pixel_ends;
+#endif
 #else
 #ifdef FRAMEBUFFER_FETCH
 #define ATTACHMENT inout
@@ -37,6 +45,9 @@ layout(location = 0) ATTACHMENT vec4 total_absorbance;
 layout(location = 1) ATTACHMENT vec4 moments_1_to_4;
 #if SECOND_MOMENTS
 layout(location = 2) ATTACHMENT vec4 moments_5_to_8;
+#endif
+#ifdef ACCUMULATES_ENDS
+layout(location = 2 + SECOND_MOMENTS) ATTACHMENT vec4 pixel_ends;
 #endif
 #endif
 
@@ -92,6 +103,22 @@ void accumulate(Moments fragment)
     moments_1_to_4 = first_texel(written);
 #if SECOND_MOMENTS
     moments_5_to_8 = second_texel(written);
+#endif
+#endif
+}
+
+/// Maximises the ends of the ray. With INTERLOCK, call it in the same place as accumulate.
+void accumulate_ends(Ends fragment)
+{
+#ifdef ACCUMULATES_ENDS
+#ifdef INTERLOCK
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    Ends stored = ends_of_texel(imageLoad(pixel_ends, pixel).xy);
+    imageStore(pixel_ends, pixel, ends_texel(with_ends(stored, fragment)));
+#elif defined(FRAMEBUFFER_FETCH)
+    pixel_ends = ends_texel(with_ends(ends_of_texel(pixel_ends.xy), fragment));
+#else
+    pixel_ends = ends_texel(fragment);
 #endif
 #endif
 }

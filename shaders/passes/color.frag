@@ -1,5 +1,5 @@
 // color.frag -- second pass: sums colours times opacity times transmittance by additive blending (paper, Section 3.2). The alpha
-// channel sums the weights, for renormalisation.
+// channel sums the weights, for renormalisation. With UNCERTAIN it also sums by how much each weight may be moved.
 #include "passes/blocks.glsl"
 #include "passes/shading.glsl"
 #include "passes/transparent_fragment.glsl"
@@ -9,9 +9,20 @@
 layout(early_fragment_tests) in;
 
 layout(location = 0) out vec4 weighted_color;
+#ifdef UNCERTAIN
+layout(location = 1) out vec4 uncertain_color;
+#endif
 
 void main()
 {
-    float weight = fragment_opacity() * fragment_transmittance();
-    weighted_color = vec4(shaded(object.color_opacity.rgb) * weight, weight);
+    FragmentEstimate estimate = fragment_estimate();
+    float opacity = fragment_opacity();
+    vec3 color = shaded(object.color_opacity.rgb);
+    precise float transmittance = estimate.transmittance;
+    float weight = opacity * transmittance;
+    weighted_color = vec4(color * weight, weight);
+#ifdef UNCERTAIN
+    float spread = opacity * estimate.spread;
+    uncertain_color = vec4(color * spread, spread);
+#endif
 }

@@ -18,7 +18,8 @@ void main()
     Moments moments = stored_moments(ivec2(gl_FragCoord.xy));
     failed_clamped = vec2(0.0);
     if (is_empty(moments)) return;
-    float fraction = fragment_fraction(moments);
+    QueryMasses masses = fragment_masses(moments, stored_ends(ivec2(gl_FragCoord.xy)));
+    float fraction = masses.in_front + frame.parameters.x * masses.at_query;
     bool within = fraction >= -CLAMP_TOLERANCE && fraction <= 1.0 + CLAMP_TOLERANCE;
 #ifdef TEXTBOOK_SOLVER
     bool failed = !within;

@@ -1,4 +1,5 @@
-// moments.frag -- first pass: sums the moments of the absorbance in each pixel (paper, Section 3.1).
+// moments.frag -- first pass: sums the moments of the absorbance in each pixel (paper, Section 3.1). With KNOWN_ENDS it also stores
+// the ends of the ray or, with OWN_INTERVAL, reads them.
 #if defined(INTERLOCK)
 #extension GL_ARB_fragment_shader_interlock : require
 #elif defined(FRAMEBUFFER_FETCH)
@@ -10,6 +11,7 @@
 #include "technique"
 #include "passes/frame_basis.glsl"
 #include "shared/storage.glsl"
+#include "passes/pixel_ends.glsl"
 #include "passes/accumulation.glsl"
 
 layout(early_fragment_tests) in;
@@ -17,11 +19,14 @@ layout(early_fragment_tests) in;
 void main()
 {
     Basis basis = frame_basis();
-    Moments moments = fragment_moments(fragment_depth(), fragment_absorbance(), basis);
+    float depth = moment_depth(fragment_depth(), stored_ends(ivec2(gl_FragCoord.xy)));
+    Moments moments = fragment_moments(depth, fragment_absorbance(), basis);
+    Ends ends = fragment_ends(fragment_depth(), fragment_absorbance());
 #ifdef INTERLOCK
     beginInvocationInterlockARB();
 #endif
     accumulate(moments);
+    accumulate_ends(ends);
 #ifdef INTERLOCK
     endInvocationInterlockARB();
 #endif

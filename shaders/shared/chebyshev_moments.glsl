@@ -43,6 +43,23 @@ FN FloatPair matrix_entry(IN(BiasedMoments) biased, int i, int j, float unit)
     return scaled_pair(sum, 0.5f);
 }
 
+/// The Chebyshev moment k of (1 - z^2) dmu, times unit. From z^2 = (T_2 + 1) / 2 follows
+/// (1 - z^2) T_k = (2 T_k - T_{k+2} - T_{|k-2|}) / 4. k in 0..MOMENT_COUNT - 2.
+FN FloatPair inner_moment(IN(BiasedMoments) biased, int k, float unit)
+{
+    FloatPair centre = scaled_moment(biased, k, 0.5f * unit);
+    FloatPair above = scaled_moment(biased, k + 2, 0.25f * unit);
+    FloatPair below = scaled_moment(biased, k < 2 ? 2 - k : k - 2, 0.25f * unit);
+    return pair_difference(pair_difference(centre, above), below);
+}
+
+/// Entry i >= j of the matrix of moments of (1 - z^2) dmu, times unit. i < ORDER - 1.
+FN FloatPair inner_entry(IN(BiasedMoments) biased, int i, int j, float unit)
+{
+    FloatPair sum = pair_difference(inner_moment(biased, i + j, unit), negative_pair(inner_moment(biased, i - j, unit)));
+    return scaled_pair(sum, 0.5f);
+}
+
 /// The leading coefficient of T_k: 2^(k-1), and 1 for T_0. k in 0..4.
 FN float leading_coefficient(int k)
 {

@@ -1,5 +1,6 @@
 // line_factor.glsl -- factors the matrix of moments on the line. Its entries are E[u_i u_j] for the polynomials u_k of the basis;
-// for u_k = z^k it is the Hankel matrix. A basis defines matrix_entry and leading_coefficient before it includes this file.
+// for u_k = z^k it is the Hankel matrix. A basis defines matrix_entry, inner_entry and leading_coefficient before it includes this
+// file.
 
 struct Factor
 {
@@ -10,14 +11,19 @@ struct Factor
     int floored;               // number of pivots that were raised to the floor
 };
 
-/// The factor with its ratios h_k / h_{k-1}. They follow from inverse_h, so they need not be stored.
-FN Factor with_ratios(IN(Factor) factor)
+/// The factor with its ratios h_k / h_{k-1} for k < count; 0 for others. They follow from inverse_h, so they need not be stored.
+FN Factor with_ratios_up_to(IN(Factor) factor, int count)
 {
     Factor result = factor;
-    result.ratio[0] = 0.0f;
     UNROLL
-    for (int k = 1; k < ROOT_COUNT; ++k) result.ratio[k] = min(factor.inverse_h[k - 1] / factor.inverse_h[k], 1.0f);
+    for (int k = 0; k < ROOT_COUNT; ++k)
+        result.ratio[k] = k > 0 && k < count ? min(factor.inverse_h[max(k - 1, 0)] / factor.inverse_h[k], 1.0f) : 0.0f;
     return result;
+}
+
+FN Factor with_ratios(IN(Factor) factor)
+{
+    return with_ratios_up_to(factor, ROOT_COUNT);
 }
 
 /// What a pixel stores of its factor, so that the second pass need not factor again: a_k, then 1 / h_k for k > 0. h_0 is always 1.
@@ -61,8 +67,11 @@ FN Factor unpacked_factor(IN(StoredFactor) stored, float b0)
 ///
 /// Since depths lie in [-1, 1], |a_k| <= 1 and h_k <= h_{k-1} for every distribution. After rounding, moments may belong to no
 /// distribution; then these limits keep the polynomials from overflowing.
-FN Factor factor_moments(IN(BiasedMoments) biased)
+///
+/// inner: factors the matrix of the measure (1 - z^2) dmu instead (line_interval.glsl), which has one row less. Its h_0 is not 1.
+FN Factor factor_matrix(IN(BiasedMoments) biased, bool inner)
 {
+    int order = inner ? ORDER - 1 : ORDER;
     FloatPair entry[ORDER * ORDER];    // (i, j) at i ORDER + j for i >= j: what elimination has left of M, times scale
     float lower[ORDER * ORDER];        // L; its diagonal is 1
     Factor factor;
@@ -74,12 +83,21 @@ FN Factor factor_moments(IN(BiasedMoments) biased)
     {
         UNROLL
         for (int j = 0; j <= i; ++j)
-            entry[i * ORDER + j] = matrix_entry(biased, i, j, unit);
+        {
+            if (i >= order) continue;
+            if (inner) entry[i * ORDER + j] = inner_entry(biased, min(i, ORDER - 2), min(j, ORDER - 2), unit);
+            else entry[i * ORDER + j] = matrix_entry(biased, i, j, unit);
+        }
     }
     float scale = biased.b0 * unit;
     UNROLL
     for (int k = 0; k < ORDER; ++k)
     {
+        if (k >= order)
+        {
+            factor.inverse_h[k] = 0.0f;
+            continue;
+        }
         Pivot pivot = make_pivot(entry[k * ORDER + k], scale);
         factor.floored += pivot.floored;
         // The pivot is D_k = h_k c_k^2. c_k is a power of two, so the product below is exact.
@@ -88,6 +106,7 @@ FN Factor factor_moments(IN(BiasedMoments) biased)
         UNROLL
         for (int i = k + 1; i < ORDER; ++i)
         {
+            if (i >= order) continue;
             lower[i * ORDER + k] = entry[i * ORDER + k].high * pivot.inverse;
             UNROLL
             for (int j = k + 1; j <= i; ++j)
@@ -99,6 +118,11 @@ FN Factor factor_moments(IN(BiasedMoments) biased)
     UNROLL
     for (int k = 0; k < ROOT_COUNT; ++k)
     {
+        if (k + 1 >= order)
+        {
+            factor.a[k] = 0.0f;
+            continue;
+        }
         float up = leading_coefficient(k) / leading_coefficient(k + 1);
         PRECISE float a = lower[(k + 1) * ORDER + k] * up;
         if (k > 0)   // for k = 0 the term does not exist; a product with 0 could be NaN
@@ -108,5 +132,10 @@ FN Factor factor_moments(IN(BiasedMoments) biased)
         }
         factor.a[k] = clamp(a, -1.0f, 1.0f);
     }
-    return with_ratios(factor);
+    return with_ratios_up_to(factor, order - 1);
+}
+
+FN Factor factor_moments(IN(BiasedMoments) biased)
+{
+    return factor_matrix(biased, false);
 }

@@ -17,7 +17,7 @@ FN Query query_at(float depth, IN(Factor) factor, IN(Basis) basis)
     return query;
 }
 
-/// K(z_f, z_f + s) = at_query (1 + e[0] s + ... + e[n-1] s^n), where at_query = K(z_f, z_f) = 1 / w_0 >= 1. With t = 1/s, the roots
+/// K(z_f, z_f + s) = at_query (1 + e[0] s + ... + e[n-1] s^n), where at_query = K(z_f, z_f) = 1 / w_0. With t = 1/s, the roots
 /// of the bracket are those of the monic polynomial in_t, t^n + e[0] t^(n-1) + ... + e[n-1].
 struct Kernel { float at_query; MonicPolynomial in_t; };
 
@@ -32,7 +32,7 @@ FN Kernel kernel_of_degree(IN(Query) query, IN(Factor) factor, int degree)
     {
         p[j] = 1.0f;
         previous[j] = 1.0f;
-        sum[j] = j == 0 ? 1.0f : 0.0f;   // the term for k = 0, with h_0 = 1
+        sum[j] = j == 0 ? factor.inverse_h[0] : 0.0f;   // the term for k = 0
     }
     UNROLL
     for (int k = 0; k < ROOT_COUNT; ++k)
@@ -77,7 +77,7 @@ FN float node_weight_of_degree(float t, IN(Query) query, IN(Factor) factor, int 
     PRECISE float u2 = u * u;
     PRECISE float previous = 1.0f;
     PRECISE float q = query.offset[0] * u + s;             // q_1; q_k = u^k p_k(z)
-    PRECISE float kernel = u2 + q * q * factor.inverse_h[1];
+    PRECISE float kernel = u2 * factor.inverse_h[0] + q * q * factor.inverse_h[1];
     PRECISE float u_power = u2;
     UNROLL
     for (int k = 1; k < ROOT_COUNT; ++k)

@@ -42,10 +42,22 @@ FN Moments fragment_moments(float depth, float absorbance, IN(Basis) basis)
     return moments;
 }
 
+/// The biased moment b_k times unit. b_0 is not biased.
+FN FloatPair scaled_moment(IN(BiasedMoments) biased, int k, float unit)
+{
+    return k == 0 ? make_pair(biased.b0 * unit, 0.0f) : biased_moment(biased, max(k - 1, 0), unit);
+}
+
 /// Entry i >= j of the Hankel matrix H_ij = b_{i+j}, times unit.
 FN FloatPair matrix_entry(IN(BiasedMoments) biased, int i, int j, float unit)
 {
-    return i == 0 ? make_pair(biased.b0 * unit, 0.0f) : biased_moment(biased, max(i + j - 1, 0), unit);
+    return scaled_moment(biased, i + j, unit);
+}
+
+/// Entry i >= j of the Hankel matrix of (1 - z^2) dmu, which has the moments b_k - b_{k+2}, times unit. i < ORDER - 1.
+FN FloatPair inner_entry(IN(BiasedMoments) biased, int i, int j, float unit)
+{
+    return pair_difference(scaled_moment(biased, i + j, unit), scaled_moment(biased, i + j + 2, unit));
 }
 
 /// The leading coefficient of the k-th polynomial of the basis: 1, because it is z^k.

@@ -19,10 +19,12 @@ namespace {
 constexpr std::size_t COUNT = 262'144;  // 512 x 512
 
 struct Item {  // shaders/tests/evaluate.glsl
-    float b0, b[8], depth, view_depth, opacity;
+    float b0, b[8], depth, view_depth, opacity, near_step, far_step;
 };
 struct Result {
     float absorbance, transmittance, warped, b0_with_fragment, b_with_fragment[8];
+    float lower, upper, expected, spread;  // of the expected T in the pixel's own interval
+    float near_with_fragment, far_with_fragment;
 };
 struct Header {
     float beta, theta, alpha, padding, z_min, z_max, more_padding[2];
@@ -31,17 +33,32 @@ struct Header {
 constexpr float Z_MIN = 0.3f;
 constexpr float Z_MAX = 40.0f;
 
+ResolvedParameters in_own_interval(ResolvedParameters parameters) {
+    parameters.estimation = {Estimate::expected, RayEnds::known, MomentInterval::pixel,
+                             Renormalization::uncertain};
+    return parameters;
+}
+
+// Half of the items have moments of the scene's interval, half of the pixel's own. Both functions are
+// evaluated on both.
 std::vector<Item> random_items(const Technique& technique, const ResolvedParameters& parameters) {
     std::mt19937 random(5);
     std::uniform_real_distribution<float> unit(0.0f, 1.0f);
     std::vector<Item> items;
     while (items.size() < COUNT) {
         const ViewRay ray = random_ray(random);
-        const MomentVector moments = sum_moments(ray, technique, parameters);
+        const MomentVector moments = sum_moments(
+            ray, technique, items.size() < COUNT / 2 ? parameters : in_own_interval(parameters));
         std::vector<float> depths = own_depths(ray);
         depths.insert(depths.end(), {-1.0f, 1.0f, 2 * unit(random) - 1});
         for (const float depth : depths) {
-            Item item{moments.b0, {}, depth, Z_MIN * std::pow(Z_MAX / Z_MIN, unit(random)), unit(random)};
+            Item item{moments.b0,
+                      {},
+                      depth,
+                      Z_MIN * std::pow(Z_MAX / Z_MIN, unit(random)),
+                      unit(random),
+                      moments.near_step,
+                      moments.far_step};
             std::ranges::copy(moments.b, item.b);
             items.push_back(item);
         }
@@ -51,14 +68,24 @@ std::vector<Item> random_items(const Technique& technique, const ResolvedParamet
 }
 
 Result evaluate(const Technique& technique, const ResolvedParameters& p, const Item& item) {
-    MomentVector moments{item.b0, {}};
+    MomentVector moments{item.b0, {}, item.near_step, item.far_step};
     std::ranges::copy(item.b, moments.b.begin());
     Result result{};
     result.absorbance = technique.moment_kernel().steps(moments, settings_of(p), item.depth).absorbance;
     result.transmittance = transmittance(result.absorbance);
     result.warped = to_depth(item.view_depth, {DepthWarp::Kind::logarithmic, Z_MIN, Z_MAX});
-    technique.moment_kernel().add_fragment(moments, result.warped, fragment_absorbance(item.opacity),
-                                           basis_parameter(p, technique));
+    const float own = fragment_absorbance(item.opacity);
+    FragmentEstimate estimate;
+    technique.moment_kernel().estimates(moments, settings_of(in_own_interval(p)), {&item.depth, 1}, {&own, 1},
+                                        {&estimate, 1});
+    result.lower = estimate.lower;
+    result.upper = estimate.upper;
+    result.expected = estimate.transmittance;
+    result.spread = estimate.spread;
+    technique.moment_kernel().add_ends(moments, result.warped, own);
+    result.near_with_fragment = moments.near_step;
+    result.far_with_fragment = moments.far_step;
+    technique.moment_kernel().add_fragment(moments, result.warped, own, settings_of(p));
     result.b0_with_fragment = moments.b0;
     std::ranges::copy(moments.b, result.b_with_fragment);
     return result;
@@ -93,7 +120,7 @@ protected:
 
     void expect_same_bits(const std::vector<Result>& gl, const char* stage) {
         const ResolvedParameters p = resolve({}, *GetParam());
-        long different[5] = {};  // absorbance, transmittance, depth, b0, other moments
+        long different[8] = {};  // absorbance, T, depth, b0, other moments, bounds, expected T, ends
         float worst = 0;
         long flushed = 0;
         for (std::size_t i = 0; i < COUNT; ++i) {
@@ -112,13 +139,17 @@ protected:
             different[3] += differs(cpp.b0_with_fragment, gl[i].b0_with_fragment);
             for (int k = 0; k < GetParam()->moment_kernel().moment_floats; ++k)
                 different[4] += differs(cpp.b_with_fragment[k], gl[i].b_with_fragment[k]);
+            different[5] += differs(cpp.lower, gl[i].lower) + differs(cpp.upper, gl[i].upper);
+            different[6] += differs(cpp.expected, gl[i].expected) + differs(cpp.spread, gl[i].spread);
+            different[7] += differs(cpp.near_with_fragment, gl[i].near_with_fragment) +
+                            differs(cpp.far_with_fragment, gl[i].far_with_fragment);
             worst = std::max(worst, std::abs(cpp.transmittance - gl[i].transmittance));
         }
         fmt::print(
             "{} {}: of {} differ: absorbance {}, transmittance {} (worst {}), depth {}, b0 {}, "
-            "moments {}; denormals flushed {}\n",
+            "moments {}, bounds {}, expected T {}, ends {}; denormals flushed {}\n",
             GetParam()->id, stage, COUNT, different[0], different[1], worst, different[2], different[3],
-            different[4], flushed);
+            different[4], different[5], different[6], different[7], flushed);
         for (const long count : different) EXPECT_EQ(count, 0);
     }
 
@@ -154,7 +185,7 @@ TEST_P(BitEquality, InFragmentShaders) {
                      "fragment");
 }
 
-INSTANTIATE_TEST_SUITE_P(Techniques, BitEquality, testing::ValuesIn(moment_based_techniques()),
+INSTANTIATE_TEST_SUITE_P(Techniques, BitEquality, testing::ValuesIn(kernel_techniques()),
                          [](const auto& row) { return test_name(*row.param); });
 
 }  // namespace

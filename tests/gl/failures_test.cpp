@@ -83,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(Techniques, TextbookFailures,
                          })),
                          [](const auto& row) { return test_name(*row.param); });
 
-INSTANTIATE_TEST_SUITE_P(Techniques, Failures, testing::ValuesIn(moment_based_techniques()),
+INSTANTIATE_TEST_SUITE_P(Techniques, Failures, testing::ValuesIn(kernel_techniques()),
                          [](const auto& row) { return test_name(*row.param); });
 
 }  // namespace

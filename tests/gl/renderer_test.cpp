@@ -44,7 +44,7 @@ TEST_F(RendererTest, AChangeRunsNoMoreStagesThanItNeeds) {
     EXPECT_EQ(redraw(), (Counts{0, 0, 1, 1})) << "alpha touches the second pass only";
     view.parameters.set(ParameterId::theta, 1.0f);
     EXPECT_EQ(redraw(), (Counts{0, 1, 1, 1})) << "theta touches both passes";
-    view.parameters.turn(ParameterId::renormalize, false);
+    view.parameters.set(Renormalization::off);
     EXPECT_EQ(redraw(), (Counts{0, 0, 0, 1})) << "renormalisation touches the composite only";
     view.camera.azimuth += 0.1f;
     EXPECT_EQ(redraw(), everything) << "the camera touches everything";

@@ -5,7 +5,7 @@
 #include <tuple>
 #include <vector>
 
-#include "core/inspect/curve.hpp"
+#include "core/inspect/fragment_estimates.hpp"
 #include "tests/effort.hpp"
 #include "tests/gl/gl_fixture.hpp"
 #include "tests/property/moment_rows.hpp"
@@ -32,12 +32,12 @@ TEST_P(SecondPass, ComputesTheBitsOfCpp) {
         const PixelCapture capture = renderer.capture_pixel(pixel);
         std::vector<float> depths;
         for (const Fragment& f : capture.ray.fragments) depths.push_back(f.depth);
-        const Curve curve = sample_curve(capture.ray, *technique, {}, depths);
+        const auto estimates = fragment_estimates(capture.ray, *technique, resolve({}, *technique));
         ASSERT_EQ(capture.transmittance.size(), depths.size());
         for (std::size_t k = 0; k < depths.size(); ++k) {
             EXPECT_EQ(capture.ray.fragments[k].depth,
                       to_depth(capture.ray.fragments[k].view_depth, capture.ray.warp));
-            const float cpp = transmittance(curve.reconstructed[k]);
+            const float cpp = estimates[k].transmittance;
             different += std::bit_cast<int>(cpp) != std::bit_cast<int>(capture.transmittance[k]) ? 1 : 0;
             ++fragments;
         }

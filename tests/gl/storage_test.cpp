@@ -42,6 +42,8 @@ protected:
                 different += gl == own ? 0 : 1;
                 ++numbers;
             }
+            different += capture.stored->near_step != cpp.near_step ? 1 : 0;
+            different += capture.stored->far_step != cpp.far_step ? 1 : 0;
             ++pixels;
         }
         fmt::print("{}: {} of {} numbers in {} pixels differ\n", technique.id, different, numbers, pixels);

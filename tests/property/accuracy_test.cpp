@@ -212,7 +212,7 @@ INSTANTIATE_TEST_SUITE_P(Techniques, ChebyshevAccuracy,
                                     !row.uses(ParameterId::tolerance);  // only fixed counts
                          })),
                          [](const auto& row) { return test_name(*row.param); });
-INSTANTIATE_TEST_SUITE_P(Techniques, Accuracy, testing::ValuesIn(moment_based_techniques()),
+INSTANTIATE_TEST_SUITE_P(Techniques, Accuracy, testing::ValuesIn(kernel_techniques()),
                          [](const auto& row) { return test_name(*row.param); });
 
 }  // namespace

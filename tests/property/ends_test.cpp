@@ -104,7 +104,7 @@ TEST(Trigonometric, MomentsOfOneSurfaceLieOnTheCircle) {
     constexpr int SURFACES = 5000, POWERS = 4;
     for (int i = 0; i < SURFACES; ++i) {
         MomentVector moments;
-        technique.moment_kernel().add_fragment(moments, anywhere(random), 1.0f, 0.3f);
+        technique.moment_kernel().add_fragment(moments, anywhere(random), 1.0f, {.wrapping_zone_angle = 0.3f});
         for (std::size_t k = 0; k < POWERS; ++k)
             sum += std::abs(
                 std::hypot(static_cast<double>(moments.b[2 * k]), static_cast<double>(moments.b[2 * k + 1])) -
@@ -114,7 +114,7 @@ TEST(Trigonometric, MomentsOfOneSurfaceLieOnTheCircle) {
     EXPECT_LT(sum / (SURFACES * POWERS), 3e-8);
 }
 
-INSTANTIATE_TEST_SUITE_P(Techniques, EndsOfTheDepthRange, testing::ValuesIn(moment_based_techniques()),
+INSTANTIATE_TEST_SUITE_P(Techniques, EndsOfTheDepthRange, testing::ValuesIn(kernel_techniques()),
                          [](const auto& row) { return test_name(*row.param); });
 
 }  // namespace

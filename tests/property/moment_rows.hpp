@@ -15,9 +15,16 @@ inline std::string test_name(const Technique& technique) {
     return name;
 }
 
-/// The techniques with moments for which `holds` is true.
-inline std::vector<const Technique*> moment_techniques_where(bool (*holds)(const Technique&)) {
+/// One technique for each kernel: those whose estimate is chosen by parameters.
+inline std::vector<const Technique*> kernel_techniques() {
     std::vector<const Technique*> rows = moment_based_techniques();
+    std::erase_if(rows, [](const Technique* row) { return row->moments().estimation.has_value(); });
+    return rows;
+}
+
+/// Those of them for which `holds` is true.
+inline std::vector<const Technique*> moment_techniques_where(bool (*holds)(const Technique&)) {
+    std::vector<const Technique*> rows = kernel_techniques();
     std::erase_if(rows, [holds](const Technique* row) { return !holds(*row); });
     return rows;
 }

@@ -152,7 +152,7 @@ TEST(MomentTransparency, TwoDepthsAreAlgorithmOneInAnotherForm) {
         const ViewRay ray = random_ray(random, 3 + i % 8);
         MomentVector sum;
         for (const Fragment& f : ray.fragments)
-            moments.moment_kernel().add_fragment(sum, f.depth, fragment_absorbance(f.opacity), 0);
+            moments.moment_kernel().add_fragment(sum, f.depth, fragment_absorbance(f.opacity), {});
         float b[4];
         const float targets[4] = {0, 0.375f, 0, 0.375f};
         for (std::size_t k = 0; k < 4; ++k)

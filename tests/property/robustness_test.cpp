@@ -122,7 +122,7 @@ TEST_P(Robustness, NothingThereAbsorbsNothing) {
     for (const float absorbance : curve.beta1) EXPECT_EQ(absorbance, 0.0f);
 }
 
-INSTANTIATE_TEST_SUITE_P(Techniques, Robustness, testing::ValuesIn(moment_based_techniques()),
+INSTANTIATE_TEST_SUITE_P(Techniques, Robustness, testing::ValuesIn(kernel_techniques()),
                          [](const auto& row) { return test_name(*row.param); });
 
 }  // namespace

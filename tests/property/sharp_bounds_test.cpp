@@ -75,7 +75,7 @@ TEST_P(SharpBoundsOf, FewSurfacesAreTheTruth) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Techniques, SharpBoundsOf, ::testing::ValuesIn(moment_based_techniques()),
+INSTANTIATE_TEST_SUITE_P(Techniques, SharpBoundsOf, ::testing::ValuesIn(kernel_techniques()),
                          [](const auto& one) { return test_name(*one.param); });
 
 // Algorithm 1 in exact arithmetic is sharp if its masses lie in the depth range. Otherwise the depth range is

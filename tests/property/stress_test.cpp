@@ -241,7 +241,7 @@ TEST_P(StepsTest, OfMomentsWithMuchBiasShowARegularMatrix) {
     EXPECT_GT(steps.after.smallest_eigenvalue, steps.before.smallest_eigenvalue);
 }
 
-INSTANTIATE_TEST_SUITE_P(Techniques, StepsTest, testing::ValuesIn(moment_based_techniques()),
+INSTANTIATE_TEST_SUITE_P(Techniques, StepsTest, testing::ValuesIn(kernel_techniques()),
                          [](const auto& row) { return test_name(*row.param); });
 
 }  // namespace

@@ -53,7 +53,7 @@ TEST_P(Wide, ManyPixelsEqualOne) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Techniques, Wide, testing::ValuesIn(moment_based_techniques()),
+INSTANTIATE_TEST_SUITE_P(Techniques, Wide, testing::ValuesIn(kernel_techniques()),
                          [](const auto& row) { return test_name(*row.param); });
 
 }  // namespace

@@ -59,9 +59,9 @@ TEST(ParameterValues, NameTheirChoices) {
 
 TEST(ParameterValues, AreReadAsWhatTheyAre) {
     ParameterValues values;
-    EXPECT_TRUE(values.is_on(ParameterId::renormalize));
-    values.turn(ParameterId::renormalize, false);
-    EXPECT_FALSE(values.is_on(ParameterId::renormalize));
+    EXPECT_FALSE(values.is_on(ParameterId::shadows));
+    values.turn(ParameterId::shadows, true);
+    EXPECT_TRUE(values.is_on(ParameterId::shadows));
     values.set(ParameterId::nodes, 7.0f);
     EXPECT_EQ(values.count(ParameterId::nodes), 7);
     EXPECT_EQ(values.number(ParameterId::beta), 0.25f);

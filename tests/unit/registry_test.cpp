@@ -148,13 +148,13 @@ TEST(Techniques, ResolveAutoToTheirOwnBiasAndKeepWhatIsSet) {
     values.set(ParameterId::alpha, 0.0f);  // an explicit 0 is not `auto`
     values.set(ParameterId::beta, 0.75f);
     values.set(ParameterId::theta, 0.5f);
-    values.turn(ParameterId::renormalize, false);
+    values.set(Renormalization::off);
     const ResolvedParameters resolved = resolve(values, require_technique("trig3-32"));
     EXPECT_EQ(resolved.alpha, 0.0f);
     EXPECT_EQ(resolved.beta, 0.75f);
     EXPECT_EQ(resolved.theta, 0.5f);
-    EXPECT_FALSE(resolved.renormalize);
-    EXPECT_TRUE(resolve(ParameterValues(), require_technique("power4-32")).renormalize);
+    EXPECT_FALSE(resolved.renormalizes());
+    EXPECT_TRUE(resolve(ParameterValues(), require_technique("power4-32")).renormalizes());
 }
 
 TEST(Parameters, HaveFullRowsWhoseRangesContainTheirDefaults) {

@@ -22,7 +22,7 @@ ViewRay ray_of(std::initializer_list<std::pair<float, float>> fragments) {
 }
 
 ResolvedParameters without_bias(float beta, float theta = 0.3f) {
-    return {.beta = beta, .theta = theta, .alpha = 0, .renormalize = true};
+    return {.beta = beta, .theta = theta, .alpha = 0};
 }
 
 // m power moments determine m/2 surfaces, m trigonometric ones m. Then the unbiased exact curve is the truth.
