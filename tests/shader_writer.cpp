@@ -38,25 +38,35 @@ void write(const std::filesystem::path& folder, const std::string& prefix, const
 // variant.
 void write_technique(const std::filesystem::path& folder, const Technique& technique) {
     const std::string id = technique.id;
+    ResolvedParameters parameters = resolve({}, technique);
     for (const bool textbook : {false, true}) {
-        if (textbook && !technique.moment_kernel().has_textbook) continue;
-        ShaderVariant variant = reconstruction_variant(technique, {.textbook = textbook});
+        if (textbook && !technique.uses(ParameterId::solver)) continue;
+        parameters.factored_once = false;
+        parameters.textbook = textbook;
+        ShaderVariant variant = reconstruction_variant(technique, parameters);
         variant.defines["WITH_TRANSMITTANCE"] = "1";
         for (const char* path : RECONSTRUCTING)
             write(folder, id + (textbook ? ".textbook" : ""), path, variant);
     }
-    for (const char* path : {"tests/evaluate.comp", "tests/evaluate.frag", "passes/factor.frag"})
+    for (const char* path : {"tests/evaluate.comp", "tests/evaluate.frag"})
         write(folder, id, path, moment_variant(technique));
-    ShaderVariant factored = reconstruction_variant(technique, {.factored_once = true});
+    write(folder, id, "passes/factor.frag", factor_variant(technique, parameters));
+    parameters.textbook = false;
+    parameters.factored_once = true;
+    ShaderVariant factored = reconstruction_variant(technique, parameters);
     factored.defines["WITH_TRANSMITTANCE"] = "1";
     for (const char* path : {"passes/color.frag", "passes/capture.frag"})
         write(folder, id + ".factored", path, factored);
     factored.defines["NO_ALPHA_MAPS"] = "1";
+    if (parameters.moves_uncertain()) factored.defines["UNCERTAIN"] = "1";
     write(folder, id + ".lean", "passes/color.frag", factored);
     const auto access = OrderedAccess::interlock;
-    write(folder, id + ".ordered", "passes/moments.frag", accumulation_variant(technique, {.ordered = true}, access));
+    parameters.ordered = true;
+    write(folder, id + ".ordered", "passes/moments.frag",
+          accumulation_variant(technique, parameters, access));
+    parameters.ordered = false;
     if (technique.moment_kernel().bits == 32)
-        write(folder, id, "passes/moments.frag", accumulation_variant(technique, {}, access));
+        write(folder, id, "passes/moments.frag", accumulation_variant(technique, parameters, access));
 }
 
 void write_pixel_state(const std::filesystem::path& folder, const Technique& technique) {

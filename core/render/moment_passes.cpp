@@ -70,6 +70,12 @@ ShaderVariant reconstruction_variant(const Technique& technique, const ResolvedP
     return variant;
 }
 
+ShaderVariant factor_variant(const Technique& technique, const ResolvedParameters& parameters) {
+    ShaderVariant variant = moment_variant(technique);
+    define_ends(variant, parameters);
+    return variant;
+}
+
 ShaderVariant accumulation_variant(const Technique& technique, const ResolvedParameters& parameters,
                                    OrderedAccess access) {
     ShaderVariant variant = moment_variant(technique);
@@ -169,9 +175,8 @@ void MomentPasses::draw_factors(const PassInput& input) {
     if (static_cast<int>(factors_.size()) != (floats + 3) / 4) make_factors(floats);
     bind_stored();
     glBindFramebuffer(GL_FRAMEBUFFER, factor_target_);
-    ShaderVariant variant = moment_variant(technique_);
-    define_ends(variant, input.parameters);
-    glUseProgram(input.programs.get("passes/fullscreen.vert", FACTOR, variant));
+    glUseProgram(input.programs.get("passes/fullscreen.vert", FACTOR,
+                                    factor_variant(technique_, input.parameters)));
     draw_fullscreen();
     factored_bias_ = input.parameters.alpha;
 }

@@ -11,6 +11,9 @@ ShaderVariant moment_variant(const Technique& technique);
 /// The variant that reconstructs, with the solver of the parameters, from moments or from factors.
 ShaderVariant reconstruction_variant(const Technique& technique, const ResolvedParameters& parameters);
 
+/// The variant that factors the moments of a pixel.
+ShaderVariant factor_variant(const Technique& technique, const ResolvedParameters& parameters);
+
 /// The variant that sums moments: by blending, or in order by an access other than none.
 ShaderVariant accumulation_variant(const Technique& technique, const ResolvedParameters& parameters,
                                    OrderedAccess access);

@@ -93,11 +93,8 @@ FN Factor factor_matrix(IN(BiasedMoments) biased, bool inner)
     UNROLL
     for (int k = 0; k < ORDER; ++k)
     {
-        if (k >= order)
-        {
-            factor.inverse_h[k] = 0.0f;
-            continue;
-        }
+        factor.inverse_h[k] = 0.0f;
+        if (k >= order) continue;
         Pivot pivot = make_pivot(entry[k * ORDER + k], scale);
         factor.floored += pivot.floored;
         // The pivot is D_k = h_k c_k^2. c_k is a power of two, so the product below is exact.
@@ -118,11 +115,8 @@ FN Factor factor_matrix(IN(BiasedMoments) biased, bool inner)
     UNROLL
     for (int k = 0; k < ROOT_COUNT; ++k)
     {
-        if (k + 1 >= order)
-        {
-            factor.a[k] = 0.0f;
-            continue;
-        }
+        factor.a[k] = 0.0f;
+        if (k + 1 >= order) continue;
         float up = leading_coefficient(k) / leading_coefficient(k + 1);
         PRECISE float a = lower[(k + 1) * ORDER + k] * up;
         if (k > 0)   // for k = 0 the term does not exist; a product with 0 could be NaN

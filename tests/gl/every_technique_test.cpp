@@ -37,6 +37,7 @@ std::vector<ParameterValues> few_choices_of(const Technique& technique) {
                                    : std::round(value));
         }
     }
+    std::erase_if(all, [&](const ParameterValues& values) { return why_refused(technique, values) != nullptr; });
     return all;
 }
 

@@ -26,11 +26,14 @@ TEST_P(ParameterTest, EveryOneMovesItsControlAndChangesWhatIsShown) {
     for (const ParameterId id : require_technique(GetParam()).parameters) {
         const Parameter& row = parameter(id);
         SCOPED_TRACE(row.key);
+        if (id == ParameterId::interval) continue;  // alone, it is refused; LessErrorTest chooses it
+        // The first value of a choice that is not the default.
+        const char* const choice = row.choices.empty() ? "" : row.choices[row.default_value == 0.0f ? 1 : 0];
         open(GetParam() == std::string("trig3-32") ? "planes" : "teapots", GetParam());
         const auto before = screen();
         if (row.scale == Scale::choice)
             play(fmt::format("click @parameter.{0}\nclick @parameter.{0}.{1}\nmove 5 790", row.key,
-                             row.choices[1]));
+                             choice));
         else if (row.scale == Scale::toggle)
             play(fmt::format("click @parameter.{}\nmove 5 790", row.key));
         else  // to the minimum for whole numbers, where differences are greatest

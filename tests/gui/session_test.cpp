@@ -21,6 +21,7 @@ drag @parameter.beta 0.25 0.5 to @parameter.beta 0.7 0.5
 drag @parameter.theta 0.1 0.5 to @parameter.theta 0.4 0.5
 click @parameter.alpha 0.3 0.5
 click @parameter.renormalize
+click @parameter.renormalize.off
 drag @scene 0.4 0.4 to @scene 0.5 0.45 right
 move @scene
 wheel 1

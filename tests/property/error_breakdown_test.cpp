@@ -56,7 +56,10 @@ TEST(ErrorBreakdownTest, NamesTheFault) {
     EXPECT_EQ(of(five, "power4-32", values_with({{beta, 0}})),
               "the moment count (4 power moments for 5 fragments)");
     EXPECT_EQ(of(two, "power6-32", values_with({{alpha, 0.1f}, {beta, 0}})), "the moment bias");
-    EXPECT_EQ(of(two, "power6-32", values_with({{beta, 1}, {renormalize, 0}})), "the overestimation weight");
+    EXPECT_EQ(of(two, "power6-32", values_with({{beta, 1}, {renormalize, 0}})), "self-occlusion")
+        << "the moments determine two surfaces, so each of them can only occlude itself";
+    EXPECT_EQ(of(five, "power4-32", values_with({{beta, 1}, {estimate, 1}, {renormalize, 0}})),
+              "the overestimation weight");
     EXPECT_EQ(of(two, "cheb6-32", values_with({{alpha, 0.1f}, {beta, 0}})), "the moment bias");
     const ViewRay six = sheets({-0.8f, -0.5f, -0.2f, 0.1f, 0.4f, 0.7f});
     EXPECT_EQ(of(six, "trig3-32", values_with({{theta, 3.1f}, {beta, 0}, {renormalize, 0}})),

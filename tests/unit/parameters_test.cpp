@@ -162,6 +162,11 @@ View changed(View view, ParameterId id) {
     return view;
 }
 
+View with(View view, Renormalization choice) {
+    view.parameters.set(choice);
+    return view;
+}
+
 Stage stale_after_changing(const char* technique, ParameterId id) {
     const View view = view_with(technique);
     return first_stale_stage(view, changed(view, id));
@@ -185,7 +190,13 @@ TEST(FirstStaleStage, FollowsWhatATechniqueReads) {
         EXPECT_EQ(stale_after_changing(technique, ParameterId::alpha), Stage::color);
         EXPECT_EQ(stale_after_changing(technique, ParameterId::theta),
                   circle ? Stage::moments : Stage::nothing);
-        EXPECT_EQ(stale_after_changing(technique, ParameterId::renormalize), Stage::composite);
+        const View view = view_with(technique);
+        EXPECT_EQ(first_stale_stage(view, with(view, Renormalization::off)), Stage::composite);
+        EXPECT_EQ(first_stale_stage(view, with(view, Renormalization::uncertain)), Stage::color)
+            << "the second pass sums what is uncertain";
+        EXPECT_EQ(stale_after_changing(technique, ParameterId::estimate), Stage::color);
+        EXPECT_EQ(stale_after_changing(technique, ParameterId::ends), Stage::moments);
+        EXPECT_EQ(stale_after_changing(technique, ParameterId::interval), Stage::moments);
         EXPECT_EQ(stale_after_changing(technique, ParameterId::opacity), Stage::nothing);  // not in scenes
         EXPECT_EQ(stale_after_changing(technique, ParameterId::tone_map), Stage::display);
     }
@@ -201,7 +212,7 @@ TEST(FirstStaleStage, FollowsWhatATechniqueReads) {
 
 TEST(FirstStaleStage, IsTheEarliestOfSeveral) {
     const View view = view_with("trig3-32");
-    const View composite = changed(view, ParameterId::renormalize);
+    const View composite = with(view, Renormalization::off);
     const View color = changed(composite, ParameterId::beta);
     const View moments = changed(color, ParameterId::theta);
     EXPECT_EQ(first_stale_stage(view, color), Stage::color);
@@ -212,7 +223,7 @@ TEST(FirstStaleStage, IsTheEarliestOfSeveral) {
 TEST(FirstStaleStage, IsOpaqueWhenCameraOrSizeChangeOrNothingWasDrawn) {
     const View view = view_with("power6-32");
     const auto stale = [&](const auto& change) {
-        View after = changed(view, ParameterId::renormalize);  // a later stage must not hide it
+        View after = with(view, Renormalization::off);  // a later stage must not hide it
         change(after);
         return first_stale_stage(view, after);
     };

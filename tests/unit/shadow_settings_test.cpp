@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "core/render/view.hpp"
+#include "tests/property/moment_rows.hpp"
 #include "tests/unit/expect_error.hpp"
 
 namespace momentscope::test {
@@ -45,7 +46,7 @@ TEST(ShadowSettings, EveryChoiceMeansATechnique) {
             EXPECT_EQ(configuration.technique->id, row.choices[i]);
         }
     }
-    for (const Technique* technique : moment_based_techniques()) {
+    for (const Technique* technique : kernel_techniques()) {
         const bool offered =
             std::ranges::find(row.choices, std::string_view(technique->id)) != row.choices.end();
         EXPECT_EQ(offered, std::string_view(technique->id).find("-16") == std::string_view::npos)

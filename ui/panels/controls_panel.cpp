@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "core/scene/scenes.hpp"
 #include "core/shadow/shadow_settings.hpp"
@@ -59,18 +62,56 @@ void draw_compared_combo(const Ui& ui, ExplorerState& state) {
     ImGui::EndCombo();
 }
 
+// The parameters of the technique, in the order of the registry.
+std::vector<const Parameter*> shown_parameters(const ExplorerState& state) {
+    std::vector<const Parameter*> rows;
+    for (const Parameter& row : parameters()) {
+        const bool of_mesh = row.id == ParameterId::opacity && !is_builtin_scene(state.scene) && !state.ray;
+        if (state.technique->uses(row.id) || of_mesh) rows.push_back(&row);
+    }
+    return rows;
+}
+
+// Choices, two in a row where the panel is wide enough.
+void draw_choices(const Ui& ui, std::span<const Parameter* const> rows, ExplorerState& state,
+                  Status& status) {
+    constexpr float CELL_LABEL_WIDTH = 10.4f, LEAST_WIDTH = 35.0f;  // font heights
+    const bool wide = rows.size() > 1 && ImGui::GetContentRegionAvail().x >= LEAST_WIDTH * em();
+    if (!wide) {
+        for (const Parameter* row : rows)
+            draw_parameter_control(ui, *row, *state.technique, LABEL_WIDTH * em(), false, state.parameters,
+                                   status);
+        return;
+    }
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(0, 0.5f * ImGui::GetStyle().ItemSpacing.y));
+    if (ImGui::BeginTable("choices", 3, ImGuiTableFlags_SizingStretchSame)) {
+        ImGui::TableSetupColumn("left");
+        ImGui::TableSetupColumn("gap", ImGuiTableColumnFlags_WidthFixed, em());
+        ImGui::TableSetupColumn("right");
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            if (i % 2 == 0) ImGui::TableNextRow();
+            ImGui::TableSetColumnIndex(i % 2 == 0 ? 0 : 2);
+            draw_parameter_control(ui, *rows[i], *state.technique, CELL_LABEL_WIDTH * em(), false,
+                                   state.parameters, status);
+        }
+        ImGui::EndTable();
+    }
+    ImGui::PopStyleVar();
+}
+
 // One control per parameter of the technique. to_type: the parameter whose control becomes a text field now.
 void draw_technique_controls(const Ui& ui, ExplorerState& state, std::optional<ParameterId> to_type,
                              Status& status) {
-    bool any = false;
-    for (const Parameter& row : parameters()) {
-        const bool of_mesh = row.id == ParameterId::opacity && !is_builtin_scene(state.scene) && !state.ray;
-        if (!state.technique->uses(row.id) && !of_mesh) continue;
-        draw_parameter_control(ui, row, *state.technique, LABEL_WIDTH * em(), to_type == row.id,
-                               state.parameters, status);
-        any = true;
-    }
-    if (!any) ImGui::TextDisabled("This technique has no parameters.");
+    const std::vector<const Parameter*> rows = shown_parameters(state);
+    const auto is_choice = [](const Parameter* row) { return row->scale == Scale::choice; };
+    for (const Parameter* row : rows)
+        if (!is_choice(row))
+            draw_parameter_control(ui, *row, *state.technique, LABEL_WIDTH * em(), to_type == row->id,
+                                   state.parameters, status);
+    std::vector<const Parameter*> choices;
+    std::ranges::copy_if(rows, std::back_inserter(choices), is_choice);
+    draw_choices(ui, choices, state, status);
+    if (rows.empty()) ImGui::TextDisabled("This technique has no parameters.");
 }
 
 // The controls that apply to all techniques.
