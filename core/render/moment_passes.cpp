@@ -22,8 +22,8 @@ constexpr const char* COLOR = "passes/color.frag";
 constexpr const char* FAILURES = "passes/failures.frag";
 
 // Texture units, as in shaders/passes.
-constexpr GLuint FACTOR_UNITS[] = {3, 4, 5, 7};
-constexpr GLuint ENDS_UNIT = 6;
+constexpr GLuint FIRST_FACTOR_UNIT = 3;  // to 7
+constexpr GLuint ENDS_UNIT = 9;
 constexpr float END_STEPS = 65535;
 constexpr GLuint UNCERTAIN_UNIT = 8;
 
@@ -169,9 +169,8 @@ void MomentPasses::make_factors(int floats) {
 // Factors depend on alpha, but not on beta or theta.
 void MomentPasses::draw_factors(const PassInput& input) {
     if (factored_bias_ == input.parameters.alpha) return;
-    const MomentKernel& kernel = technique_.moment_kernel();
-    const int floats =
-        kernel.factor_floats + (input.parameters.in_own_interval() ? kernel.inner_floats : 0);
+    // Without ends, b0 is read where the first pass stored it.
+    const int floats = pixel_factor_floats(technique_, input.parameters) - (input.parameters.knows_ends() ? 0 : 1);
     if (static_cast<int>(factors_.size()) != (floats + 3) / 4) make_factors(floats);
     bind_stored();
     glBindFramebuffer(GL_FRAMEBUFFER, factor_target_);
@@ -252,7 +251,8 @@ void MomentPasses::bind_stored() const {
     glBindTextureUnit(0, total_absorbance_);
     glBindTextureUnit(1, moments_1_to_4_);
     glBindTextureUnit(2, moments_5_to_8_);
-    for (std::size_t i = 0; i < factors_.size(); ++i) glBindTextureUnit(FACTOR_UNITS[i], factors_[i]);
+    for (std::size_t i = 0; i < factors_.size(); ++i) 
+        glBindTextureUnit(FIRST_FACTOR_UNIT + static_cast<GLuint>(i), factors_[i]);
     glBindTextureUnit(ENDS_UNIT, ends_);
 }
 

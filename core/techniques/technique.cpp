@@ -240,10 +240,13 @@ int bits_with_factor(const Technique& technique, const ParameterValues& values) 
     const ResolvedParameters parameters = resolve(values, technique);
     if (!parameters.factored_once) return stored;
     // The factor may replace the moments while alpha does not change; only the window keeps both.
+    return std::max(stored, 32 * pixel_factor_floats(technique, parameters));
+}
+
+int pixel_factor_floats(const Technique& technique, const ResolvedParameters& parameters) {
     const MomentKernel& kernel = technique.moment_kernel();
-    const int moment_bits = kernel.bits * (1 + kernel.moment_floats);
-    const int floats = kernel.factor_floats + (parameters.in_own_interval() ? kernel.inner_floats : 0);
-    return stored + std::max(kernel.bits * (1 + floats) - moment_bits, 0);
+    return 1 + kernel.factor_floats + (parameters.in_own_interval() ? kernel.inner_floats : 0) +
+           (parameters.knows_ends() ? 2 : 0);
 }
 
 std::string bits_text(const Technique& technique, int bits) {

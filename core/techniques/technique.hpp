@@ -120,6 +120,9 @@ int stored_bits(const Technique& technique, const ParameterValues& values);
 /// between the passes. (Momentscope itself keeps both.) Otherwise it is stored_bits.
 int bits_with_factor(const Technique& technique, const ParameterValues& values);
 
+/// The numbers of one factored pixel: its b0, its factors, and the ends of its ray if they are known.
+int pixel_factor_floats(const Technique& technique, const ResolvedParameters& parameters);
+
 /// The text for a result of stored_bits or bits_with_factor: "160", "none" or "grows with the fragments".
 std::string bits_text(const Technique& technique, int bits);
 

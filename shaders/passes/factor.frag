@@ -1,39 +1,28 @@
 // factor.frag -- runs between the first and the second pass. It biases and factors the moments of a pixel once, for all of its
-// fragments. Pixels without absorbance keep what they hold, because no pass reads it.
+// fragments. Of pixels without absorbance no pass reads more than b_0.
 #include "passes/blocks.glsl"
 #include "shared/portable_math.glsl"
 #include "shared/fragment.glsl"
 #include "technique"
 #include "passes/moment_textures.glsl"
 #include "shared/reconstruction.glsl"
-#include "shared/ends.glsl"
+#include "passes/pixel_ends.glsl"
 #include "shared/fragment_estimate.glsl"
 #include "passes/factor_texels.glsl"
 
-layout(location = 0) out vec4 factor_1;
-#if PIXEL_FACTOR_FLOATS > 4
-layout(location = 1) out vec4 factor_2;
-#endif
-#if PIXEL_FACTOR_FLOATS > 8
-layout(location = 2) out vec4 factor_3;
-#endif
-#if PIXEL_FACTOR_FLOATS > 12
-layout(location = 3) out vec4 factor_4;
-#endif
+layout(location = 0) out vec4 factor_texels[PIXEL_FACTOR_TEXELS];
 
 void main()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    if (!(texelFetch(total_absorbance_texture, pixel, 0).x >= MIN_ABSORBANCE)) discard;   // before the other moments are fetched
-    PixelFactorTexels texels = packed_pixel(factored(stored_moments(pixel), frame.parameters.y));
-    factor_1 = texels.texel[0];
-#if PIXEL_FACTOR_FLOATS > 4
-    factor_2 = texels.texel[1];
+    bool empty = !(texelFetch(total_absorbance_texture, pixel, 0).x >= MIN_ABSORBANCE);
+#ifndef KNOWN_ENDS
+    if (empty) discard;   // before the other moments are fetched
 #endif
-#if PIXEL_FACTOR_FLOATS > 8
-    factor_3 = texels.texel[2];
-#endif
-#if PIXEL_FACTOR_FLOATS > 12
-    factor_4 = texels.texel[3];
-#endif
+    PixelFactorTexels texels;
+    if (empty)
+        for (int i = 0; i < PIXEL_FACTOR_TEXELS; ++i) texels.texel[i] = vec4(0.0);
+    else texels = packed_pixel(factored(stored_moments(pixel), stored_ends(pixel), frame.parameters.y));
+    UNROLL
+    for (int i = 0; i < PIXEL_FACTOR_TEXELS; ++i) factor_texels[i] = texels.texel[i];
 }

@@ -2,7 +2,7 @@
 #include "shared/ends.glsl"
 
 #ifdef KNOWN_ENDS
-layout(binding = 6) uniform sampler2D ends_texture;
+layout(binding = 9) uniform sampler2D ends_texture;
 
 Ends ends_of_texel(vec2 texel)
 {

@@ -21,9 +21,9 @@
 #endif
 
 /// The masses in front of the current fragment and at it, from the factor of its pixel.
-QueryMasses fragment_masses(PixelFactor pixel, Ends ends)
+QueryMasses fragment_masses(PixelFactor pixel)
 {
-    float depth = moment_depth(fragment_depth(), ends);
+    float depth = moment_depth(fragment_depth(), pixel.ends);
 #ifdef WITH_INNER
     return sharp_masses(pixel.whole, pixel.inner, frame_basis(), depth);
 #else
@@ -40,7 +40,7 @@ QueryMasses fragment_masses(Moments moments, Ends ends)
         textbook_fraction(moments, fragment_depth(), frame.parameters.y, frame.parameters.x, frame_basis());
     return make_masses(fraction, 0.0);
 #else
-    return fragment_masses(factored(moments, frame.parameters.y), ends);
+    return fragment_masses(factored(moments, ends, frame.parameters.y));
 #endif
 }
 
@@ -48,17 +48,23 @@ QueryMasses fragment_masses(Moments moments, Ends ends)
 FragmentEstimate fragment_estimate()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    Ends ends = stored_ends(pixel);
 #ifdef STORED_FACTOR
     PixelFactor stored = stored_factor(pixel);
+    Ends ends = stored.ends;
     float b0 = stored.whole.b0;
 #else
     Moments stored = stored_moments(pixel);
+    Ends ends = stored_ends(pixel);
     float b0 = stored.b0;
 #endif
     if (!(b0 >= MIN_ABSORBANCE)) return estimate_at(make_masses(0.0, 0.0), 0.0, 0.0, AT_NO_END, ESTIMATE_BETA, 0.0);
     int end = end_at(fragment_depth(), ends);
-    QueryMasses masses = masses_at_end(fragment_masses(stored, ends), end, IN_OWN_INTERVAL);
+#ifdef STORED_FACTOR
+    QueryMasses between = fragment_masses(stored);
+#else
+    QueryMasses between = fragment_masses(stored, ends);
+#endif
+    QueryMasses masses = masses_at_end(between, end, IN_OWN_INTERVAL);
     return estimate_at(masses, b0, fragment_absorbance(), end, ESTIMATE, frame.parameters.x);
 }
 

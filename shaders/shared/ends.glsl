@@ -83,12 +83,14 @@ const int AT_NEAR_END = 1;
 const int AT_FAR_END = 2;
 const int AT_BOTH_ENDS = 3;
 
-/// The end whose step holds the depth of a fragment. A fragment beyond an end counts as at it.
+/// The end whose step holds the depth of a fragment. A fragment beyond an end counts as at it. Its own steps need not be rounded up:
+/// ceil(x) >= n means x > n - 1.
 FN int end_at(float depth, IN(Ends) ends)
 {
-    Ends own = ends_of_depth(depth);
-    bool near = own.near >= ends.near;
-    bool far = own.far >= ends.far;
+    PRECISE float to_near = (1.0f - depth) * (0.5f * END_STEPS);
+    PRECISE float to_far = (1.0f + depth) * (0.5f * END_STEPS);
+    bool near = to_near > ends.near - 1.0f;
+    bool far = to_far > ends.far - 1.0f;
     int end = near ? (far ? AT_BOTH_ENDS : AT_NEAR_END) : (far ? AT_FAR_END : AT_NO_END);
     return ends_unknown(ends) ? AT_NO_END : end;
 }

@@ -37,14 +37,13 @@ struct FragmentEstimate
     float spread;          // how far T may be moved when all weights are made to fit their sum; 0: T is certain
 };
 
-/// The mean of exp(-A) over A in [lower, lower + gap]: exp(-lower) (1 - exp(-gap)) / gap. gap >= 0. The series is as good as a float
-/// up to gap = 1/4.
-FN float mean_transmittance(float lower, float gap)
+/// The mean of exp(-x) over x in [0, gap]: (1 - exp(-gap)) / gap. gap >= 0; through: exp(-gap). Up to gap = 1/16 the series is as good
+/// as a float, and from there on the quotient is right to 1e-6.
+FN float mean_through(float gap, float through)
 {
-    PRECISE float series =
-        1.0f - gap * (0.5f - gap * (0.166666667f - gap * (0.0416666667f - gap * (0.00833333333f - gap * 0.00138888889f))));
-    PRECISE float mean = gap < 0.25f ? series : (1.0f - portable_exp(-gap)) / gap;
-    return transmittance_of(lower) * mean;
+    PRECISE float series = 1.0f - gap * (0.5f - gap * (0.166666667f - gap * 0.0416666667f));
+    PRECISE float mean = gap < 0.0625f ? series : (1.0f - through) / gap;
+    return mean;
 }
 
 /// The masses at a fragment whose step is that of an end. Where several fragments may share the step, moments cannot tell them
@@ -74,11 +73,14 @@ FN FragmentEstimate estimate_at(IN(QueryMasses) masses, float b0, float own, int
     PRECISE float published = b0 * number_in_unit_range(fraction);
     PRECISE float between = lower + beta * gap;
     bool at_one_end = end == AT_NEAR_END || end == AT_FAR_END;
-    float at_end = end == AT_NEAR_END ? lower : upper;
-    float absorbance = at_one_end ? at_end : (estimate == ESTIMATE_BETA && end == AT_NO_END ? published : between);
-    bool expected = estimate == ESTIMATE_EXPECTED && !at_one_end;
-    float transmittance = expected ? mean_transmittance(lower, gap) : transmittance_of(absorbance);
-    PRECISE float spread = transmittance * (transmittance_of(lower) - transmittance_of(upper));
+    float greatest = transmittance_of(lower);
+    float through = portable_exp(-gap);
+    PRECISE float least = greatest * through;
+    float transmittance = 1.0f;
+    if (estimate == ESTIMATE_EXPECTED) transmittance = greatest * mean_through(gap, through);
+    else transmittance = transmittance_of(estimate == ESTIMATE_BETA && end == AT_NO_END ? published : between);
+    transmittance = at_one_end ? (end == AT_NEAR_END ? greatest : least) : transmittance;
+    PRECISE float spread = transmittance * (greatest - least);
     result.lower = lower;
     result.upper = upper;
     result.transmittance = transmittance;

@@ -26,7 +26,7 @@ enum class Way { textbook, per_fragment, per_pixel };
 constexpr Way WAYS[] = {Way::textbook, Way::per_fragment, Way::per_pixel};
 
 bool can(const Row& row, Way way) {
-    return way != Way::textbook || row.technique->moment_kernel().has_textbook;
+    return way != Way::textbook || row.technique->uses(ParameterId::solver);
 }
 
 /// One round of all ways. The bias changes by a ten-thousandth in every round, so that no result of the last
