@@ -94,10 +94,9 @@ std::vector<Step> moment_steps(const ViewRay& ray, const Technique& technique, c
         exact.estimation.estimate = Estimate::own_beta;
         exact.beta = 0;
     }
-    steps.push_back(add(fmt::format("the moment count ({} {} moments for {})",
-                                    technique.moments().moment_count,
-                                    family_name(technique.moments().basis->family),
-                                    fragment_count_text(ray.fragments.size()))));
+    steps.push_back(add(fmt::format(
+        "the moment count ({} {} moments for {})", technique.moments().moment_count,
+        family_name(technique.moments().basis->family), fragment_count_text(ray.fragments.size()))));
     exact.theta = parameters.theta;
     if (technique.on_circle()) steps.push_back(add("the wrapping zone"));
     if (by_beta) {
@@ -211,8 +210,7 @@ PixelColors colors_of(const ViewRay& ray, const Technique& technique, const Para
 // otherwise the remaining error has other causes.
 bool harmful_renormalization(const ViewRay& ray, const Technique& technique, const ParameterValues& values,
                              const glm::vec3& behind, double error) {
-    if (!technique.uses(ParameterId::renormalize) || !resolve(values, technique).renormalizes())
-        return false;
+    if (!technique.uses(ParameterId::renormalize) || !resolve(values, technique).renormalizes()) return false;
     ParameterValues without = values;
     without.set(Renormalization::off);
     const PixelColors colors = colors_of(ray, technique, without, behind);

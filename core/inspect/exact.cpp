@@ -100,8 +100,7 @@ std::vector<ExactEstimate> exact_estimates(const std::optional<ExactFunction>& e
         if (far && (near || parameters.in_own_interval())) share.query_weight = total - share.in_front;
         const Real others = std::max(Real(total - own), Real(0));
         const Real lower = std::min(share.in_front, others);
-        const Real upper =
-            std::min(Real(lower + std::max(Real(share.query_weight - own), Real(0))), others);
+        const Real upper = std::min(Real(lower + std::max(Real(share.query_weight - own), Real(0))), others);
         const auto beta = static_cast<Real>(parameters.beta);
         const bool published = parameters.estimation.estimate == Estimate::beta && !near && !far;
         Real absorbance = published ? std::min(Real(share.in_front + beta * share.query_weight), total)

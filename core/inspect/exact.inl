@@ -295,9 +295,9 @@ template <class Number, typename Use>
 std::optional<ExactFunctionOf<Number>> with_exact(const Technique& technique, const Use& use) {
     if (!technique.has_moments()) return std::nullopt;
     const MomentMath& math = technique.moments();
-#define MOMENT_TECHNIQUE(row, basis_id, count, bits_of, ...)                           \
-    if (math.basis->id == BasisId::basis_id && math.moment_count == (count) &&         \
-        math.kernel->bits == (bits_of))                                                \
+#define MOMENT_TECHNIQUE(row, basis_id, count, bits_of, ...)                   \
+    if (math.basis->id == BasisId::basis_id && math.moment_count == (count) && \
+        math.kernel->bits == (bits_of))                                        \
         return use(Exact<Number, BasisId::basis_id, count, bits_of>());
 #include "core/techniques/moment_techniques.def"
 #undef MOMENT_TECHNIQUE
@@ -326,9 +326,9 @@ std::optional<ExactFunctionOf<Number>> exact_function(const ViewRay& ray, const 
         steps = steps_of_masses<Number>(masses);
         for (auto& mass : masses) mass.depth = in_interval(mass.depth, steps);
     }
-    return of_scene_depths(with_exact<Number>(
-                               technique, [&](auto exact) { return exact.of_masses(masses, parameters); }),
-                           steps);
+    return of_scene_depths(
+        with_exact<Number>(technique, [&](auto exact) { return exact.of_masses(masses, parameters); }),
+        steps);
 }
 
 template <class Number>
@@ -339,9 +339,9 @@ std::optional<ExactFunctionOf<Number>> exact_function_of_stored(const MomentVect
     RaySteps<Number> steps;
     if (parameters.in_own_interval())
         steps = {static_cast<Number>(stored.near_step), static_cast<Number>(stored.far_step)};
-    return of_scene_depths(with_exact<Number>(
-                               technique, [&](auto exact) { return exact.of_stored(stored, parameters); }),
-                           steps);
+    return of_scene_depths(
+        with_exact<Number>(technique, [&](auto exact) { return exact.of_stored(stored, parameters); }),
+        steps);
 }
 
 }  // namespace momentscope::any_precision

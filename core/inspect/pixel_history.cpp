@@ -20,9 +20,9 @@ std::vector<PixelHistoryRow> pixel_history(const ViewRay& ray, std::span<const f
                                        ? own_transmittance(ray, technique, curve.parameters.settings)
                                        : std::vector<float>();
     const std::vector<bool> drawn = drawn_flags(ray, technique);
-    const std::vector<FragmentEstimate> estimates =
-        technique.has_moments() ? fragment_estimates(ray, technique, curve.parameters)
-                                : std::vector<FragmentEstimate>();
+    const std::vector<FragmentEstimate> estimates = technique.has_moments()
+                                                        ? fragment_estimates(ray, technique, curve.parameters)
+                                                        : std::vector<FragmentEstimate>();
     std::vector<PixelHistoryRow> in_submission_order;
     glm::vec4 sum(0);
     for (std::size_t i = 0; i < ray.fragments.size(); ++i) {

@@ -10,13 +10,13 @@
 namespace momentscope {
 
 struct PixelHistoryRow {
-    std::size_t fragment;                   // index into ViewRay::fragments
-    float absorbance;                       // -ln(1 - alpha_l), as the shaders compute it
-    double true_transmittance;              // of everything strictly in front
-    float transmittance;                    // computed in C++; for a ground truth, the truth
-    std::optional<float> gl_transmittance;  // by the second pass of the GL, if there is one
-    glm::vec4 source;                       // what blending adds: T alpha_l (colour, 1); 0 if not drawn
-    glm::vec4 sum;                          // the sum before it, of all submitted earlier
+    std::size_t fragment;                      // index into ViewRay::fragments
+    float absorbance;                          // -ln(1 - alpha_l), as the shaders compute it
+    double true_transmittance;                 // of everything strictly in front
+    float transmittance;                       // computed in C++; for a ground truth, the truth
+    std::optional<float> gl_transmittance;     // by the second pass of the GL, if there is one
+    glm::vec4 source;                          // what blending adds: T alpha_l (colour, 1); 0 if not drawn
+    glm::vec4 sum;                             // the sum before it, of all submitted earlier
     std::optional<FragmentEstimate> estimate;  // with moments: what bounds the transmittance
     glm::vec4 uncertain;  // what renormalisation may add or take: spread alpha_l (colour, 1)
 

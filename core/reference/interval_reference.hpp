@@ -1,5 +1,5 @@
-// interval_reference.hpp -- sharp bounds of the absorbance from power moments if all of it lies in [-1, 1], in
-// any precision.
+// interval_reference.hpp -- sharp bounds of the absorbance from power moments if all of it lies in [-1, 1],
+// in any precision.
 #pragma once
 #include "core/reference/power_reference.hpp"
 

@@ -147,8 +147,8 @@ void MomentPasses::draw_moments(const PassInput& input) {
         if (with_ends) glBindImageTexture(3, ends_, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RG16);
     }
     glBindTextureUnit(ENDS_UNIT, ends_);
-    glUseProgram(input.programs.get(
-        SCENE, MOMENTS, input.lean(accumulation_variant(technique_, input.parameters, access_))));
+    glUseProgram(input.programs.get(SCENE, MOMENTS,
+                                    input.lean(accumulation_variant(technique_, input.parameters, access_))));
     if (with_ends) glBlendEquationi(colors, GL_MAX);
     draw_transparent(input.scene, by_images ? depth_target_ : target,
                      ordered ? Blending::none : Blending::add);
@@ -170,12 +170,13 @@ void MomentPasses::make_factors(int floats) {
 void MomentPasses::draw_factors(const PassInput& input) {
     if (factored_bias_ == input.parameters.alpha) return;
     // Without ends, b0 is read where the first pass stored it.
-    const int floats = pixel_factor_floats(technique_, input.parameters) - (input.parameters.knows_ends() ? 0 : 1);
+    const int floats =
+        pixel_factor_floats(technique_, input.parameters) - (input.parameters.knows_ends() ? 0 : 1);
     if (static_cast<int>(factors_.size()) != (floats + 3) / 4) make_factors(floats);
     bind_stored();
     glBindFramebuffer(GL_FRAMEBUFFER, factor_target_);
-    glUseProgram(input.programs.get("passes/fullscreen.vert", FACTOR,
-                                    factor_variant(technique_, input.parameters)));
+    glUseProgram(
+        input.programs.get("passes/fullscreen.vert", FACTOR, factor_variant(technique_, input.parameters)));
     draw_fullscreen();
     factored_bias_ = input.parameters.alpha;
 }
@@ -251,7 +252,7 @@ void MomentPasses::bind_stored() const {
     glBindTextureUnit(0, total_absorbance_);
     glBindTextureUnit(1, moments_1_to_4_);
     glBindTextureUnit(2, moments_5_to_8_);
-    for (std::size_t i = 0; i < factors_.size(); ++i) 
+    for (std::size_t i = 0; i < factors_.size(); ++i)
         glBindTextureUnit(FIRST_FACTOR_UNIT + static_cast<GLuint>(i), factors_[i]);
     glBindTextureUnit(ENDS_UNIT, ends_);
 }

@@ -78,7 +78,8 @@ void add_fragments(const ViewRay& ray, const Technique& technique, const Resolve
     }
     for (const std::size_t i : some_fragments(ray)) {
         const auto t = static_cast<double>(estimates[i].transmittance);
-        const double error = t - std::exp(-true_absorbance(ray, std::span(&ray.fragments[i].depth, 1)).front());
+        const double error =
+            t - std::exp(-true_absorbance(ray, std::span(&ray.fragments[i].depth, 1)).front());
         sums.squares += error * error;
         ++sums.queries;
         if (!judged) continue;

@@ -57,8 +57,8 @@ struct ReconstructionSteps {
     float query_weight = 0;                     // w_0
     std::array<float, MAX_NODES + 1> kernel{};  // at_query, then the monic coefficients in t
     std::array<float, MAX_NODES> t{}, weight{}, value{};
-    float in_front = 0;  // fraction of b0 in front for beta = 0, not clamped
-    float fraction = 0;  // fraction of b0 in front for the beta of the settings, not clamped
+    float in_front = 0;    // fraction of b0 in front for beta = 0, not clamped
+    float fraction = 0;    // fraction of b0 in front for the beta of the settings, not clamped
     float absorbance = 0;  // that fraction of b0, clamped
 
     // With moments of the pixel's own interval and sharp bounds there is a second representation, which has
@@ -97,8 +97,8 @@ struct MomentKernel {
     /// numbers.
     MomentVector (*moments_of)(const MomentVector& stored);
 
-    /// Curves at many depths in [-1, 1], for queries that are no fragments. Factors once, then runs in vectors
-    /// as wide as the CPU allows. Depths beyond the ends of the ray have the absorbance 0 or b0.
+    /// Curves at many depths in [-1, 1], for queries that are no fragments. Factors once, then runs in
+    /// vectors as wide as the CPU allows. Depths beyond the ends of the ray have the absorbance 0 or b0.
     void (*evaluate)(const MomentVector& moments, const ReconstructionSettings& settings,
                      std::span<const float> depths, const AbsorbanceCurves& curves);
 
@@ -112,8 +112,8 @@ struct MomentKernel {
     void (*fractions)(std::span<const MomentVector> moments, const ReconstructionSettings& settings,
                       std::span<const float> depths, std::span<float> fractions);
 
-    /// What the second pass computes for fragments of one pixel. depths in [-1, 1]; own: the absorbances of the
-    /// fragments. The spans have one length.
+    /// What the second pass computes for fragments of one pixel. depths in [-1, 1]; own: the absorbances of
+    /// the fragments. The spans have one length.
     void (*estimates)(const MomentVector& moments, const ReconstructionSettings& settings,
                       std::span<const float> depths, std::span<const float> own,
                       std::span<FragmentEstimate> estimates);

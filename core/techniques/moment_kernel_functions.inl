@@ -5,8 +5,11 @@ namespace g {  // the shared source
 #pragma GCC diagnostic ignored "-Wunused-parameter"  // all bases have the same signatures
 #pragma GCC diagnostic ignored "-Wunused-function"
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"  // g++ 12 cannot follow the triangular loops
+// The order matters. A blank line keeps clang-format from sorting.
 #include "shaders/shared/portable_math.glsl"
+
 #include "shaders/shared/fragment.glsl"
+
 #include MOMENT_BASIS
 #ifdef THETA_TRANSFORM
 constexpr auto THETA_ODD = flat_floats(quantisation_transform<MOMENT_COUNT>().odd);
@@ -16,8 +19,11 @@ constexpr auto THETA_EVEN_INVERSE = flat_floats(inverse(quantisation_transform<M
 constexpr auto THETA_EVEN_OFFSET = floats(quantisation_transform<MOMENT_COUNT>().even_offset);
 #endif
 #include "shaders/shared/reconstruction.glsl"
+
 #include "shaders/shared/ends.glsl"
+
 #include "shaders/shared/fragment_estimate.glsl"
+
 #include "shaders/shared/storage.glsl"
 #include "shaders/shared/textbook.glsl"
 #pragma GCC diagnostic pop
@@ -174,9 +180,8 @@ g::QueryMasses masses_at(const FactoredPixel& pixel, float moment_depth) {
 
 g::FragmentEstimate estimate_of(const FactoredPixel& pixel, const MomentVector& vector,
                                 const ReconstructionSettings& settings, float depth, float own, int end) {
-    const g::QueryMasses masses =
-        g::masses_at_end(masses_at(pixel, moment_depth(vector, depth, settings)), end,
-                         settings.interval == MomentInterval::pixel);
+    const g::QueryMasses masses = g::masses_at_end(masses_at(pixel, moment_depth(vector, depth, settings)),
+                                                   end, settings.interval == MomentInterval::pixel);
     return g::estimate_at(masses, pixel.b0, own, end, static_cast<int>(settings.estimate),
                           settings.overestimation);
 }

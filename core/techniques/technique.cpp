@@ -54,9 +54,9 @@ Technique interval_technique(MomentTechnique moments_of, MomentInterval interval
                              const std::vector<Technique>& rows, const char* id, const char* name, float bias,
                              float robust_bias, const char* description, const char* source) {
     const MomentMath& math = rows[static_cast<std::size_t>(moments_of)].moments();
-    return moment_technique(*math.kernel, *math.basis, math.moment_count, id, name, bias, robust_bias,
-                            description, source,
-                            Estimation{Estimate::expected, RayEnds::known, interval, Renormalization::uncertain});
+    return moment_technique(
+        *math.kernel, *math.basis, math.moment_count, id, name, bias, robust_bias, description, source,
+        Estimation{Estimate::expected, RayEnds::known, interval, Renormalization::uncertain});
 }
 
 /// Bits per pixel of the five numbers of each set: as summed in floats and, if they are converted, as read.
@@ -197,8 +197,7 @@ namespace {
 
 Estimation estimation_of(const ParameterValues& values, const Technique& technique) {
     if (technique.has_moments() && technique.moments().estimation) return *technique.moments().estimation;
-    if (!technique.uses(ParameterId::estimate))
-        return {.renormalization = values.get<Renormalization>()};
+    if (!technique.uses(ParameterId::estimate)) return {.renormalization = values.get<Renormalization>()};
     return {values.get<Estimate>(), values.get<RayEnds>(), values.get<MomentInterval>(),
             values.get<Renormalization>()};
 }
@@ -261,8 +260,9 @@ const char* why_no_estimate(const Technique& technique, const ParameterValues& v
     const Estimation chosen = resolve(values, technique).estimation;
     const bool uncertain = chosen.renormalization == Renormalization::uncertain;
     if (!technique.has_moments())
-        return uncertain ? "Only techniques with moments know which fragments are uncertain: renormalise uniformly, or not at all."
-                         : nullptr;
+        return uncertain
+                   ? "Only techniques with moments know which fragments are uncertain: renormalise uniformly, or not at all."
+                   : nullptr;
     const bool own_interval = chosen.interval == MomentInterval::pixel;
     if (own_interval && chosen.ends == RayEnds::off)
         return "The pixel's own interval lies between the ends of its ray: set the ends to known.";

@@ -26,11 +26,11 @@ struct Estimation {
 
 /// A technique that stores moments of the absorbance and reconstructs the transmittance from them.
 struct MomentMath {
-    const MomentKernel* kernel;  // its functions in C++, of moments and depths; never null
-    const Basis* basis;          // never null
-    int moment_count;            // m
-    float recommended_bias;      // alpha = auto with the preset table1
-    float robust_bias;           // alpha = auto with the preset robust (docs/bias.md)
+    const MomentKernel* kernel;                 // its functions in C++, of moments and depths; never null
+    const Basis* basis;                         // never null
+    int moment_count;                           // m
+    float recommended_bias;                     // alpha = auto with the preset table1
+    float robust_bias;                          // alpha = auto with the preset robust (docs/bias.md)
     std::optional<Estimation> estimation = {};  // of its own; nullopt if parameters choose it
 };
 

@@ -47,17 +47,14 @@ std::vector<Item> random_items(const Technique& technique, const ResolvedParamet
     std::vector<Item> items;
     while (items.size() < COUNT) {
         const ViewRay ray = random_ray(random);
-        const MomentVector moments = sum_moments(
-            ray, technique, items.size() < COUNT / 2 ? parameters : in_own_interval(parameters));
+        const MomentVector moments =
+            sum_moments(ray, technique, items.size() < COUNT / 2 ? parameters : in_own_interval(parameters));
         std::vector<float> depths = own_depths(ray);
         depths.insert(depths.end(), {-1.0f, 1.0f, 2 * unit(random) - 1});
         for (const float depth : depths) {
-            Item item{moments.b0,
-                      {},
-                      depth,
-                      Z_MIN * std::pow(Z_MAX / Z_MIN, unit(random)),
-                      unit(random),
-                      moments.near_step,
+            Item item{moments.b0,      {},
+                      depth,           Z_MIN * std::pow(Z_MAX / Z_MIN, unit(random)),
+                      unit(random),    moments.near_step,
                       moments.far_step};
             std::ranges::copy(moments.b, item.b);
             items.push_back(item);

@@ -37,7 +37,8 @@ std::vector<ParameterValues> few_choices_of(const Technique& technique) {
                                    : std::round(value));
         }
     }
-    std::erase_if(all, [&](const ParameterValues& values) { return why_refused(technique, values) != nullptr; });
+    std::erase_if(all,
+                  [&](const ParameterValues& values) { return why_refused(technique, values) != nullptr; });
     return all;
 }
 

@@ -47,7 +47,8 @@ std::vector<ParameterValues> choices_of(const Technique& technique) {
         all.push_back(values_with({{ParameterId::order, 1}}));
         all.push_back(values_with({{ParameterId::order, 2}, {ParameterId::order_seed, 3}}));
     }
-    std::erase_if(all, [&](const ParameterValues& values) { return why_refused(technique, values) != nullptr; });
+    std::erase_if(all,
+                  [&](const ParameterValues& values) { return why_refused(technique, values) != nullptr; });
     return all;
 }
 

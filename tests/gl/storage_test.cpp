@@ -73,8 +73,7 @@ TEST_P(OrderedStorage, HoldsTheBitsOfCpp) {
 INSTANTIATE_TEST_SUITE_P(Techniques, Storage, testing::ValuesIn(moment_based_techniques()),
                          [](const auto& row) { return test_name(*row.param); });
 
-INSTANTIATE_TEST_SUITE_P(Techniques, OrderedStorage,
-                         testing::ValuesIn(ordered_or_not()),
+INSTANTIATE_TEST_SUITE_P(Techniques, OrderedStorage, testing::ValuesIn(ordered_or_not()),
                          [](const auto& row) { return test_name(*row.param); });
 
 class WithoutOrder : public GlTest<> {};

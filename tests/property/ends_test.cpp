@@ -104,7 +104,8 @@ TEST(Trigonometric, MomentsOfOneSurfaceLieOnTheCircle) {
     constexpr int SURFACES = 5000, POWERS = 4;
     for (int i = 0; i < SURFACES; ++i) {
         MomentVector moments;
-        technique.moment_kernel().add_fragment(moments, anywhere(random), 1.0f, {.wrapping_zone_angle = 0.3f});
+        technique.moment_kernel().add_fragment(moments, anywhere(random), 1.0f,
+                                               {.wrapping_zone_angle = 0.3f});
         for (std::size_t k = 0; k < POWERS; ++k)
             sum += std::abs(
                 std::hypot(static_cast<double>(moments.b[2 * k]), static_cast<double>(moments.b[2 * k + 1])) -

@@ -94,7 +94,8 @@ TEST(Quantisation, StoresMultiplesAndHalves) {
             MomentVector stored;
             for (int i = 0; i < 3; ++i) {
                 const float before = stored.b0;
-                technique->moment_kernel().add_fragment(stored, depth(random), absorbance, {.wrapping_zone_angle = 0.3f});
+                technique->moment_kernel().add_fragment(stored, depth(random), absorbance,
+                                                        {.wrapping_zone_angle = 0.3f});
                 EXPECT_EQ(stored.b0, nearest_half(before + absorbance)) << technique->id;
                 for (int k = 0; k < technique->moment_kernel().moment_floats; ++k) {
                     const float code = std::round(stored.b[static_cast<std::size_t>(k)] * 65535.0f);
