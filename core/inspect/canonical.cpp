@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/inspect/ray_ends.hpp"
+
 namespace momentscope {
 
 namespace {
@@ -14,10 +16,10 @@ constexpr float PI = std::numbers::pi_v<float>;
 
 float node_depth(float t, float query, const Curve& curve) {
     const Basis& basis = *curve.technique->moments().basis;
-    if (!basis.on_circle()) return query + basis.depth_per_unit() / t;
+    if (!basis.on_circle()) return scene_depth(query + basis.depth_per_unit() / t, curve);
     const float phase_per_depth = PI - 0.5f * curve.parameters.theta;
     const float phase = (query + 1) * phase_per_depth + 2 * std::atan2(1.0f, t);
-    return std::fmod(phase, 2 * PI) / phase_per_depth - 1;
+    return scene_depth(std::fmod(phase, 2 * PI) / phase_per_depth - 1, curve);
 }
 
 float end_of_circle(float wrapping_zone_angle) {
@@ -35,8 +37,14 @@ CanonicalRepresentation canonical_representation(const Curve& curve, float query
     result.query_absorbance = steps.query_weight * b0;
     result.in_front = steps.in_front * b0;
     result.floored_pivots = steps.floored_pivots;
-    for (std::size_t l = 0; l < static_cast<std::size_t>(kernel.node_count); ++l)
-        result.nodes.push_back({node_depth(steps.t[l], query, curve), steps.weight[l] * b0, steps.value[l]});
+    const int roots = kernel.node_count - (steps.with_ends ? 1 : 0);
+    for (std::size_t l = 0; l < static_cast<std::size_t>(roots); ++l)
+        result.nodes.push_back(
+            {node_depth(steps.t[l], steps.depth, curve), steps.weight[l] * b0, steps.value[l]});
+    if (steps.with_ends) {
+        result.nodes.push_back({scene_depth(-1, curve), steps.near_weight * b0, 1});
+        result.nodes.push_back({scene_depth(1, curve), steps.far_weight * b0, 0});
+    }
     std::ranges::sort(result.nodes, {}, &PointMass::depth);
     return result;
 }

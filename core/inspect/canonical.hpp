@@ -26,8 +26,9 @@ struct CanonicalRepresentation {
 /// has no moments.
 CanonicalRepresentation canonical_representation(const Curve& curve, float query);
 
-/// The depth of a node at t, the variable in which the basis finds its roots
-/// (shaders/shared/<basis>_moments.glsl). On the circle it lies in [-1, end_of_circle).
+/// The depth in the scene of a node at t, the variable in which the basis finds its roots
+/// (shaders/shared/<basis>_moments.glsl). query: in the interval of the moments. On the circle the place of
+/// the node in that interval lies in [-1, end_of_circle).
 float node_depth(float t, float query, const Curve& curve);
 
 /// The depth at which the circle of trigonometric moments ends. The wrapping zone lies between depth 1 and

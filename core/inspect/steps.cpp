@@ -8,6 +8,8 @@
 #include <numbers>
 #include <string_view>
 
+#include "core/inspect/ray_ends.hpp"
+
 namespace momentscope {
 
 namespace {
@@ -131,6 +133,12 @@ StepText roots_text(const Steps& s) {
     for (const StepNode& node : s.nodes)
         roots += fmt::format("{}t = {:<12.5g} z = {:<10.5g}{}", roots.empty() ? "" : "\n", node.t, node.depth,
                              circle ? fmt::format(" φ = {:.4f}", node.phase) : "");
+    if (s.with_ends)
+        return {
+            "6  Roots",
+            "A root of this polynomial lies beyond an end of the ray, where there can be no mass. So both ends become "
+            "nodes. The others are the roots for the measure (1 − z²) dμ, which has no mass at the ends.",
+            roots};
     return {"6  Roots",
             fmt::format("Its roots are the nodes, the places of the other masses of the canonical "
                         "representation{} (Algorithm {}).",
@@ -152,7 +160,18 @@ StepText weights_text(const Steps& s) {
         weights};
 }
 
+StepText expected_text(const Steps& s) {
+    return {
+        "8  Result",
+        "The absorbance in front lies between L, the masses in front, and U = L + w₀ b₀. Nothing says where, so T is "
+        "the mean over all A between them, (e^−L − e^−U) / (U − L). Of a fragment, its own absorbance is taken out of "
+        "w₀ b₀ first (docs/less_error.md).",
+        fmt::format("L = {:.6g}, U = {:.6g}\nT = {:.9g}\nA = −ln T = {:.9g}", s.lower, s.upper,
+                    s.transmittance, s.absorbance)};
+}
+
 StepText result_text(const Steps& s) {
+    if (s.parameters.estimation.estimate == Estimate::expected) return expected_text(s);
     return {
         "8  Result",
         fmt::format(
@@ -186,16 +205,24 @@ Steps reconstruction_steps(const Curve& curve, float query) {
     result.floored_pivots = steps.floored_pivots;
     result.kernel.assign(steps.kernel.begin(), steps.kernel.begin() + static_cast<std::ptrdiff_t>(nodes + 1));
     const double per_depth = std::numbers::pi - 0.5 * static_cast<double>(curve.parameters.theta);
-    for (std::size_t l = 0; l < nodes; ++l) {
-        const float depth = node_depth(steps.t[l], query, curve);
+    result.with_ends = steps.with_ends;
+    for (std::size_t l = 0; l + (steps.with_ends ? 1 : 0) < nodes; ++l) {
+        const float depth = node_depth(steps.t[l], steps.depth, curve);
         result.nodes.push_back({steps.t[l], depth, (static_cast<double>(depth) + 1) * per_depth,
                                 steps.weight[l], steps.value[l]});
+    }
+    if (steps.with_ends) {
+        result.nodes.push_back({-1 / (1 + steps.depth), scene_depth(-1, curve), 0, steps.near_weight, 1});
+        result.nodes.push_back({1 / (1 - steps.depth), scene_depth(1, curve), 0, steps.far_weight, 0});
     }
     result.query_weight = steps.query_weight;
     result.in_front = steps.in_front;
     result.fraction = steps.fraction;
     result.absorbance = steps.absorbance;
-    result.transmittance = transmittance(steps.absorbance);
+    if (!curve.parameters.is_published())
+        kernel.evaluate(curve.moments, settings_of(curve.parameters), {&query, 1},
+                        {{&result.absorbance, 1}, {&result.lower, 1}, {&result.upper, 1}});
+    result.transmittance = transmittance(result.absorbance);
     return result;
 }
 

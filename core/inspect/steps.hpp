@@ -48,8 +48,10 @@ struct Steps {
     float query_weight = 0;  // w_0: the gap between the bounds, divided by b0
     float in_front = 0;      // sum of w_l v_l
     float fraction = 0;      // in_front + beta w_0
-    float absorbance = 0;    // b0 times fraction, clamped, as in the second pass
+    float absorbance = 0;    // by the estimate of the parameters, for a query that is no fragment
     float transmittance = 1;
+    bool with_ends = false;      // both ends of the ray are nodes, because a root lies beyond one of them
+    float lower = 0, upper = 0;  // the bounds between which A is estimated; only unless published
 };
 
 /// The steps for the moments and parameters of a curve, at a query depth in [-1, 1]. Empty for techniques

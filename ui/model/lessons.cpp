@@ -56,6 +56,12 @@ void prepare_more_moments(ExplorerState& state) {
     show(state.plot, {Series::truth, Series::reconstruction, Series::errors});
 }
 
+void prepare_knowledge(ExplorerState& state) {
+    choose_scene(state, "teapots");
+    state.technique = &require_technique("cheb4-32");
+    show(state.plot, {Series::truth, Series::reconstruction, Series::bounds, Series::errors});
+}
+
 constexpr Lesson LESSONS[] = {
     {"beta", "β on two sheets",
      "Two sheets lie on this ray, and four moments determine them exactly: the two bounds differ only at the "
@@ -97,6 +103,15 @@ constexpr Lesson LESSONS[] = {
      "Yes: from four to six to eight power moments, and again from two to four trigonometric ones. But each "
      "step gains less, while the bits per pixel grow from 160 to 288. Do not use more moments than a scene needs.",
      prepare_more_moments},
+    {"knowledge", "What else do you know?",
+     "Four moments of this ray leave a wide band. But more is known: each fragment knows its own absorbance, "
+     "and nothing lies beyond the nearest and the farthest one. Below, set in this order: estimate to expected, "
+     "ends to known, interval to pixel, renormalisation to uncertain.",
+     "How much of the error is left after the four clicks, from the same four moments?",
+     "Each click adds what is known for certain: a fragment does not occlude itself, the first one is not occluded "
+     "at all, no mass lies beyond the ends, and what is uncertain pays for what is missing. The technique sharp4 "
+     "has all four turned on.",
+     prepare_knowledge, true},
 };
 
 }  // namespace

@@ -14,6 +14,7 @@ struct Lesson {
     const char* question;  // the shown state answers it
     const char* answer;
     void (*prepare)(ExplorerState& state);  // changes a fresh state
+    bool shows_error = false;               // the card shows the error of the pixel's colour
 };
 
 std::span<const Lesson> lessons();

@@ -19,9 +19,12 @@ struct Column {
 constexpr Column COLUMNS[] = {
     {"#", "Position from front to back, and after the slash the position in the order of submission."},
     {"z", "Warped depth in [−1, 1]."},
-    {"opac. α_l", "Opacity α_l of the fragment."},
+    {"α_l", "Opacity α_l of the fragment."},
     {"absorb.", "Absorbance −ln(1 − α_l), as the shaders compute it."},
     {"T true", "Transmittance of everything strictly in front of the fragment."},
+    {"low, high",
+     "The least and the greatest transmittance that the moments, the fragment's own absorbance and the ends of "
+     "the ray allow."},
     {"T GL", "Transmittance that the second pass on the GL computed for the fragment."},
     {"T C++", "The same transmittance from the same source, compiled as C++."},
     {"error", "T C++ minus T true: positive if the fragment is too visible."},
@@ -71,6 +74,9 @@ void draw_row(const Ui& ui, const Measurement& m, const PixelHistoryRow& row, st
     cell(fmt::format("{:.3f}", f.opacity));
     cell(fmt::format("{:.3f}", row.absorbance + 0.0f));  // it is -0 for opacity 0
     cell(fmt::format("{:.4f}", row.true_transmittance));
+    cell(row.estimate
+             ? fmt::format("{:.2f} {:.2f}", std::exp(-row.estimate->upper), std::exp(-row.estimate->lower))
+             : "–");
     cell(row.gl_transmittance ? fmt::format("{:.4f}", *row.gl_transmittance) : "–");
     cell(fmt::format("{:.4f}", row.transmittance));
     ImGui::TableNextColumn();

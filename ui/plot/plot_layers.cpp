@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "core/inspect/ray_ends.hpp"
 #include "ui/model/series.hpp"
 
 namespace momentscope::ui {
@@ -116,6 +118,38 @@ void draw_errors(ImDrawList& list, const PlotAxes& axes, const Palette& colors, 
     }
 }
 
+// What the moments leave open at every fragment.
+void draw_intervals(ImDrawList& list, const PlotAxes& axes, const Palette& colors, const PlotInput& input) {
+    constexpr std::size_t MAX_INTERVALS = 300;
+    const Measurement& m = input.measurement;
+    const float scale = em() / 15;
+    const ImU32 tint = tint_of(input, Series::bounds, colors.bounds);
+    const float width = width_of(input, Series::bounds, 1.5f);
+    if (!m.curve.parameters.is_published() && m.history.size() <= MAX_INTERVALS)
+        for (const PixelHistoryRow& row : m.history) {
+            if (!row.estimate) continue;
+            const float x = axes.x(m.capture.ray.fragments[row.fragment].depth);
+            const float low = axes.y(row.estimate->lower), high = axes.y(row.estimate->upper);
+            list.AddLine({x, low}, {x, high}, tint, width);
+            for (const float y : {low, high})
+                list.AddLine({x - 3 * scale, y}, {x + 3 * scale, y}, tint, width);
+        }
+}
+
+// The ends of the ray as brackets on the depth axis.
+void draw_ends(ImDrawList& list, const PlotAxes& axes, const Palette& colors, const Measurement& m) {
+    const float scale = em() / 15;
+    const auto ends = ray_ends(m.curve.moments);
+    if (!ends) return;
+    const float bottom = axes.area.high.y, top = bottom - 14 * scale;
+    for (const auto& [depth, inwards] :
+         {std::pair(ends->near, 5 * scale), std::pair(ends->far, -5 * scale)}) {
+        const float x = axes.x(depth);
+        for (const float y : {top, bottom}) list.AddLine({x, y}, {x + inwards, y}, colors.text, 2 * scale);
+        list.AddLine({x, top}, {x, bottom}, colors.text, 2 * scale);
+    }
+}
+
 // The canonical representation: one stem per mass, as high as its absorbance.
 void draw_stems(ImDrawList& list, const PlotAxes& axes, const Palette& colors, const PlotInput& input) {
     const CanonicalRepresentation& canonical = input.measurement.canonical;
@@ -159,7 +193,10 @@ void draw_query(ImDrawList& list, const PlotAxes& axes, const Palette& colors, c
     const float beta = input.measurement.curve.parameters.beta;
     const float low = std::clamp(canonical.in_front, 0.0f, b0);
     const float high = std::clamp(canonical.in_front + canonical.query_absorbance, 0.0f, b0);
-    const float at = std::clamp(canonical.in_front + beta * canonical.query_absorbance, 0.0f, b0);
+    const bool expected = input.measurement.curve.parameters.estimation.estimate == Estimate::expected;
+    const float at = std::clamp(expected ? input.measurement.steps.absorbance
+                                         : canonical.in_front + beta * canonical.query_absorbance,
+                                0.0f, b0);
     const ImU32 tint = tint_of(input, Series::bounds, colors.bounds);
     const float bar = 7 * scale;
     list.AddLine({x, axes.y(low)}, {x, axes.y(high)}, tint, 2 * scale);
@@ -168,7 +205,7 @@ void draw_query(ImDrawList& list, const PlotAxes& axes, const Palette& colors, c
     const float y = axes.y(at);
     const ImU32 fill = tint_of(input, Series::reconstruction, colors.reconstruction);
     list.AddQuadFilled({x - 5 * scale, y}, {x, y - 5 * scale}, {x + 5 * scale, y}, {x, y + 5 * scale}, fill);
-    const std::string label = fmt::format("β = {:.2f}", beta);
+    const std::string label = expected ? "mean of T" : fmt::format("β = {:.2f}", beta);
     const bool right = x + ImGui::CalcTextSize(label.c_str()).x + 2 * bar < axes.area.high.x;
     const float height = 0.5f * ImGui::GetTextLineHeight();
     const float text_y = std::clamp(y, axes.area.low.y + height, axes.area.high.y - height);
@@ -208,6 +245,7 @@ void draw_layers(ImDrawList& list, const PlotAxes& axes, const Palette& colors, 
         draw_band(list, axes, curve, tint_of(input, Series::bounds, colors.band),
                   tint_of(input, Series::bounds, colors.bounds), width_of(input, Series::bounds, 1));
         draw_exits(list, axes, colors, m);
+        draw_intervals(list, axes, colors, input);
     }
     if (shows(input, Series::truth))
         draw_truth(list, axes, m.capture.ray, tint_of(input, Series::truth, colors.truth),
@@ -232,6 +270,7 @@ void draw_layers(ImDrawList& list, const PlotAxes& axes, const Palette& colors, 
     if (shows(input, Series::reconstruction)) draw_failure(list, axes, colors, m);
     if (shows(input, Series::stems)) draw_stems(list, axes, colors, input);
     draw_query(list, axes, colors, input);
+    if (shows(input, Series::bounds)) draw_ends(list, axes, colors, m);
 }
 
 void draw_small_layers(ImDrawList& list, const PlotAxes& axes, const Palette& colors, const ViewRay& ray,

@@ -11,6 +11,11 @@ namespace momentscope::ui {
 
 namespace {
 
+// The error of the picked pixel in linear RGB.
+std::string error_text(const Workspace& w) {
+    return fmt::format("The colour of this pixel is off by {:.4f}.", w.measurement().breakdown.error);
+}
+
 void draw_card(const Ui& ui, Workspace& w) {
     const Lesson* lesson = find_lesson(w.state.card);
     if (lesson == nullptr) return;
@@ -24,6 +29,7 @@ void draw_card(const Ui& ui, Workspace& w) {
     height += ImGui::CalcTextSize(lesson->question, nullptr, false, wrap).y;
     ImGui::PopFont();
     if (w.state.answer) height += 0.4f * line + ImGui::CalcTextSize(lesson->answer, nullptr, false, wrap).y;
+    if (lesson->shows_error) height += line;
     height = std::max(height, 2 * pad + 2 * ImGui::GetFrameHeightWithSpacing());
     ImGui::BeginChild("card", {0, height}, false,
                       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
@@ -34,6 +40,7 @@ void draw_card(const Ui& ui, Workspace& w) {
     ImGui::PushFont(bold_font());
     ImGui::TextUnformatted(lesson->question);
     ImGui::PopFont();
+    if (lesson->shows_error) ImGui::TextUnformatted(error_text(w).c_str());
     if (w.state.answer) ImGui::TextUnformatted(lesson->answer);
     ImGui::PopTextWrapPos();
     ImGui::EndGroup();
