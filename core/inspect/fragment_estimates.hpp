@@ -11,9 +11,4 @@ namespace momentscope {
 std::vector<FragmentEstimate> fragment_estimates(const ViewRay& ray, const Technique& technique,
                                                  const ResolvedParameters& parameters);
 
-/// How uncertain the moments leave the colour of a pixel, without the truth: the sum over all fragments of
-/// opacity times luminance times the difference between the greatest and the least T that the bounds allow.
-/// estimates: the result of fragment_estimates.
-double color_uncertainty(const ViewRay& ray, const std::vector<FragmentEstimate>& estimates);
-
 }  // namespace momentscope

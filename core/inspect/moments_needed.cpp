@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/inspect/curve.hpp"
+#include "core/inspect/fragment_estimates.hpp"
 #include "core/support/error.hpp"
 
 namespace momentscope {
@@ -49,27 +50,39 @@ MomentOrders moment_orders(std::string_view basis) {
 }
 
 double certified_gap(const ViewRay& ray, const Technique& technique, const ParameterValues& values) {
-    const std::vector<float> depths = depths_that_absorb(ray);
-    const Curve curve = sample_curve(ray, technique, values, depths);
+    const auto estimates = fragment_estimates(ray, technique, resolve(values, technique));
     double most = 0;
-    for (std::size_t i = 0; i < depths.size(); ++i) {
-        const auto lower = static_cast<double>(curve.beta0[i]);
-        const double between = static_cast<double>(curve.beta1[i]) - lower;
-        const double uncertain = std::max(between - absorbance_at(ray, depths[i]), 0.0);
+    for (std::size_t i = 0; i < estimates.size(); ++i) {
+        const Fragment& fragment = ray.fragments[i];
+        if (!(fragment.opacity > 0)) continue;
+        const auto lower = static_cast<double>(estimates[i].lower);
+        const double at_same_depth =
+            absorbance_at(ray, fragment.depth) - static_cast<double>(fragment_absorbance(fragment.opacity));
+        const double uncertain =
+            std::max(static_cast<double>(estimates[i].upper) - lower - at_same_depth, 0.0);
         most = std::max(most, std::exp(-lower) * -std::expm1(-uncertain));
     }
     return most;
 }
 
 double greatest_error(const ViewRay& ray, const Technique& technique, const ParameterValues& values) {
-    const std::vector<float> depths = depths_that_absorb(ray);
-    const Curve curve = sample_curve(ray, technique, values, depths);
-    const auto beta = static_cast<double>(curve.parameters.beta);
+    const ResolvedParameters parameters = resolve(values, technique);
+    const auto estimates = fragment_estimates(ray, technique, parameters);
+    const std::vector<double> truth = true_absorbance(ray, own_depths(ray));
+    const auto beta = static_cast<double>(parameters.beta);
     double most = 0;
-    for (std::size_t i = 0; i < depths.size(); ++i) {
-        const double wanted = curve.truth[i] + beta * absorbance_at(ray, depths[i]);
-        most = std::max(most,
-                        std::abs(std::exp(-static_cast<double>(curve.reconstructed[i])) - std::exp(-wanted)));
+    for (std::size_t i = 0; i < estimates.size(); ++i) {
+        const Fragment& fragment = ray.fragments[i];
+        if (!(fragment.opacity > 0)) continue;
+        const double here = absorbance_at(ray, fragment.depth);
+        const double others = here - static_cast<double>(fragment_absorbance(fragment.opacity));
+        const auto t = static_cast<double>(estimates[i].transmittance);
+        // A published estimate occludes itself by choice. Of several fragments at one depth, any may be
+        // first.
+        const bool by_beta = parameters.estimation.estimate == Estimate::beta;
+        const double greatest = std::exp(-(truth[i] + (by_beta ? beta * here : 0)));
+        const double least = by_beta ? greatest : std::exp(-(truth[i] + others));
+        most = std::max({most, t - greatest, least - t});
     }
     return most;
 }
