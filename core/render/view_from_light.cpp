@@ -41,6 +41,8 @@ std::optional<LightView> view_from_light(Renderer& renderer, glm::ivec2 pixel, c
     const float view_depth = view.fragment ? fragments[*view.fragment].view_depth : surface->view_depth;
     view.world = renderer.world_place(pixel, view_depth);
     view.bundle = renderer.capture_light(pixel, view_depth);
+    if (view.fragment)
+        view.bundle.receiver_absorbance = fragment_absorbance(fragments[*view.fragment].opacity);
     view.ray = mixed_ray(view.bundle);
     view.opaque = opaque_ray(view.bundle);
     view.configuration = settings.transparent;

@@ -13,13 +13,20 @@ namespace {
 
 constexpr double VISIBLE = 0.01;  // smaller shares of the light are not explained
 
-/// T from exact moments without bias; nullopt if there is no such T.
+/// T from exact moments without bias; nullopt if there is no such T. own: the absorbance of the receiver, of
+/// which nothing lies in front of it.
 std::optional<double> exact_transmittance(const ViewRay& ray, const Technique& technique,
-                                          ResolvedParameters parameters, float beta, float depth) {
-    parameters.beta = beta;
-    const std::vector<float> absorbance = unbiased_absorbance(ray, technique, parameters, {&depth, 1});
-    if (absorbance.empty()) return std::nullopt;
-    return std::exp(-static_cast<double>(absorbance.front()));
+                                          ResolvedParameters parameters, float beta, float depth,
+                                          double own) {
+    const auto at = [&](float weight) {
+        parameters.beta = weight;
+        return unbiased_absorbance(ray, technique, parameters, {&depth, 1});
+    };
+    const std::vector<float> lower = at(0), upper = at(1);
+    if (lower.empty()) return std::nullopt;
+    const auto low = static_cast<double>(lower.front());
+    const double others = std::max(static_cast<double>(upper.front()) - low - own, 0.0);
+    return std::exp(-(low + static_cast<double>(beta) * others));
 }
 
 // A chain from the truth to the shown light, with one cause per step.
@@ -32,8 +39,9 @@ std::vector<Contribution> contributions_of(const ShadowFilterSamples& bundle,
     std::vector<Contribution> chain = {{"filtering", truth - mixed}};
     const ViewRay ray = mixed_ray(bundle);
     const ResolvedParameters parameters = resolve(transparent.values, technique);
-    const auto lower = exact_transmittance(ray, technique, parameters, 0, depth);
-    const auto weighted = exact_transmittance(ray, technique, parameters, parameters.beta, depth);
+    const auto own = static_cast<double>(bundle.receiver_absorbance);
+    const auto lower = exact_transmittance(ray, technique, parameters, 0, depth, own);
+    const auto weighted = exact_transmittance(ray, technique, parameters, parameters.beta, depth, own);
     if (!lower || !weighted) {
         chain.push_back({"the series", mixed - shown});
         return chain;

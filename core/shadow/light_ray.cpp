@@ -86,12 +86,13 @@ float light_transmittance(const ShadowFilterSamples& bundle, const Configuration
     MomentVector moments;
     moments.b0 = bundle.sums.front();
     std::copy(bundle.sums.begin() + 1, bundle.sums.end(), moments.b.begin());
-    float reconstructed = 0, beta0 = 0, beta1 = 0;
     ReconstructionSettings settings = settings_of(parameters);
     settings.solver = Solver::robust;
-    technique.moment_kernel().evaluate(moments, settings, {&depth, 1},
-                                       {{&reconstructed, 1}, {&beta0, 1}, {&beta1, 1}});
-    return transmittance(reconstructed);
+    settings.estimate = Estimate::own_beta;
+    FragmentEstimate estimate;
+    technique.moment_kernel().estimates(moments, settings, {&depth, 1}, {&bundle.receiver_absorbance, 1},
+                                        {&estimate, 1});
+    return estimate.transmittance;
 }
 
 float light_shadowed(const ShadowFilterSamples& bundle, const OpaqueShadow& opaque, float depth) {

@@ -26,6 +26,7 @@ struct LightTexel {
 /// All fragments and depths between the light and a receiver, and what the maps hold of them.
 struct ShadowFilterSamples {
     ShadowMapPosition place;          // of the receiver
+    float receiver_absorbance = 0;    // of the receiver itself, if it casts shadows, too
     std::vector<LightTexel> texels;   // the filter region; empty outside of the map
     std::vector<OpaqueShare> opaque;  // of the same texels
     DepthWarp warp;                   // linear

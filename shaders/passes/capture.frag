@@ -17,7 +17,7 @@
 // The share of the light that reaches the fragment, which takes the place of T.
 float fragment_transmittance()
 {
-    return light_visibility(eye_position);
+    return light_visibility(eye_position, fragment_absorbance());
 }
 #define WITH_TRANSMITTANCE 1
 #endif

@@ -33,7 +33,8 @@ FN CasterSums caster_sums(float depth, float opacity, IN(vec4) settings)
     return sums;
 }
 
-FN float caster_transmittance(IN(CasterSums) sums, float depth, IN(vec4) settings)
+/// own is not used: a series does not tell how much of its mass lies at a depth.
+FN float caster_transmittance(IN(CasterSums) sums, float depth, float own, IN(vec4) settings)
 {
     PixelState state;
     for (int i = 0; i < 16; ++i) state.f[i] = sums.f[i];

@@ -123,8 +123,8 @@ float deep_transmittance(uvec2 list, float depth)
 }
 #endif
 
-/// The transmittance of the transparent casters in front of the point.
-float transparent_light(ShadowMapPosition place)
+/// The transmittance of the transparent casters in front of the point. own: the absorbance of the receiver itself.
+float transparent_light(ShadowMapPosition place, float own)
 {
 #if defined(NO_TRANSPARENT_CASTERS)
     return 1.0;
@@ -149,14 +149,14 @@ float transparent_light(ShadowMapPosition place)
         for (int i = 0; i < 4; ++i) sums.f[4 * layer + i] = mean[i];
     }
     for (int i = 4 * CASTER_LAYERS; i < 16; ++i) sums.f[i] = 0.0;
-    return transparent_caster_transmittance(sums, place.depth, light.reconstruction);
+    return transparent_caster_transmittance(sums, place.depth, own, light.reconstruction);
 #endif
 }
 
-/// The share of the light that reaches a point in eye space; 1 outside of the map.
-float light_visibility(vec3 eye_space)
+/// The share of the light that reaches a point in eye space; 1 outside of the map. own: as in transparent_light.
+float light_visibility(vec3 eye_space, float own)
 {
     ShadowMapPosition place = light_place(eye_space);
     if (!place.within) return 1.0;
-    return (1.0 - opaque_shadow(place)) * transparent_light(place);
+    return (1.0 - opaque_shadow(place)) * transparent_light(place, own);
 }

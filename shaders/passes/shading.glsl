@@ -5,6 +5,10 @@ in vec3 eye_position;
 in vec3 eye_normal;
 #ifdef SHADOWS
 #include "passes/light.glsl"
+
+/// The absorbance of what receives the light, if it casts shadows, too; 0 if it is opaque. Passes of transparent fragments and
+/// opaque_receiver.glsl define it.
+float receiver_absorbance();
 #endif
 
 vec3 shaded(vec3 albedo)
@@ -14,7 +18,7 @@ vec3 shaded(vec3 albedo)
     n = dot(n, to_eye) < 0.0 ? -n : n;
 #ifdef SHADOWS
     vec3 to_light = normalize(light.position.xyz - eye_position);
-    float visibility = light_visibility(eye_position);
+    float visibility = light_visibility(eye_position, receiver_absorbance());
 #else
     vec3 to_light = normalize(vec3(-0.4, 0.7, 0.6));
     float visibility = 1.0;

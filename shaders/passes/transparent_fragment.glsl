@@ -33,6 +33,13 @@ float fragment_absorbance()
 #endif
 }
 
+#ifdef SHADOWS
+float receiver_absorbance()
+{
+    return fragment_absorbance();
+}
+#endif
+
 float fragment_view_depth()
 {
     return -eye_position.z;

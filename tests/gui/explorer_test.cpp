@@ -32,8 +32,7 @@ TEST_P(ParameterTest, EveryOneMovesItsControlAndChangesWhatIsShown) {
         open(GetParam() == std::string("trig3-32") ? "planes" : "teapots", GetParam());
         const auto before = screen();
         if (row.scale == Scale::choice)
-            play(fmt::format("click @parameter.{0}\nclick @parameter.{0}.{1}\nmove 5 790", row.key,
-                             choice));
+            play(fmt::format("click @parameter.{0}\nclick @parameter.{0}.{1}\nmove 5 790", row.key, choice));
         else if (row.scale == Scale::toggle)
             play(fmt::format("click @parameter.{}\nmove 5 790", row.key));
         else  // to the minimum for whole numbers, where differences are greatest

@@ -147,7 +147,8 @@ TEST_F(PlotTest, AChangeRecomputesNoMoreThanItNeeds) {
     EXPECT_FALSE(computed("key N\nkey B\nkey C\nkey T\nkey Ctrl+3")) << "marks, legend, quantity, tabs";
     EXPECT_FALSE(computed("click @plot.value_axis\nwheel 2")) << "the vertical axis";
     play("key Ctrl+1");
-    EXPECT_FALSE(computed("click @parameter.renormalize\nclick @parameter.renormalize.off")) << "the composite alone";
+    EXPECT_FALSE(computed("click @parameter.renormalize\nclick @parameter.renormalize.off"))
+        << "the composite alone";
     EXPECT_TRUE(computed("drag @parameter.beta 0.25 0.5 to @parameter.beta 0.6 0.5"));
     EXPECT_TRUE(computed("key X")) << "the exact curve";
     EXPECT_TRUE(computed("click " + on_scene({300, 300}))) << "another ray";

@@ -37,6 +37,8 @@ TEST_F(CommandLine, RefusesWhatWouldChangeNothing) {
         {"compare one.png two.png --size 8x8", "--size"},
         {"compare one.png two.png --beta 0.5", "--beta"},
         {"needed --scene planes --beta 0.5", "--beta"},
+        {"needed --scene planes --uncertainty sharp4 --basis power", "--basis changes nothing"},
+        {"needed --scene planes --uncertainty sharp4 --tolerance 0.1", "--tolerance"},
         {"stress --technique power4-32 --theta 1", "--theta"},
         {"stress --technique power4-32 --tone-map filmic", "--tone-map"},
         {"tune --random 5 --size 8x8", "--size changes nothing without a scene"},

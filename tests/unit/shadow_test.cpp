@@ -80,6 +80,27 @@ TEST(LightBreakdown, NamesLeakingAndSelfShadowing) {
     EXPECT_GT(self, 20);
 }
 
+// A caster that also receives light does not shadow itself, whatever beta is.
+TEST(LightTransmittance, LeavesOutTheReceiverItself) {
+    RandomNumbers random(6);
+    for (const float beta : {0.0f, 0.5f, 1.0f}) {
+        const Configuration configuration = {&require_technique("power6-32"),
+                                             values_with({{ParameterId::beta, beta}})};
+        ViewRay sheet;
+        sheet.fragments = {plain_fragment(0.2f, 0.6f, 0)};
+        ShadowFilterSamples alone = bundle_of(sheet, configuration, 0.2f);
+        alone.receiver_absorbance = fragment_absorbance(0.6f);
+        EXPECT_NEAR(light_transmittance(alone, configuration, 0.2f), 1, 1e-4f) << "beta " << beta;
+        for (int i = 0; i < 20; ++i) {
+            const ViewRay ray = random_ray(random, 6, 0.1f, 0.5f);
+            ShadowFilterSamples bundle = bundle_of(ray, configuration, ray.fragments[3].depth);
+            const float shadowed = light_transmittance(bundle, configuration, ray.fragments[3].depth);
+            bundle.receiver_absorbance = fragment_absorbance(ray.fragments[3].opacity);
+            EXPECT_GE(light_transmittance(bundle, configuration, ray.fragments[3].depth), shadowed - 1e-6f);
+        }
+    }
+}
+
 TEST(LightBreakdown, KnowsTheWholeOfLeakingPastOpaqueCasters) {
     ShadowFilterSamples bundle;
     bundle.place = {{0, 0}, 0.2f, true};
