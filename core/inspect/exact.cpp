@@ -2,6 +2,8 @@
 
 #include "core/inspect/exact.inl"
 
+#include <numeric>
+
 namespace momentscope {
 
 namespace {
@@ -67,6 +69,14 @@ any_precision::RaySteps<Real> steps_of(const std::vector<reference::PointMass<Re
 
 std::vector<ExactEstimate> exact_estimates(const std::optional<ExactFunction>& exact, const ViewRay& ray,
                                            const ResolvedParameters& parameters) {
+    std::vector<std::size_t> all(ray.fragments.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return exact_estimates(exact, ray, parameters, all);
+}
+
+std::vector<ExactEstimate> exact_estimates(const std::optional<ExactFunction>& exact, const ViewRay& ray,
+                                           const ResolvedParameters& parameters,
+                                           std::span<const std::size_t> places) {
     using std::exp;
     const auto masses = any_precision::exact_masses<Real>(ray);
     const auto steps = steps_of(masses, parameters);
@@ -81,7 +91,8 @@ std::vector<ExactEstimate> exact_estimates(const std::optional<ExactFunction>& e
         return ExactFraction{in_front, at};
     };
     std::vector<ExactEstimate> estimates;
-    for (const Fragment& fragment : ray.fragments) {
+    for (const std::size_t place : places) {
+        const Fragment& fragment = ray.fragments[place];
         ViewRay alone;
         alone.fragments = {fragment};
         const auto mass = any_precision::exact_masses<Real>(alone);
@@ -90,7 +101,8 @@ std::vector<ExactEstimate> exact_estimates(const std::optional<ExactFunction>& e
         const auto of_depth = any_precision::steps_of_depth(depth);
         const bool near = steps.known() && of_depth.near >= steps.near;
         const bool far = steps.known() && of_depth.far >= steps.far;
-        ExactFraction share = absorbance_at(depth);
+        ExactFraction share;
+        if (!exact) share = absorbance_at(depth);
         if (exact) {
             const ExactFraction fraction = (*exact)(depth);
             share = {total * std::clamp(fraction.in_front, Real(0), Real(1)),

@@ -44,9 +44,14 @@ struct ExactEstimate {
     double spread = 0;
 };
 
-/// The estimates for the fragments of a ray, in the order of ViewRay::fragments, from an exact function of
-/// the scene's depths. If `exact` is nullopt, the moments determine the distribution, and only fragments at
-/// the same depth are uncertain.
+/// The estimates for some fragments of a ray, from an exact function of the scene's depths. places: indices
+/// into ViewRay::fragments. If `exact` is nullopt, the moments determine the distribution, and only fragments
+/// at the same depth are uncertain.
+std::vector<ExactEstimate> exact_estimates(const std::optional<ExactFunction>& exact, const ViewRay& ray,
+                                           const ResolvedParameters& parameters,
+                                           std::span<const std::size_t> places);
+
+/// The same for all fragments, in their order.
 std::vector<ExactEstimate> exact_estimates(const std::optional<ExactFunction>& exact, const ViewRay& ray,
                                            const ResolvedParameters& parameters);
 

@@ -6,8 +6,14 @@
 
 namespace momentscope {
 
-/// What the second pass computes for each fragment of a ray, in the order of ViewRay::fragments. The
-/// technique must have moments.
+/// What the second pass computes for some fragments of a ray from what its pixel stores. places: indices into
+/// ViewRay::fragments. The technique must have moments.
+std::vector<FragmentEstimate> fragment_estimates(const ViewRay& ray, const MomentVector& stored,
+                                                 const Technique& technique,
+                                                 const ResolvedParameters& parameters,
+                                                 std::span<const std::size_t> places);
+
+/// The same for all fragments, in their order.
 std::vector<FragmentEstimate> fragment_estimates(const ViewRay& ray, const Technique& technique,
                                                  const ResolvedParameters& parameters);
 

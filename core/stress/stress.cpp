@@ -109,26 +109,22 @@ private:
     // Techniques that know more of a fragment than its depth.
     void add_fragments(const StressCase& tried, const ResolvedParameters& parameters, RandomNumbers& random) {
         const Technique& technique = *cell_.technique;
-        const auto estimates = fragment_estimates(tried.ray, technique, parameters);
-        const auto exact =
-            exact_estimates(exact_function(tried.ray, technique, parameters), tried.ray, parameters);
         const MomentVector stored = sum_moments(tried.ray, technique, parameters);
         const MomentVector reordered = sum_moments(shuffled(tried.ray, random), technique, parameters);
+        const std::vector<std::size_t> places = some_fragments(tried.ray);
+        const auto estimates = fragment_estimates(tried.ray, stored, technique, parameters, places);
+        const auto others = fragment_estimates(tried.ray, reordered, technique, parameters, places);
+        const auto exact =
+            exact_estimates(exact_function(tried.ray, technique, parameters), tried.ray, parameters, places);
+        const std::vector<double> truth = true_absorbance(tried.ray, some_own_depths(tried.ray));
         const auto b0 = static_cast<double>(stored.b0);
         bool depends = false;
-        for (const std::size_t i : some_fragments(tried.ray)) {
-            const Fragment& fragment = tried.ray.fragments[i];
-            const FragmentEstimate& estimate = estimates[i];
-            const auto t = static_cast<double>(estimate.transmittance);
-            const double truth = true_absorbance(tried.ray, std::span(&fragment.depth, 1)).front();
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const auto t = static_cast<double>(estimates[i].transmittance);
             count_outcome(static_cast<float>(-std::log(t) / b0), t, exact[i].transmittance, tried);
-            count_bounds(estimate.lower / stored.b0, estimate.upper / stored.b0, truth / b0);
-            from_truth_.push_back(std::abs(t - std::exp(-truth)));
-            const float own = fragment_absorbance(fragment.opacity);
-            FragmentEstimate other;
-            technique.moment_kernel().estimates(reordered, settings_of(parameters), {&fragment.depth, 1},
-                                                {&own, 1}, {&other, 1});
-            depends |= std::abs(t - static_cast<double>(other.transmittance)) > VISIBLE;
+            count_bounds(estimates[i].lower / stored.b0, estimates[i].upper / stored.b0, truth[i] / b0);
+            from_truth_.push_back(std::abs(t - std::exp(-truth[i])));
+            depends |= std::abs(t - static_cast<double>(others[i].transmittance)) > VISIBLE;
         }
         cell_.order_dependent += depends ? 1 : 0;
         cell_.floored +=

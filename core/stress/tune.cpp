@@ -68,18 +68,19 @@ void add_ray(const ViewRay& ray, const MomentVector& stored, std::span<const flo
 // The same for techniques that know more of a fragment than its depth.
 void add_fragments(const ViewRay& ray, const Technique& technique, const ResolvedParameters& parameters,
                    bool judged, Sums& sums) {
-    const auto estimates = fragment_estimates(ray, technique, parameters);
+    const MomentVector stored = sum_moments(ray, technique, parameters);
+    const std::vector<std::size_t> places = some_fragments(ray);
+    const auto estimates = fragment_estimates(ray, stored, technique, parameters, places);
+    const std::vector<double> truth = true_absorbance(ray, some_own_depths(ray));
     std::vector<ExactEstimate> exact, of_stored;
     if (judged) {
-        const auto stored =
-            exact_function_of_stored(sum_moments(ray, technique, parameters), technique, parameters);
-        exact = exact_estimates(exact_function(ray, technique, parameters), ray, parameters);
-        if (stored) of_stored = exact_estimates(stored, ray, parameters);
+        exact = exact_estimates(exact_function(ray, technique, parameters), ray, parameters, places);
+        const auto function = exact_function_of_stored(stored, technique, parameters);
+        if (function) of_stored = exact_estimates(function, ray, parameters, places);
     }
-    for (const std::size_t i : some_fragments(ray)) {
+    for (std::size_t i = 0; i < places.size(); ++i) {
         const auto t = static_cast<double>(estimates[i].transmittance);
-        const double error =
-            t - std::exp(-true_absorbance(ray, std::span(&ray.fragments[i].depth, 1)).front());
+        const double error = t - std::exp(-truth[i]);
         sums.squares += error * error;
         ++sums.queries;
         if (!judged) continue;

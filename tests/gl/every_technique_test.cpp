@@ -25,6 +25,9 @@ std::vector<const Technique*> all_techniques() {
 std::vector<ParameterValues> few_choices_of(const Technique& technique) {
     std::vector<ParameterValues> all;
     for (const ParameterId id : technique.parameters) {
+        // One technique of each basis stands for all of them.
+        const bool of_estimate = id == ParameterId::estimate || id == ParameterId::ends;
+        if (of_estimate && technique.moments().moment_count != 4) continue;
         const Parameter& row = parameter(id);
         const bool few = row.scale == Scale::choice || row.scale == Scale::toggle;
         const int steps = few ? static_cast<int>(row.maximum - row.minimum) : 3;

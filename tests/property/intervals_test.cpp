@@ -126,7 +126,6 @@ TEST_P(Intervals, HoldTheTruth) {
 
 // T of floats is that of exact arithmetic at the same bias, but for rays that floats do not determine.
 TEST_P(Intervals, AreThoseOfExactArithmetic) {
-    if (GetParam()->moment_kernel().bits == 16) GTEST_SKIP() << "16 bits round by more";
     const ResolvedParameters parameters = resolve({}, *GetParam());
     RandomNumbers random(5);
     std::vector<double> errors;
@@ -142,8 +141,9 @@ TEST_P(Intervals, AreThoseOfExactArithmetic) {
     const double median = errors[errors.size() / 2], high = errors[errors.size() * 99 / 100];
     fmt::print("{}: error of T {:.1e} (median), {:.1e} (99 %), {:.1e} (worst)\n", GetParam()->id, median,
                high, errors.back());
-    EXPECT_LE(median, 1e-5);
-    EXPECT_LE(high, 0.03);
+    const bool floats = GetParam()->moment_kernel().bits == 32;
+    EXPECT_LE(median, floats ? 1e-5 : 2e-2);
+    EXPECT_LE(high, floats ? 0.03 : 0.5) << "16 bits round moments by 1e-5 b0";
 }
 
 INSTANTIATE_TEST_SUITE_P(Techniques, Intervals, ::testing::ValuesIn(interval_techniques()),
