@@ -22,23 +22,42 @@ namespace glsl::KERNEL_ID {
 namespace {
 
 namespace any_cpu {
+// moment_kernel_estimates.inl
+void evaluate_estimates(const MomentVector& vector, const ReconstructionSettings& settings,
+                        std::span<const float> depths, const AbsorbanceCurves& curves);
+float fraction_of_pixel(const MomentVector& vector, const ReconstructionSettings& settings, float depth);
+
 #include "core/techniques/moment_kernel_functions.inl"
-}
+
+#include "core/techniques/moment_kernel_estimates.inl"
+}  // namespace any_cpu
 
 #ifdef INSTRUCTION_SETS
+/// The kernel with functions of a wider instruction set.
+constexpr MomentKernel with_functions(MomentKernel kernel, decltype(kernel.evaluate) evaluate,
+                                      decltype(kernel.fraction) fraction,
+                                      decltype(kernel.fractions) fractions) {
+    kernel.evaluate = evaluate;
+    kernel.fraction = fraction;
+    kernel.fractions = fractions;
+    return kernel;
+}
+
 #define FUSED_MULTIPLY_ADD  // see float_pair.glsl
 #pragma GCC push_options
 #pragma GCC target("arch=x86-64-v3")
 namespace avx2 {
 #include "core/techniques/moment_kernel_functions.inl"
-}
+constexpr MomentKernel KERNEL = with_functions(any_cpu::KERNEL, evaluate, fraction, fractions);
+}  // namespace avx2
 #pragma GCC pop_options
 
 #pragma GCC push_options
 #pragma GCC target("arch=x86-64-v4")
 namespace avx512 {
 #include "core/techniques/moment_kernel_functions.inl"
-}
+constexpr MomentKernel KERNEL = with_functions(any_cpu::KERNEL, evaluate, fraction, fractions);
+}  // namespace avx512
 #pragma GCC pop_options
 #endif
 
