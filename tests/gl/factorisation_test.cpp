@@ -64,7 +64,12 @@ TEST_P(FactorisationTest, OncePerPixelGivesTheSameTransmittance) {
 
 std::vector<const Technique*> rows() {
     std::vector<const Technique*> rows = moment_based_techniques();
-    std::erase_if(rows, [](const Technique* row) { return !row->uses(ParameterId::factorisation); });
+    // Of those that know the ends, the one with the smallest and the one with the largest factor are enough.
+    std::erase_if(rows, [](const Technique* row) {
+        const std::string_view id = row->id;
+        const bool of_others = row->moments().estimation && id != "certain4" && id != "sharp8";
+        return of_others || !row->uses(ParameterId::factorisation);
+    });
     return rows;
 }
 
