@@ -62,11 +62,17 @@ std::vector<const Technique*> techniques_in(const std::vector<Configuration>& co
 
 std::vector<ParameterId> reconstruction_parameters(const std::vector<const Technique*>& techniques) {
     std::vector<ParameterId> read;
-    for (const ParameterId id : {ParameterId::beta, ParameterId::theta, ParameterId::alpha,
-                                 ParameterId::preset, ParameterId::solver, ParameterId::tolerance})
+    using enum ParameterId;
+    for (const ParameterId id : {beta, theta, alpha, preset, solver, tolerance, estimate, ends, interval})
         if (std::ranges::any_of(techniques, [&](const Technique* t) { return t->uses(id); }))
             read.push_back(id);
     return read;
+}
+
+void refuse_nonsense(std::span<const Technique* const> techniques, const ParameterValues& values) {
+    for (const Technique* technique : techniques)
+        if (const char* why = why_refused(*technique, values); why != nullptr)
+            throw Error(fmt::format("{}: {}", technique->id, why));
 }
 
 bool ends_in(const std::string& path, const char* extension) {

@@ -1,6 +1,7 @@
 // ignored_options.hpp -- refuses options that were typed but would change nothing.
 #pragma once
 #include <initializer_list>
+#include <span>
 #include <vector>
 
 #include "app/options.hpp"
@@ -34,6 +35,9 @@ void refuse_ignored_parameters(const ParameterOptions& typed, const ParameterRea
 /// reconstruction that techniques read.
 std::vector<const Technique*> techniques_in(const std::vector<Configuration>& configurations);
 std::vector<ParameterId> reconstruction_parameters(const std::vector<const Technique*>& techniques);
+
+/// Throws Error if the values make no sense together for one of the techniques.
+void refuse_nonsense(std::span<const Technique* const> techniques, const ParameterValues& values);
 
 bool ends_in(const std::string& path, const char* extension);
 

@@ -113,6 +113,7 @@ public:
     void run() const override {
         const MomentOrders orders = moment_orders(basis_);
         const ParameterValues values = parameters_.over();
+        refuse_nonsense(orders, values);
         const bool png = ends_in(output_, ".png");
         if (!output_.empty() && !png && !ends_in(output_, ".json"))
             throw Error(fmt::format("'{}' ends in neither .png nor .json; give -o such a name.", output_));

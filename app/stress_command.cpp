@@ -84,6 +84,7 @@ private:
         for (const std::string& id : split_list(conditions_))
             stress.conditions.push_back(&require_condition(id));
         stress.values = parameters_.over();
+        refuse_nonsense(stress.techniques, stress.values);
         stress.rays = rays_;
         stress.seed = seed_;
         stress.shard = shard_;

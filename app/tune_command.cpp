@@ -37,15 +37,19 @@ const char* preset_name(const Technique& technique, const Trial& trial) {
     return trial.value == technique.moments().robust_bias ? "  (preset robust)" : "";
 }
 
+bool was_tuned(const TuneResult& result, ParameterId id) {
+    return std::ranges::find(result.trials, id, &Trial::parameter) != result.trials.end();
+}
+
 // One table per parameter. Failures of exact arithmetic on the stored moments cannot be avoided by any
 // solver.
 void print_trials(const Technique& technique, const TuneResult& result) {
     for (const ParameterId id : {ParameterId::alpha, ParameterId::theta, ParameterId::beta}) {
-        if (!technique.uses(id)) continue;
+        if (!was_tuned(result, id)) continue;
         const Parameter& row = parameter(id);
         const bool judged = id == ParameterId::alpha;
         print(fmt::format("\n{} --{}{}\n{:>12}  rms error of T{}\n", row.name, row.key,
-                          judged ? " (at beta = 0)" : "", "value",
+                          judged && was_tuned(result, ParameterId::beta) ? " (at beta = 0)" : "", "value",
                           judged ? "  failures  of exact arithmetic on the stored moments" : ""));
         for (const Trial& trial : result.trials) {
             if (trial.parameter != id) continue;
@@ -66,7 +70,8 @@ void print_result(const Technique& technique, const TuneResult& result) {
             percent(result.failure_rate)));
     std::string options;
     for (const ParameterId id : {ParameterId::alpha, ParameterId::theta, ParameterId::beta})
-        if (technique.uses(id)) options += fmt::format(" --{} {:.3g}", parameter(id).key, *result.values[id]);
+        if (was_tuned(result, id))
+            options += fmt::format(" --{} {:.3g}", parameter(id).key, *result.values[id]);
     print(fmt::format("\n{}: --technique {}{}\nrms error of T {:.4g}, before {:.4g}; failures {}\n",
                       technique.name, technique.id, options, result.error, result.error_before,
                       percent(result.failure_rate)));
@@ -129,6 +134,7 @@ public:
             throw Error(fmt::format("'{}' has no parameters to tune; choose a technique with moments.",
                                     tuning.technique->id));
         tuning.values = parameters_.over();
+        refuse_nonsense({&tuning.technique, 1}, tuning.values);
         tuning.most_failures = max_failures_;
         const std::vector<ViewRay> rays = this->rays(tuning);
         std::optional<TuneResult> result;

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "core/inspect/drawn_fragments.hpp"
-#include "core/inspect/exact.hpp"
+#include "core/inspect/exact_estimates.hpp"
 #include "core/inspect/fragment_estimates.hpp"
 #include "core/inspect/pixel_color.hpp"
 #include "core/inspect/pixel_state_curve.hpp"
@@ -26,38 +26,18 @@ struct Step {
     glm::dvec3 color;
 };
 
-// The sum of colours times opacity times these transmittances, over what lies behind (paper, Equation 2).
-// spread: how far renormalisation may move each of them; empty for techniques without moments.
-glm::dvec3 weighted_color(const ViewRay& ray, const std::vector<double>& t, const std::vector<double>& spread,
-                          const ResolvedParameters& parameters, const glm::vec3& behind) {
-    glm::dvec4 sum(0), uncertain(0);
-    for (std::size_t i = 0; i < t.size(); ++i) {
-        const glm::dvec4 covered =
-            glm::dvec4(ray.fragments[i].color, 1) * static_cast<double>(ray.fragments[i].opacity);
-        sum += covered * t[i];
-        if (!spread.empty()) uncertain += covered * spread[i];
-    }
-    const double through = std::exp(-total_absorbance(ray));
-    if (parameters.moves_uncertain() && uncertain.a > 0)
-        sum += uncertain * std::clamp((1 - through - sum.a) / uncertain.a, -1.0, 1.0);
-    const double scale = parameters.renormalizes() && sum.a > 0 ? (1 - through) / sum.a : 1;
-    return glm::dvec3(sum) * scale + glm::dvec3(behind) * through;
-}
-
-glm::dvec3 color_of_estimates(const ViewRay& ray, const std::vector<ExactEstimate>& estimates,
+// The composite of these estimates, which have a transmittance and a spread each.
+template <typename Estimates>
+glm::dvec3 color_of_estimates(const ViewRay& ray, const Estimates& estimates,
                               const ResolvedParameters& parameters, const glm::vec3& behind) {
-    std::vector<double> t, spread;
-    for (const ExactEstimate& one : estimates) {
-        t.push_back(one.transmittance);
-        spread.push_back(one.spread);
+    glm::vec4 weighted(0), uncertain(0);
+    for (std::size_t i = 0; i < estimates.size(); ++i) {
+        const glm::vec4 covered = glm::vec4(ray.fragments[i].color, 1) * ray.fragments[i].opacity;
+        weighted += covered * static_cast<float>(estimates[i].transmittance);
+        uncertain += covered * static_cast<float>(estimates[i].spread);
     }
-    return weighted_color(ray, t, spread, parameters, behind);
-}
-
-std::vector<double> transmittances(const std::vector<double>& absorbances) {
-    std::vector<double> t;
-    for (const double absorbance : absorbances) t.push_back(std::exp(-absorbance));
-    return t;
+    return composited_color(weighted, uncertain, static_cast<float>(total_absorbance(ray)), parameters,
+                            behind);
 }
 
 // No function of depth can tell which of two surfaces at the same depth lies in front. Neither occludes the
@@ -65,8 +45,10 @@ std::vector<double> transmittances(const std::vector<double>& absorbances) {
 void add_step_of_ties(std::vector<Step>& steps, const ViewRay& ray, const ResolvedParameters& parameters,
                       const glm::vec3& behind) {
     if (!has_ties(ray)) return;
-    const std::vector<double> t = transmittances(true_absorbance(ray, own_depths(ray)));
-    steps.push_back({"surfaces at the same depth", weighted_color(ray, t, {}, parameters, behind)});
+    std::vector<ExactEstimate> truth;
+    for (const double absorbance : true_absorbance(ray, own_depths(ray)))
+        truth.push_back({absorbance, absorbance, std::exp(-absorbance), 0});
+    steps.push_back({"surfaces at the same depth", color_of_estimates(ray, truth, parameters, behind)});
 }
 
 // The technique whose exact function is used. All bases on the line hold the same information as the same
@@ -81,12 +63,12 @@ std::vector<Step> moment_steps(const ViewRay& ray, const Technique& technique, c
     const ResolvedParameters parameters = resolve(values, technique);
     const Technique& reference = with_reference(technique);
     const bool by_beta = parameters.estimation.estimate != Estimate::expected;
-    ResolvedParameters exact = parameters;
+    ResolvedParameters exact = parameters;  // changes from step to step
+    std::vector<Step> steps;
     const auto add = [&](std::string cause) {
         const auto estimates = exact_estimates(exact_function(ray, reference, exact), ray, exact);
-        return Step{std::move(cause), color_of_estimates(ray, estimates, parameters, behind)};
+        steps.push_back({std::move(cause), color_of_estimates(ray, estimates, parameters, behind)});
     };
-    std::vector<Step> steps;
     add_step_of_ties(steps, ray, parameters, behind);
     exact.alpha = 0;
     if (technique.on_circle()) exact.theta = MIN_WRAPPING_ZONE;
@@ -94,30 +76,27 @@ std::vector<Step> moment_steps(const ViewRay& ray, const Technique& technique, c
         exact.estimation.estimate = Estimate::own_beta;
         exact.beta = 0;
     }
-    steps.push_back(add(fmt::format(
-        "the moment count ({} {} moments for {})", technique.moments().moment_count,
-        family_name(technique.moments().basis->family), fragment_count_text(ray.fragments.size()))));
+    add(fmt::format("the moment count ({} {} moments for {})", technique.moments().moment_count,
+                    family_name(technique.moments().basis->family),
+                    fragment_count_text(ray.fragments.size())));
     exact.theta = parameters.theta;
-    if (technique.on_circle()) steps.push_back(add("the wrapping zone"));
+    if (technique.on_circle()) add("the wrapping zone");
     if (by_beta) {
         exact.beta = parameters.beta;
-        steps.push_back(add("the overestimation weight"));
+        add("the overestimation weight");
     }
     if (parameters.estimation.estimate == Estimate::beta) {
         exact.estimation.estimate = Estimate::beta;
-        steps.push_back(add("self-occlusion"));
+        add("self-occlusion");
     }
     exact.alpha = parameters.alpha;
-    if (&reference == &technique) steps.push_back(add("the moment bias"));
-    std::vector<ExactEstimate> shown;
-    for (const FragmentEstimate& one : fragment_estimates(ray, technique, parameters))
-        shown.push_back({static_cast<double>(one.lower), static_cast<double>(one.upper),
-                         static_cast<double>(one.transmittance), static_cast<double>(one.spread)});
-    steps.push_back({&reference != &technique               ? "the moment bias"
-                     : technique.moment_kernel().bits == 16 ? "16-bit drift of the moments"
-                     : parameters.textbook                  ? "the textbook solver"
-                                                            : "rounding of floats",
-                     color_of_estimates(ray, shown, parameters, behind)});
+    if (&reference == &technique) add("the moment bias");
+    steps.push_back(
+        {&reference != &technique               ? "the moment bias"
+         : technique.moment_kernel().bits == 16 ? "16-bit drift of the moments"
+         : parameters.textbook                  ? "the textbook solver"
+                                                : "rounding of floats",
+         color_of_estimates(ray, fragment_estimates(ray, technique, parameters), parameters, behind)});
     return steps;
 }
 

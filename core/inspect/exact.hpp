@@ -37,41 +37,11 @@ std::optional<ExactFunction> exact_function(const ViewRay& ray, const Technique&
 std::optional<ExactFunction> exact_function_of_stored(const MomentVector& stored, const Technique& technique,
                                                       const ResolvedParameters& parameters);
 
-/// What a technique would know of one fragment in exact arithmetic (docs/less_error.md).
-struct ExactEstimate {
-    double lower = 0, upper = 0;  // bounds of the absorbance in front
-    double transmittance = 1;
-    double spread = 0;
-};
-
-/// The estimates for some fragments of a ray, from an exact function of the scene's depths. places: indices
-/// into ViewRay::fragments. If `exact` is nullopt, the moments determine the distribution, and only fragments
-/// at the same depth are uncertain.
-std::vector<ExactEstimate> exact_estimates(const std::optional<ExactFunction>& exact, const ViewRay& ray,
-                                           const ResolvedParameters& parameters,
-                                           std::span<const std::size_t> places);
-
-/// The same for all fragments, in their order.
-std::vector<ExactEstimate> exact_estimates(const std::optional<ExactFunction>& exact, const ViewRay& ray,
-                                           const ResolvedParameters& parameters);
-
 /// The absorbance in front of each of the depths, from an exact function; in [0, b0], where b0 is the total
 /// absorbance of the ray. If `exact` is nullopt, the result is the truth, plus beta times the mass at the
 /// depth itself. This is right if the matrix is singular, because the moments then determine the
 /// distribution.
 std::vector<double> exact_absorbance(const std::optional<ExactFunction>& exact, const ViewRay& ray,
                                      float beta, std::span<const float> depths);
-
-/// The exact curve of queries that are no fragments, by the estimate of the parameters, at `depths` in [-1,
-/// 1]. With Estimate::beta this is exact_absorbance.
-std::vector<double> exact_curve(const std::optional<ExactFunction>& exact, const ViewRay& ray,
-                                const ResolvedParameters& parameters, std::span<const float> depths);
-
-/// The unbiased exact curve: that of exact moments without bias. If the ray
-/// has so few fragments that the moments determine the distribution (paper, Section 4.1), this is the truth,
-/// plus beta times the mass at the depth itself. Empty for techniques without moments and for bases that
-/// core/reference does not have.
-std::vector<float> unbiased_absorbance(const ViewRay& ray, const Technique& technique,
-                                       const ResolvedParameters& parameters, std::span<const float> depths);
 
 }  // namespace momentscope

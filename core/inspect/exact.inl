@@ -3,7 +3,6 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -24,49 +23,6 @@ std::vector<reference::PointMass<Number>> exact_masses(const ViewRay& ray) {
         masses.push_back({static_cast<Number>(fragment.depth), std::min(absorbance, greatest)});
     }
     return masses;
-}
-
-constexpr int END_STEPS = 65535;  // of the depth range, as in shaders/shared/ends.glsl
-
-/// The ends of a ray in steps of the depth range: near from depth 1 down, far from depth -1 up.
-template <class Number>
-struct RaySteps {
-    Number near = 0, far = 0;
-    bool known() const { return near + far >= END_STEPS; }
-};
-
-/// The step that holds a distance from one side of the depth range.
-template <class Number>
-Number step_of(const Number& distance) {
-    using std::ceil;
-    return ceil(distance * END_STEPS / 2);
-}
-
-template <class Number>
-RaySteps<Number> steps_of_depth(const Number& depth) {
-    return {step_of<Number>(1 - depth), step_of<Number>(1 + depth)};
-}
-
-template <class Number>
-RaySteps<Number> steps_of_masses(std::span<const reference::PointMass<Number>> masses) {
-    const Number least = Number(1) / 256;  // fainter fragments do not count
-    RaySteps<Number> steps;
-    for (const auto& mass : masses) {
-        if (mass.absorbance < least) continue;
-        const RaySteps<Number> own = steps_of_depth(mass.depth);
-        steps.near = std::max(steps.near, own.near);
-        steps.far = std::max(steps.far, own.far);
-    }
-    return steps;
-}
-
-/// A depth in the interval between the ends; the depth itself if the ends are not known.
-template <class Number>
-Number in_interval(const Number& depth, const RaySteps<Number>& steps) {
-    if (!steps.known()) return depth;
-    const Number width = std::max(Number(steps.near + steps.far - END_STEPS), Number(1));
-    const Number from_near = (depth - 1) * END_STEPS / 2 + steps.near;
-    return std::clamp(Number(2 * from_near / width - 1), Number(-1), Number(1));
 }
 
 /// std::lerp, which takes only built-in numbers.
@@ -94,35 +50,6 @@ reference::PowerMoments<M, Number> table_bias(int bits) {
         if (bits == 16) return of(1, 0, 0.424749164L, 0, 0.224078027L, 0, 0.153692308L, 0, 0.129004405L);
         return of(1, 0, 0.75L, 0, 0.67666666666666664L, 0, 0.63L, 0, 0.60030303030303034L);
     }
-}
-
-// The power moments (2k)! / (4^k k!^2) of the arcsine distribution, towards which Chebyshev moments are
-// biased.
-template <class Number, std::size_t M>
-reference::PowerMoments<M, Number> arcsine_moments() {
-    reference::PowerMoments<M, Number> moments{};
-    moments[0] = 1;
-    for (std::size_t k = 2; k <= M; k += 2)
-        moments[k] = moments[k - 2] * static_cast<Number>(k - 1) / static_cast<Number>(k);
-    return moments;
-}
-
-/// Converts Chebyshev moments to power moments. z^k is expanded in T_j by z T_j = (T_{j+1} + T_{|j-1|}) / 2.
-template <class Number, std::size_t M>
-reference::PowerMoments<M, Number> power_of_chebyshev(const std::array<Number, M + 1>& chebyshev) {
-    reference::PowerMoments<M, Number> power{};
-    std::array<Number, M + 2> coefficient{};  // of z^k
-    coefficient[0] = 1;
-    for (std::size_t k = 0; k <= M; ++k) {
-        for (std::size_t j = 0; j <= k; ++j) power[k] += coefficient[j] * chebyshev[j];
-        std::array<Number, M + 2> next{};
-        for (std::size_t j = 0; j <= k && j <= M; ++j) {
-            next[j + 1] += coefficient[j] / (j == 0 ? 1 : 2);
-            if (j > 0) next[j - 1] += coefficient[j] / 2;
-        }
-        coefficient = next;
-    }
-    return power;
 }
 
 // The moments that 16-bit numbers in [0, 1] represent, times b0. The transform is Theta*_m for power moments
@@ -220,7 +147,7 @@ std::optional<reference::PowerFactor<M, Number>> first_moments(
     reference::PowerMoments<M, Number> first{};
     std::copy_n(moments.begin(), M + 1, first.begin());
     return reference::factor_power<M, Number>(
-        reference::normalise_and_bias(first, arcsine_moments<Number, M>(), alpha));
+        reference::normalise_and_bias(first, reference::arcsine_moments<Number, M>(), alpha));
 }
 
 // The choice of nested orders (shaders/shared/nested_orders.glsl), in real numbers.
@@ -254,7 +181,8 @@ struct Exact {
         if constexpr (basis == BasisId::power)
             return on_a_line<Number, M>(reference::power_moments<M>(masses), table_bias<Number, M>(bits), p);
         else if constexpr (basis == BasisId::chebyshev)
-            return on_a_line<Number, M>(reference::power_moments<M>(masses), arcsine_moments<Number, M>(), p);
+            return on_a_line<Number, M>(reference::power_moments<M>(masses),
+                                        reference::arcsine_moments<Number, M>(), p);
         else if constexpr (basis == BasisId::nested)
             return with_nested_orders(reference::power_moments<M>(masses), alpha,
                                       static_cast<Number>(p.tolerance));
@@ -272,11 +200,11 @@ struct Exact {
                                         table_bias<Number, M>(bits), p);
         } else if constexpr (basis == BasisId::chebyshev) {
             return on_a_line<Number, M>(
-                power_of_chebyshev<Number, M>(real_moments<Number, M>(stored, bits, false)),
-                arcsine_moments<Number, M>(), p);
+                reference::power_of_chebyshev<Number, M>(real_moments<Number, M>(stored, bits, false)),
+                reference::arcsine_moments<Number, M>(), p);
         } else if constexpr (basis == BasisId::nested) {
             return with_nested_orders(
-                power_of_chebyshev<Number, M>(real_moments<Number, M>(stored, bits, false)), alpha,
+                reference::power_of_chebyshev<Number, M>(real_moments<Number, M>(stored, bits, false)), alpha,
                 static_cast<Number>(p.tolerance));
         } else if constexpr (basis == BasisId::trigonometric) {
             const auto flat = real_moments<Number, 2 * M>(stored, bits, false);
@@ -307,10 +235,10 @@ std::optional<ExactFunctionOf<Number>> with_exact(const Technique& technique, co
 // Takes scene depths to the interval between the ends.
 template <class Number>
 std::optional<ExactFunctionOf<Number>> of_scene_depths(std::optional<ExactFunctionOf<Number>> function,
-                                                       const RaySteps<Number>& steps) {
+                                                       const reference::RaySteps<Number>& steps) {
     if (!function) return std::nullopt;
     return [function = std::move(*function), steps](Number depth) {
-        return function(in_interval(depth, steps));
+        return function(reference::in_interval(depth, steps));
     };
 }
 
@@ -321,10 +249,10 @@ std::optional<ExactFunctionOf<Number>> exact_function(const ViewRay& ray, const 
                                                       const ResolvedParameters& parameters) {
     auto masses = exact_masses<Number>(ray);
     if (masses.empty()) return std::nullopt;
-    RaySteps<Number> steps;
+    reference::RaySteps<Number> steps;
     if (parameters.in_own_interval()) {
-        steps = steps_of_masses<Number>(masses);
-        for (auto& mass : masses) mass.depth = in_interval(mass.depth, steps);
+        steps = reference::steps_of_masses<Number>(masses);
+        for (auto& mass : masses) mass.depth = reference::in_interval(mass.depth, steps);
     }
     return of_scene_depths(
         with_exact<Number>(technique, [&](auto exact) { return exact.of_masses(masses, parameters); }),
@@ -336,7 +264,7 @@ std::optional<ExactFunctionOf<Number>> exact_function_of_stored(const MomentVect
                                                                 const Technique& technique,
                                                                 const ResolvedParameters& parameters) {
     if (!(stored.b0 > 0)) return std::nullopt;
-    RaySteps<Number> steps;
+    reference::RaySteps<Number> steps;
     if (parameters.in_own_interval())
         steps = {static_cast<Number>(stored.near_step), static_cast<Number>(stored.far_step)};
     return of_scene_depths(

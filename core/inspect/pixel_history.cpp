@@ -11,18 +11,31 @@
 
 namespace momentscope {
 
+namespace {
+
+// T of each fragment by a technique without moments; for a ground truth, of what it draws.
+std::vector<float> other_transmittances(const ViewRay& ray, const Technique& technique,
+                                        const ResolvedParameters& parameters) {
+    if (technique.has_pixel_states()) return own_transmittance(ray, technique, parameters.settings);
+    std::vector<float> t;
+    for (const double absorbance : true_absorbance(drawn_fragments(ray, technique), own_depths(ray)))
+        t.push_back(transmittance(static_cast<float>(absorbance)));
+    return t;
+}
+
+}  // namespace
+
 std::vector<PixelHistoryRow> pixel_history(const ViewRay& ray, std::span<const float> gl_transmittance,
                                            const Technique& technique, const ParameterValues& values) {
-    std::vector<float> depths;
-    for (const Fragment& fragment : ray.fragments) depths.push_back(fragment.depth);
-    const Curve curve = sample_curve(ray, technique, values, depths);
-    const std::vector<float> own = technique.has_pixel_states()
-                                       ? own_transmittance(ray, technique, curve.parameters.settings)
-                                       : std::vector<float>();
+    const ResolvedParameters parameters = resolve(values, technique);
+    const std::vector<double> truth = true_absorbance(ray, own_depths(ray));
     const std::vector<bool> drawn = drawn_flags(ray, technique);
-    const std::vector<FragmentEstimate> estimates = technique.has_moments()
-                                                        ? fragment_estimates(ray, technique, curve.parameters)
-                                                        : std::vector<FragmentEstimate>();
+    std::vector<FragmentEstimate> estimates;
+    std::vector<float> t;
+    if (technique.has_moments())
+        estimates = fragment_estimates(ray, technique, parameters);
+    else
+        t = other_transmittances(ray, technique, parameters);
     std::vector<PixelHistoryRow> in_submission_order;
     glm::vec4 sum(0);
     for (std::size_t i = 0; i < ray.fragments.size(); ++i) {
@@ -30,11 +43,10 @@ std::vector<PixelHistoryRow> pixel_history(const ViewRay& ray, std::span<const f
         PixelHistoryRow row{};
         row.fragment = i;
         row.absorbance = fragment_absorbance(fragment.opacity);
-        row.true_transmittance = std::exp(-curve.truth[i]);
-        row.transmittance = own.empty() ? transmittance(curve.reconstructed[i]) : own[i];
+        row.true_transmittance = std::exp(-truth[i]);
+        row.transmittance = estimates.empty() ? t[i] : estimates[i].transmittance;
         if (!estimates.empty()) {
             row.estimate = estimates[i];
-            row.transmittance = estimates[i].transmittance;
             row.uncertain = estimates[i].spread * fragment.opacity * glm::vec4(fragment.color, 1);
         }
         if (!gl_transmittance.empty()) row.gl_transmittance = gl_transmittance[i];

@@ -48,7 +48,7 @@ struct Steps {
     float query_weight = 0;  // w_0: the gap between the bounds, divided by b0
     float in_front = 0;      // sum of w_l v_l
     float fraction = 0;      // in_front + beta w_0
-    float absorbance = 0;    // by the estimate of the parameters, for a query that is no fragment
+    float absorbance = 0;    // by the estimate of the parameters, as if no fragment lay at the query
     float transmittance = 1;
     bool with_ends = false;      // both ends of the ray are nodes, because a root lies beyond one of them
     float lower = 0, upper = 0;  // the bounds between which A is estimated; only unless published

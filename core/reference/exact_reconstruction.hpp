@@ -6,7 +6,9 @@
 // weights by moment matching. Use long double for many queries, and boost::multiprecision::cpp_bin_float_50
 // to check long double.
 #pragma once
+#include "core/reference/chebyshev_reference.hpp"
 #include "core/reference/interval_reference.hpp"
 #include "core/reference/point_masses.hpp"
 #include "core/reference/power_reference.hpp"
+#include "core/reference/ray_steps.hpp"
 #include "core/reference/trigonometric_reference.hpp"

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "core/gl/texture.hpp"
 #include "core/render/geometry_pass.hpp"
 #include "core/support/error.hpp"
@@ -24,7 +22,6 @@ constexpr const char* FAILURES = "passes/failures.frag";
 // Texture units, as in shaders/passes.
 constexpr GLuint FIRST_FACTOR_UNIT = 3;  // to 7
 constexpr GLuint ENDS_UNIT = 9;
-constexpr float END_STEPS = 65535;
 constexpr GLuint UNCERTAIN_UNIT = 8;
 
 struct Formats {
@@ -126,6 +123,7 @@ void MomentPasses::draw_ends(const PassInput& input) {
 
 void MomentPasses::draw_moments(const PassInput& input) {
     make_optional_targets(input.parameters);
+    has_ends_ = input.parameters.knows_ends();
     if (input.parameters.in_own_interval()) draw_ends(input);
     const bool with_ends = ends_with_moments(input.parameters);
     const GLuint target = with_ends ? moments_and_ends_target_ : moment_target_;
@@ -157,6 +155,8 @@ void MomentPasses::draw_moments(const PassInput& input) {
 }
 
 void MomentPasses::make_factors(int floats) {
+    if (floats == factor_floats_) return;
+    factor_floats_ = floats;
     factors_.clear();
     std::vector<GLuint> targets;
     for (int left = floats; left > 0; left -= 4) {
@@ -170,9 +170,7 @@ void MomentPasses::make_factors(int floats) {
 void MomentPasses::draw_factors(const PassInput& input) {
     if (factored_bias_ == input.parameters.alpha) return;
     // Without ends, b0 is read where the first pass stored it.
-    const int floats =
-        pixel_factor_floats(technique_, input.parameters) - (input.parameters.knows_ends() ? 0 : 1);
-    if (static_cast<int>(factors_.size()) != (floats + 3) / 4) make_factors(floats);
+    make_factors(pixel_factor_floats(technique_, input.parameters) - (input.parameters.knows_ends() ? 0 : 1));
     bind_stored();
     glBindFramebuffer(GL_FRAMEBUFFER, factor_target_);
     glUseProgram(
@@ -233,16 +231,19 @@ std::vector<MomentVector> MomentPasses::read_moments(glm::ivec2 corner, glm::ive
     const std::vector<float> absorbances = read(total_absorbance_, GL_RED, 1);
     const std::vector<float> first = read(moments_1_to_4_, GL_RGBA, 4);
     const std::vector<float> second = floats > 4 ? read(moments_5_to_8_, GL_RGBA, 4) : std::vector<float>();
-    const std::vector<float> ends = ends_ != 0 ? read(ends_, GL_RG, 2) : std::vector<float>();
+    std::vector<GLushort> ends(has_ends_ ? 2 * count : 0);
+    if (has_ends_)
+        glGetTextureSubImage(ends_, 0, corner.x, corner.y, 0, extent.x, extent.y, 1, GL_RG, GL_UNSIGNED_SHORT,
+                             static_cast<GLsizei>(ends.size() * sizeof(GLushort)), ends.data());
     check_gl("reading moments");
     std::vector<MomentVector> moments(count);
     for (std::size_t i = 0; i < count; ++i) {
         moments[i].b0 = absorbances[i];
         for (std::size_t k = 0; k < floats; ++k)
             moments[i].b[k] = k < 4 ? first[4 * i + k] : second[4 * i + k - 4];
-        if (!ends.empty()) {
-            moments[i].near_step = std::round(ends[2 * i] * END_STEPS);
-            moments[i].far_step = std::round(ends[2 * i + 1] * END_STEPS);
+        if (has_ends_) {
+            moments[i].near_step = ends[2 * i];
+            moments[i].far_step = ends[2 * i + 1];
         }
     }
     return moments;

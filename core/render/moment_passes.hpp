@@ -44,7 +44,9 @@ private:
     GlFramebuffer moment_target_, depth_target_, color_target_;
     GlFramebuffer moments_and_ends_target_, ends_target_, uncertain_target_;
     GLuint depth_;
+    bool has_ends_ = false;           // did the first pass store the ends?
     std::vector<GlTexture> factors_;  // made at first use
+    int factor_floats_ = 0;           // numbers of a pixel in factors_
     GlFramebuffer factor_target_;
     glm::ivec2 size_;
     std::optional<float> factored_bias_;  // alpha of factors_; nullopt if the moments are newer

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/inspect/exact.hpp"
+#include "core/inspect/exact_estimates.hpp"
 
 namespace momentscope {
 

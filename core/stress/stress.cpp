@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/inspect/exact.hpp"
+#include "core/inspect/exact_estimates.hpp"
 #include "core/inspect/fragment_estimates.hpp"
 #include "core/stress/classify.hpp"
 #include "core/support/parallel_for.hpp"

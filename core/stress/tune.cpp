@@ -6,7 +6,7 @@
 #include <cmath>
 #include <span>
 
-#include "core/inspect/exact.hpp"
+#include "core/inspect/exact_estimates.hpp"
 #include "core/inspect/fragment_estimates.hpp"
 #include "core/stress/classify.hpp"
 #include "core/support/error.hpp"
@@ -208,7 +208,9 @@ std::optional<TuneResult> tune(const std::vector<ViewRay>& all_rays, const TuneO
             "No ray has a transparent fragment, so there is nothing to tune; choose another scene or ray.");
     std::vector<ParameterId> ids = {ParameterId::alpha};
     if (options.technique->uses(ParameterId::theta)) ids.push_back(ParameterId::theta);
-    ids.push_back(ParameterId::beta);
+    // The expected T does not depend on beta.
+    if (resolve(options.values, *options.technique).estimation.estimate != Estimate::expected)
+        ids.push_back(ParameterId::beta);
     std::size_t trials = 2;
     for (const ParameterId id : ids) trials += candidates(id, *options.technique).size();
     Search search(rays, options, std::move(stop), progress, trials);

@@ -97,8 +97,9 @@ struct MomentKernel {
     /// numbers.
     MomentVector (*moments_of)(const MomentVector& stored);
 
-    /// Curves at many depths in [-1, 1], for queries that are no fragments. Factors once, then runs in
-    /// vectors as wide as the CPU allows. Depths beyond the ends of the ray have the absorbance 0 or b0.
+    /// Curves at many depths in [-1, 1], for queries that do not belong to a fragment. Factors once, then
+    /// runs in vectors as wide as the CPU allows. Depths beyond the ends of the ray have the absorbance 0 or
+    /// b0.
     void (*evaluate)(const MomentVector& moments, const ReconstructionSettings& settings,
                      std::span<const float> depths, const AbsorbanceCurves& curves);
 

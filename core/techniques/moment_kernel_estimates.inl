@@ -112,7 +112,8 @@ void evaluate_estimates(const MomentVector& vector, const ReconstructionSettings
             continue;
         }
         const g::FragmentEstimate at = estimate_of(pixel, vector, settings, depth, 0.0f, g::AT_NO_END);
-        curves.reconstructed[i] = std::clamp(-std::log(at.transmittance), at.lower, at.upper);
+        curves.reconstructed[i] =
+            g::estimated_absorbance(at, static_cast<int>(settings.estimate), settings.overestimation);
         curves.beta0[i] = at.lower;
         curves.beta1[i] = at.upper;
     }

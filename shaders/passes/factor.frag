@@ -1,5 +1,5 @@
 // factor.frag -- runs between the first and the second pass. It biases and factors the moments of a pixel once, for all of its
-// fragments. Of pixels without absorbance no pass reads more than b_0.
+// fragments. Later passes read only b_0 of pixels without absorbance.
 #include "passes/blocks.glsl"
 #include "shared/portable_math.glsl"
 #include "shared/fragment.glsl"

@@ -2,8 +2,8 @@
 // the moments of its pixel, its own absorbance, and the ends of its ray (docs/less_error.md). Include it after reconstruction.glsl,
 // fragment.glsl and ends.glsl.
 
-/// The mass in front of a query depth, and the mass at it, as shares of b_0. Of all distributions with the same moments, these have
-/// the least mass in front and the greatest mass at the depth.
+/// The mass in front of a query depth, and the mass at it, as shares of b_0. No distribution with the same moments has less mass in
+/// front or more mass at the depth.
 struct QueryMasses { float in_front; float at_query; };
 
 FN QueryMasses make_masses(float in_front, float at_query)
@@ -56,7 +56,7 @@ FN QueryMasses masses_at_end(IN(QueryMasses) masses, int end, bool own_interval)
     return make_masses(in_front, none_behind ? 1.0f - in_front : masses.at_query);
 }
 
-/// What is known of a fragment. own: its absorbance, 0 if the query is no fragment. end: AT_NEAR_END and so on; AT_NO_END if the
+/// What is known of a fragment. own: its absorbance; 0 for a query that does not belong to a fragment. end: AT_NEAR_END and so on; AT_NO_END if the
 /// ends are not known. estimate: ESTIMATE_BETA and so on. beta in [0, 1].
 ///
 /// A fragment at one end is taken to be alone there: as little lies in front of it, or as much, as its bounds allow.
@@ -86,4 +86,14 @@ FN FragmentEstimate estimate_at(IN(QueryMasses) masses, float b0, float own, int
     result.transmittance = transmittance;
     result.spread = at_one_end ? 0.0f : spread;
     return result;
+}
+
+/// The absorbance in front of a query that does not belong to a fragment, for curves. bounds: result of estimate_at. estimate, beta: as
+/// there. -ln T would lose the digits of absorbances above 87.
+FN float estimated_absorbance(IN(FragmentEstimate) bounds, int estimate, float beta)
+{
+    float gap = bounds.upper - bounds.lower;
+    PRECISE float between = bounds.lower + beta * gap;
+    PRECISE float mean = bounds.lower - portable_log(mean_through(gap, portable_exp(-gap)));
+    return estimate == ESTIMATE_EXPECTED ? mean : between;
 }

@@ -22,7 +22,14 @@ inline std::vector<const Technique*> kernel_techniques() {
     return rows;
 }
 
-/// Those of them for which `holds` is true.
+/// The techniques with an estimation of their own.
+inline std::vector<const Technique*> interval_techniques() {
+    std::vector<const Technique*> rows = moment_based_techniques();
+    std::erase_if(rows, [](const Technique* row) { return !row->moments().estimation.has_value(); });
+    return rows;
+}
+
+/// The techniques of kernel_techniques for which `holds` is true.
 inline std::vector<const Technique*> moment_techniques_where(bool (*holds)(const Technique&)) {
     std::vector<const Technique*> rows = kernel_techniques();
     std::erase_if(rows, [holds](const Technique* row) { return !holds(*row); });

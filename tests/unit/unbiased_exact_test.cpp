@@ -1,5 +1,5 @@
 // unbiased_exact_test.cpp -- the unbiased exact curve, and the canonical representation of the plot.
-#include "core/inspect/exact.hpp"
+#include "core/inspect/exact_estimates.hpp"
 
 #include <gtest/gtest.h>
 

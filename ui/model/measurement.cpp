@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/inspect/exact.hpp"
+#include "core/inspect/exact_estimates.hpp"
 #include "core/stress/classify.hpp"
 #include "ui/model/selection.hpp"
 
