@@ -146,7 +146,7 @@ private:
         std::string text =
             fmt::format("{}, {}\n{}", scene_, configuration_text(of_technique_), uncertainty_text(pixels));
         if (!output_.empty()) {
-            constexpr float OPEN_SCALE = 0.5f, ERROR_SCALE = 0.05f;  // of luminance
+            constexpr float OPEN_SCALE = OPEN_FULL_SCALE / 4, ERROR_SCALE = OPEN_FULL_SCALE / 40;
             std::vector<float> values_of_both(2 * pixels.size());
             for (int y = 0; y < size_.y; ++y)
                 for (int x = 0; x < size_.x; ++x) {

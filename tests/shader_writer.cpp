@@ -22,7 +22,8 @@ constexpr const char* PLAIN[] = {
     "passes/sorted.frag",       "passes/peel.frag",           "passes/peel_composite.frag",
     "passes/copy.frag",         "passes/failure_colors.frag", "passes/farthest_depth.frag",
     "passes/caster_depth.frag", "passes/shadow_filter.frag"};
-constexpr const char* RECONSTRUCTING[] = {"passes/color.frag", "passes/capture.frag", "passes/failures.frag"};
+constexpr const char* RECONSTRUCTING[] = {"passes/color.frag", "passes/capture.frag", "passes/failures.frag",
+                                          "passes/uncertainty.frag"};
 
 void write(const std::filesystem::path& folder, const std::string& prefix, const std::string& path,
            const ShaderVariant& variant) {

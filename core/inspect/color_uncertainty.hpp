@@ -17,6 +17,9 @@ struct ColorUncertainty {
     float error = 0;       // |luminance of the technique's colour - luminance of the true colour|
 };
 
+/// The open luminance with the last colour of a map.
+constexpr float OPEN_FULL_SCALE = 2;
+
 /// The uncertainty and the error of a captured pixel. The technique must have moments.
 ColorUncertainty color_uncertainty(const PixelCapture& capture, const Configuration& configuration);
 

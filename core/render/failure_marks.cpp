@@ -19,7 +19,7 @@ std::optional<FailureCounts> FailureMarks::draw(const DrawnPicture& picture) {
     glClearNamedFramebufferfv(target_, GL_COLOR, 0, zero);
     picture.bind();
     glBindFramebuffer(GL_FRAMEBUFFER, target_);
-    if (!picture.transparency.draw_failures(picture.input)) return std::nullopt;
+    if (!picture.transparency.draw_diagnosis(picture.input, Diagnosis::failures)) return std::nullopt;
     glBindFramebuffer(GL_FRAMEBUFFER, color_target_);
     glUseProgram(picture.input.programs.get("passes/fullscreen.vert", "passes/failure_colors.frag"));
     glBindTextureUnit(0, counts_);

@@ -18,6 +18,7 @@ constexpr const char* ENDS = "passes/ends.frag";
 constexpr const char* FACTOR = "passes/factor.frag";
 constexpr const char* COLOR = "passes/color.frag";
 constexpr const char* FAILURES = "passes/failures.frag";
+constexpr const char* UNCERTAINTY = "passes/uncertainty.frag";
 
 // Texture units, as in shaders/passes.
 constexpr GLuint FIRST_FACTOR_UNIT = 3;  // to 7
@@ -203,12 +204,20 @@ void MomentPasses::draw_composite(const PassInput& input) {
     draw_fullscreen();
 }
 
-bool MomentPasses::draw_failures(const PassInput& input) {
+bool MomentPasses::draw_diagnosis(const PassInput& input, Diagnosis diagnosis) {
     GLint target = 0;
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
     ResolvedParameters parameters = input.parameters;
     parameters.factored_once = false;  // stored factors do not say which pivots were raised
-    glUseProgram(input.programs.get(SCENE, FAILURES, reconstruction_variant(technique_, parameters)));
+    ShaderVariant variant;
+    if (diagnosis == Diagnosis::uncertainty) {
+        parameters.textbook = false;  // the textbook solver knows no bounds
+        variant = input.lit(reconstruction_variant(technique_, parameters));
+    } else {
+        variant = reconstruction_variant(technique_, parameters);
+    }
+    const char* fragment_shader = diagnosis == Diagnosis::uncertainty ? UNCERTAINTY : FAILURES;
+    glUseProgram(input.programs.get(SCENE, fragment_shader, variant));
     bind_stored();
     draw_transparent(input.scene, static_cast<GLuint>(target), Blending::add);
     return true;

@@ -26,7 +26,7 @@ public:
     void draw_color(const PassInput& input) override;
     void draw_composite(const PassInput& input) override;
     std::optional<ShaderVariant> bind_for_capture(const ResolvedParameters& parameters) const override;
-    bool draw_failures(const PassInput& input) override;
+    bool draw_diagnosis(const PassInput& input, Diagnosis diagnosis) override;
 
     std::vector<MomentVector> read_moments(glm::ivec2 corner, glm::ivec2 extent) const override;
 

@@ -96,6 +96,7 @@ void Renderer::resize(glm::ivec2 size) {
     transparency_.reset();
     capture_.reset();
     failures_.reset();
+    uncertainty_.reset();
     probe_.reset();
     opaque_color_ = make_texture(GL_RGBA16F, size);
     depth_ = make_texture(GL_DEPTH_COMPONENT32F, size);
@@ -270,6 +271,11 @@ ShadowFilterSamples Renderer::capture_light(glm::ivec2 pixel, float view_depth) 
 std::optional<FailureCounts> Renderer::draw_failures() {
     if (failures_ == nullptr) failures_ = std::make_unique<FailureMarks>(view_.size, depth_);
     return failures_->draw(drawn());
+}
+
+std::vector<float> Renderer::uncertainty() {
+    if (uncertainty_ == nullptr) uncertainty_ = std::make_unique<UncertaintyMap>(view_.size, depth_);
+    return uncertainty_->draw(drawn());
 }
 
 }  // namespace momentscope

@@ -12,6 +12,7 @@
 #include "core/render/light_probe.hpp"
 #include "core/render/pass_timing.hpp"
 #include "core/render/shadow_maps.hpp"
+#include "core/render/uncertainty_map.hpp"
 #include "core/render/view.hpp"
 
 namespace momentscope {
@@ -94,6 +95,10 @@ public:
     /// sRGB with alpha, to be drawn over display_texture(). 0 before draw_failures().
     GLuint failure_texture() const { return failures_ ? failures_->texture() : 0; }
 
+    /// How much of each pixel's luminance the bounds of the last picture leave open, row by row from the top.
+    /// Empty if the technique reconstructs nothing.
+    std::vector<float> uncertainty();
+
     const std::shared_ptr<ProgramCache>& programs() const { return programs_; }
     OrderedAccess ordered_access() const { return access_; }
     const PassCounts& pass_counts() const { return counts_; }
@@ -134,9 +139,10 @@ private:
     std::unique_ptr<FragmentCapture> capture_;
 
     GlQuery timer_;
-    std::unique_ptr<ShadowMaps> shadow_maps_;  // made at first use
-    std::unique_ptr<LightProbe> probe_;        // of the last picture; made at first use
-    std::unique_ptr<FailureMarks> failures_;   // made at first use
+    std::unique_ptr<ShadowMaps> shadow_maps_;      // made at first use
+    std::unique_ptr<LightProbe> probe_;            // of the last picture; made at first use
+    std::unique_ptr<FailureMarks> failures_;       // made at first use
+    std::unique_ptr<UncertaintyMap> uncertainty_;  // made at first use
 };
 
 }  // namespace momentscope

@@ -39,6 +39,11 @@ struct PassInput {
     }
 };
 
+/// What tells how far a reconstruction can be trusted. failures: the numbers of failed and of clamped
+/// fragments (failures.frag; two channels). uncertainty: the luminance that the bounds leave open
+/// (uncertainty.frag; one channel).
+enum class Diagnosis { failures, uncertainty };
+
 /// The passes of one technique at one picture size. Each function draws one stage. Of the GL state it changes
 /// only bindings. The renderer calls a stage again only if its input has changed.
 class Transparency {
@@ -71,9 +76,9 @@ public:
     };
     virtual std::optional<LowTarget> low_target() const { return {}; }
 
-    /// Counts failed and clamped reconstructions into the bound two-channel target, by additive blending.
-    /// False if the technique reconstructs nothing.
-    virtual bool draw_failures(const PassInput&) { return false; }
+    /// Sums over the fragments of each pixel into the bound target, by additive blending. False, and nothing
+    /// is drawn, if the technique reconstructs nothing.
+    virtual bool draw_diagnosis(const PassInput&, Diagnosis) { return false; }
 };
 
 /// The passes of a technique. depth: the texture that its framebuffers test. Throws Error if the GL lacks

@@ -59,6 +59,12 @@ std::vector<glm::vec2> mark_outline(const Drawing::Mark& mark) {
         case MarkShape::triangle_down:
             unit = {{0, 1.15f}, {-1.1f, -0.85f}, {1.1f, -0.85f}};
             break;
+        case MarkShape::triangle_left:
+            unit = {{-1.15f, 0}, {0.85f, -1.1f}, {0.85f, 1.1f}};
+            break;
+        case MarkShape::triangle_right:
+            unit = {{1.15f, 0}, {-0.85f, 1.1f}, {-0.85f, -1.1f}};
+            break;
         case MarkShape::bar:
             unit = {{-1.3f, -0.55f}, {1.3f, -0.55f}, {1.3f, 0.55f}, {-1.3f, 0.55f}};
             break;

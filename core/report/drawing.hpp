@@ -7,7 +7,19 @@
 
 namespace momentscope {
 
-enum class MarkShape { circle, square, diamond, triangle_up, triangle_down, bar, pillar, cross, ring };
+enum class MarkShape {
+    circle,
+    square,
+    diamond,
+    triangle_up,
+    triangle_down,
+    triangle_left,
+    triangle_right,
+    bar,
+    pillar,
+    cross,
+    ring
+};
 
 /// A drawing. Places are in pixels from the upper left; colours are sRGB in [0, 1].
 struct Drawing {

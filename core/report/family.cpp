@@ -11,7 +11,16 @@ constexpr glm::vec3 rgb(unsigned hex) {
             static_cast<float>(hex & 0xFF) / 255};
 }
 
+bool has_interval(const Technique& technique, MomentInterval interval) {
+    return technique.has_moments() && technique.moments().estimation &&
+           technique.moments().estimation->interval == interval;
+}
+
 const Family ROWS[] = {
+    {"moments and ends", rgb(0x5B3FB5), MarkShape::triangle_right,
+     [](const Technique& t) { return has_interval(t, MomentInterval::scene); }},
+    {"moments of the own interval", rgb(0x5B3FB5), MarkShape::triangle_left,
+     [](const Technique& t) { return has_interval(t, MomentInterval::pixel); }},
     {"power moments", rgb(0x0072B2), MarkShape::circle,
      [](const Technique& t) { return t.is_of(BasisFamily::power); }},
     {"trigonometric moments", rgb(0xD55E00), MarkShape::square,

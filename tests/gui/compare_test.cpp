@@ -2,6 +2,7 @@
 // results.
 #include <nlohmann/json.hpp>
 
+#include "core/inspect/color_uncertainty.hpp"
 #include "tests/gui/compare_fixture.hpp"
 #include "ui/model/comparison_map.hpp"
 #include "ui/model/session.hpp"
@@ -108,6 +109,41 @@ TEST_F(CompareTest, FalseColorsAreThoseOfTheMetric) {
     const auto& ramp = ui::false_colors();
     EXPECT_LT(ramp.front()[0] + ramp.front()[1] + ramp.front()[2], 20);
     EXPECT_GT(ramp.back()[0] + ramp.back()[1] + ramp.back()[2], 500);
+}
+
+TEST_F(CompareTest, WhatTheMomentsLeaveOpenNeedsNoReference) {
+    open("spheres", "power4-32");
+    play("key Shift+H");
+    const ui::FrameReport& report = workspace().report;
+    EXPECT_FALSE(report.reference);
+    const ui::Comparison& numbers = workspace().comparison.numbers();
+    ASSERT_NE(numbers.uncertainty(), nullptr);
+    EXPECT_EQ(numbers.uncertainty()->map, workspace().picture.renderer().uncertainty());
+    const float published = numbers.uncertainty()->most;
+    const auto rgba =
+        ui::false_color_bytes(numbers.uncertainty()->map, OPEN_FULL_SCALE / state().compare.gain);
+    const int width = measurement().picture_size.x;
+    const Screen shown = screen();
+    for (int y = BELOW_LABELS; y < measurement().picture_size.y; ++y)
+        for (int x = 0; x < width; x += 7) {
+            if (glm::distance(glm::vec2(x, y), glm::vec2(measurement().pixel)) < 20) continue;  // the mark
+            const auto at = 4 * static_cast<std::size_t>(y * width + x);
+            const std::array<int, 3> expected = {rgba[at], rgba[at + 1], rgba[at + 2]};
+            ASSERT_EQ(color_of_pixel(shown, {x, y}), expected) << x << ", " << y;
+        }
+    draw();
+    EXPECT_FALSE(report.comparison) << "nothing changed";
+    workspace().state.compare.gain = 8;
+    draw();
+    EXPECT_TRUE(report.comparison);
+    EXPECT_FALSE(report.second_pass);
+    workspace().state.technique = &require_technique("sharp8");
+    draw();
+    EXPECT_LT(numbers.uncertainty()->most, published);
+    workspace().state.technique = &require_technique("wboit");
+    draw();
+    EXPECT_NE(workspace().scene_picture.title.find("no moments"), std::string::npos);
+    EXPECT_EQ(workspace().scene_picture.texture, workspace().picture.renderer().display_texture());
 }
 
 TEST_F(CompareTest, TheReferenceIsDrawnOnlyForThoseWhoLook) {

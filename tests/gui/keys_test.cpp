@@ -64,6 +64,8 @@ const std::map<std::string, Check>& checks() {
          [](const Pressed& p) { EXPECT_EQ(p.now.state.compare.mode, ui::CompareMode::difference); }},
         {"compare.false_color",
          [](const Pressed& p) { EXPECT_EQ(p.now.state.compare.mode, ui::CompareMode::false_color); }},
+        {"compare.uncertainty",
+         [](const Pressed& p) { EXPECT_EQ(p.now.state.compare.mode, ui::CompareMode::uncertainty); }},
         {"compare.swap",
          [](const Pressed& p) { EXPECT_NE(p.now.state.compare.swapped, p.before.compare.swapped); }},
         {"compare.next_worst",

@@ -16,12 +16,16 @@ void add_modes(List& list) {
         const char* name;
         const char* key;
         const char* help;
-    } modes[] = {{CompareMode::wipe, "compare.wipe", "Wipe", "W",
-                  "Shows the reference and the picture on the two sides of a line that you can drag."},
-                 {CompareMode::difference, "compare.difference", "Difference", "M",
-                  "Shows the absolute difference from the reference, amplified."},
-                 {CompareMode::false_color, "compare.false_color", "Error in false colour", "H",
-                  "Shows the chosen metric of every pixel as a colour."}};
+    } modes[] = {
+        {CompareMode::wipe, "compare.wipe", "Wipe", "W",
+         "Shows the reference and the picture on the two sides of a line that you can drag."},
+        {CompareMode::difference, "compare.difference", "Difference", "M",
+         "Shows the absolute difference from the reference, amplified."},
+        {CompareMode::false_color, "compare.false_color", "Error in false colour", "H",
+         "Shows the chosen metric of every pixel as a colour."},
+        {CompareMode::uncertainty, "compare.uncertainty", "What the moments leave open", "Shift+H",
+         "Shows as a colour how much the luminance of every pixel may change while the transmittance of "
+         "each fragment stays within its bounds. This needs no reference."}};
     for (const auto& row : modes)
         list.push_back({row.id,
                         row.name,

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/compare/worst_pixel.hpp"
+#include "core/inspect/color_uncertainty.hpp"
 #include "ui/model/comparison_map.hpp"
 
 namespace momentscope::ui {
@@ -16,6 +17,12 @@ std::size_t index_of(Metric metric) {
     return static_cast<std::size_t>(metric);
 }
 
+void find_range(PixelNumbers& numbers) {
+    const auto [least, most] = std::ranges::minmax_element(numbers.map);
+    numbers.least = *least;
+    numbers.most = *most;
+}
+
 std::optional<MetricResult> measure_pair(const PicturePair& pair, Metric metric,
                                          const std::stop_token& stop) {
     MetricResult result;
@@ -23,11 +30,9 @@ std::optional<MetricResult> measure_pair(const PicturePair& pair, Metric metric,
     result.map = difference_map(pair.reference, pair.picture, metric, stop);
     if (result.map.empty()) return std::nullopt;
     result.mean = mean_difference(result.map, metric);
-    const auto [least, most] = std::ranges::minmax_element(result.map);
-    result.least = *least;
-    result.most = *most;
+    find_range(result);
     // If several pixels are equal, take the first one, as "next worst" does.
-    const auto at = static_cast<int>(std::ranges::find(result.map, *most) - result.map.begin());
+    const auto at = static_cast<int>(std::ranges::find(result.map, result.most) - result.map.begin());
     result.worst = {at % pair.reference.width, at / pair.reference.width};
     return result;
 }
@@ -71,7 +76,7 @@ void Comparison::work_on(Metric first, bool all) {
 void Comparison::start(Metric metric) {
     work_.start([pair = pair_, metric, number = number_](const std::stop_token& stop, const auto&) {
         std::optional<MetricResult> result = measure_pair(*pair, metric, stop);
-        if (result) result->pair = number;
+        if (result) result->of = number;
         return result;
     });
 }
@@ -83,33 +88,44 @@ const MetricResult* Comparison::result(Metric metric) const {
 
 bool Comparison::is_fresh(Metric metric) const {
     const MetricResult* found = result(metric);
-    return found != nullptr && found->pair == number_;
+    return found != nullptr && found->of == number_;
 }
 
 double Comparison::mean_of(const MetricResult& result, const PixelRegion& region) {
     RegionMean& known = region_means_[index_of(result.metric)];
-    if (known.pair != result.pair || known.region != region)
-        known = {result.pair, region, mean_difference(part_of(result.map, size().x, region), result.metric)};
+    if (known.pair != result.of || known.region != region)
+        known = {result.of, region, mean_difference(part_of(result.map, size().x, region), result.metric)};
     return known.mean;
 }
 
+void Comparison::set_uncertainty(std::vector<float> map, glm::ivec2 size) {
+    PixelNumbers numbers = {.map = std::move(map), .of = uncertainty_ ? uncertainty_->of + 1 : 1};
+    find_range(numbers);
+    uncertainty_ = std::move(numbers);
+    uncertainty_size_ = size;
+}
+
+const PixelNumbers* Comparison::false_color_numbers(const CompareState& state) const {
+    if (state.mode == CompareMode::uncertainty) return uncertainty();
+    return state.mode == CompareMode::false_color ? result(state.metric) : nullptr;
+}
+
 bool Comparison::update_map(const CompareState& state) {
-    const bool colors = state.mode == CompareMode::false_color;
-    const MetricResult* shown = colors ? result(state.metric) : nullptr;
-    if (colors && shown == nullptr) {
+    const bool differences = state.mode == CompareMode::difference;
+    const PixelNumbers* shown = false_color_numbers(state);
+    if (!differences && shown == nullptr) {
         const bool had = map_.mode != CompareMode::off;
         map_ = {};
         return had;
     }
-    const long pair = colors ? shown->pair : number_;
-    const bool same_metric = !colors || map_.metric == state.metric;
-    if (map_.mode == state.mode && same_metric && map_.gain == state.gain && map_.pair == pair) return false;
-    map_.mode = state.mode;
-    map_.metric = state.metric;
-    map_.gain = state.gain;
-    map_.pair = pair;
-    map_.rgba =
-        colors ? false_color_bytes(shown->map, false_color_end(state)) : difference_bytes(*pair_, state.gain);
+    const long of = differences ? number_ : shown->of;
+    const bool same_metric = state.mode != CompareMode::false_color || map_.metric == state.metric;
+    if (map_.mode == state.mode && same_metric && map_.gain == state.gain && map_.of == of) return false;
+    map_ = {.mode = state.mode, .metric = state.metric, .gain = state.gain, .of = of};
+    map_.size = state.mode == CompareMode::uncertainty ? uncertainty_size_ : size();
+    if (!differences) map_.numbers = shown->map;
+    map_.rgba = differences ? difference_bytes(*pair_, state.gain)
+                            : false_color_bytes(shown->map, false_color_end(state));
     return true;
 }
 
@@ -130,7 +146,8 @@ std::optional<glm::ivec2> Comparison::next_worst(Metric metric, const PixelRegio
 }
 
 float false_color_end(const CompareState& state) {
-    return metrics()[index_of(state.metric)].full_scale / state.gain;
+    const bool open = state.mode == CompareMode::uncertainty;
+    return (open ? OPEN_FULL_SCALE : metrics()[index_of(state.metric)].full_scale) / state.gain;
 }
 
 PixelRegion pixels_of(const std::optional<PictureRegion>& region, glm::ivec2 size) {

@@ -16,23 +16,29 @@ struct PicturePair {
     Image reference, picture;
 };
 
-/// The result of one metric for a pair.
-struct MetricResult {
-    Metric metric = Metric::rmse;
-    std::vector<float> map;  // row by row
+/// A number for each pixel of a picture.
+struct PixelNumbers {
+    std::vector<float> map = {};  // row by row
     double mean = 0;
     float least = 0, most = 0;
-    glm::ivec2 worst{0};  // a pixel with the greatest difference
-    long pair = 0;        // number of the pair
+    long of = 0;  // number of the pair of pictures, or of the picture
 };
 
-/// A map of differences for the screen: sRGB RGBA bytes, row by row from the top.
+/// The result of one metric for a pair.
+struct MetricResult : PixelNumbers {
+    Metric metric = Metric::rmse;
+    glm::ivec2 worst{0};  // a pixel with the greatest difference
+};
+
+/// A map for the screen: sRGB RGBA bytes, row by row from the top.
 struct ComparisonMap {
     CompareMode mode = CompareMode::off;  // off: there is no map
     Metric metric = Metric::rmse;
     float gain = 1;
-    long pair = 0;
-    std::vector<unsigned char> rgba;
+    long of = 0;  // as in PixelNumbers
+    glm::ivec2 size{0};
+    std::vector<float> numbers = {};  // of the false colours; empty for differences
+    std::vector<unsigned char> rgba = {};
 };
 
 /// Holds the last pair of pictures and computes its metrics in a background thread, one after another,
@@ -58,6 +64,12 @@ public:
     const MetricResult* result(Metric metric) const;
     bool is_fresh(Metric metric) const;
 
+    /// Sets how much of each pixel's luminance the bounds of the picture leave open.
+    void set_uncertainty(std::vector<float> map, glm::ivec2 size);
+
+    /// nullptr before set_uncertainty.
+    const PixelNumbers* uncertainty() const { return uncertainty_ ? &*uncertainty_ : nullptr; }
+
     /// The mean over a part of the picture.
     double mean_of(const MetricResult& result, const PixelRegion& region);
 
@@ -74,12 +86,15 @@ public:
 
 private:
     void start(Metric metric);
+    const PixelNumbers* false_color_numbers(const CompareState& state) const;
 
     std::shared_ptr<const PicturePair> pair_;  // shared with the background work
     long number_ = 0;                          // number of the pair
     std::array<std::optional<MetricResult>, METRIC_COUNT> results_;
     BackgroundWork<std::optional<MetricResult>> work_;
     ComparisonMap map_;
+    std::optional<PixelNumbers> uncertainty_;
+    glm::ivec2 uncertainty_size_{0};
 
     struct RegionMean {
         long pair = 0;
@@ -94,7 +109,8 @@ private:
     PixelRegion visited_region_;
 };
 
-/// The value at which the colours of a false-colour picture end.
+/// The number at which the colours of a false-colour picture end: of the chosen metric, or of the
+/// uncertainty.
 float false_color_end(const CompareState& state);
 
 /// The pixels of a region in a picture of this size; all pixels if there is no region. Never empty.

@@ -20,7 +20,7 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-constexpr const char* COMPARE_MODES[] = {"off", "wipe", "difference", "false_color"};
+constexpr const char* COMPARE_MODES[] = {"off", "wipe", "difference", "false_color", "uncertainty"};
 constexpr const char* LENS_ZOOMS[] = {"far", "near", "values", "digits"};
 constexpr const char* QUANTITIES[] = {"absorbance", "transmittance"};
 constexpr const char* AXES[] = {"warped", "view"};

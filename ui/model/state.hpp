@@ -83,8 +83,9 @@ enum class ThemeKind { dark, light };
 
 constexpr std::size_t MAX_PINS = 4;
 
-/// How picture and reference are shown. off: only the picture.
-enum class CompareMode { off, wipe, difference, false_color };
+/// How picture and reference are shown. off: only the picture. uncertainty: what the moments leave open,
+/// without a reference.
+enum class CompareMode { off, wipe, difference, false_color, uncertainty };
 
 /// A rectangle in the picture, in fractions from the upper left corner.
 struct PictureRegion {
@@ -101,7 +102,7 @@ struct CompareState {
     const Technique* reference = &require_technique("sorted");  // drawn with the same parameters
     CompareMode mode = CompareMode::off;
     Metric metric = Metric::rmse;         // for false colour and the worst pixel
-    float gain = 4;                       // for difference and false colour
+    float gain = 4;                       // for differences and false colours
     float divider = 0.5f;                 // of the wipe, as a fraction of the picture's width
     bool swapped = false;                 // in the wipe, the reference is on the right instead of the left
     std::optional<PictureRegion> region;  // metrics are also computed for this region

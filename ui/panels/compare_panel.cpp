@@ -18,7 +18,8 @@ void draw_modes(const Ui& ui, CompareState& compare) {
         const char* id;  // part of the ids of the command and of the control
     } MODES[] = {{CompareMode::wipe, "wipe", "wipe"},
                  {CompareMode::difference, "difference", "difference"},
-                 {CompareMode::false_color, "false colour", "false_color"}};
+                 {CompareMode::false_color, "false colour", "false_color"},
+                 {CompareMode::uncertainty, "left open", "uncertainty"}};
     label("show");
     if (toggle_button("picture", compare.mode == CompareMode::off)) compare.mode = CompareMode::off;
     ui.record_widget_rect("comparison.off");
@@ -45,7 +46,7 @@ void draw_mode_controls(const Ui& ui, CompareState& compare) {
         ImGui::SliderFloat("##gain", &compare.gain, MIN_GAIN, MAX_GAIN, "× %.3g",
                            ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
         ui.record_widget_rect("comparison.gain");
-        tooltip("The factor by which the picture amplifies differences; the numbers stay as they are.",
+        tooltip("The factor by which the picture amplifies what it shows; the numbers stay as they are.",
                 "1 to 64; Ctrl+click to type");
     }
 }

@@ -28,12 +28,12 @@ bool writes_values(LensZoom zoom) {
 // A pixel of a map: its colour, and the differences or the number behind it.
 LensPixel map_pixel(const Comparison& comparison, LensZoom zoom, glm::ivec2 at) {
     const ComparisonMap& map = comparison.map();
-    const auto index = static_cast<std::size_t>(at.y * comparison.size().x + at.x);
+    const auto index = static_cast<std::size_t>(at.y * map.size.x + at.x);
     LensPixel pixel;
     for (std::size_t c = 0; c < 3; ++c) pixel.color[c] = map.rgba[4 * index + c];
     if (!writes_values(zoom)) return pixel;
-    if (map.mode == CompareMode::false_color) {
-        pixel.values[0] = fmt::format("{:.3g}", comparison.result(map.metric)->map[index]);
+    if (map.mode != CompareMode::difference) {
+        pixel.values[0] = fmt::format("{:.3g}", map.numbers[index]);
         return pixel;
     }
     const PicturePair& pair = comparison.pair();
@@ -56,6 +56,7 @@ std::string values_text(const Comparison& comparison, LensZoom zoom, bool map) {
     if (!writes_values(zoom)) return "";
     if (!map) return zoom == LensZoom::values ? "sRGB" : "linear";
     if (comparison.map().mode == CompareMode::difference) return "picture - reference";
+    if (comparison.map().mode == CompareMode::uncertainty) return "left open";
     return metrics()[static_cast<std::size_t>(comparison.map().metric)].symbol;
 }
 
@@ -75,7 +76,7 @@ void update_lens(Lens& lens, const Update& update, const Renderer& renderer,
     lens.corner = glm::max(input.middle - radius, glm::ivec2(0));
     lens.extent = glm::min(input.middle + radius + 1, input.size) - lens.corner;
     lens.pixels.clear();
-    const bool map = input.map && comparison.numbers().size() == input.size;
+    const bool map = input.map && comparison.numbers().map().size == input.size;
     const bool wipe = !flipped && has_comparison(state) && state.compare.mode == CompareMode::wipe;
     const bool only_reference = flipped && has_comparison(state);
     Image own, reference;

@@ -11,19 +11,40 @@ bool has_comparison(const ExplorerState& state) {
     return !state.ray && state.technique != state.compare.reference;
 }
 
+bool shows_uncertainty(const ExplorerState& state) {
+    return !state.ray && state.technique->has_moments() && state.compare.mode == CompareMode::uncertainty;
+}
+
 View reference_view(const ExplorerState& state, const View& view) {
     return {view.camera, view.size, state.compare.reference, view.parameters};
 }
 
 bool PictureComparison::wants_reference(const ExplorerState& state) const {
-    return has_comparison(state) && (flipped_ || state.compare.mode != CompareMode::off ||
-                                     state.panel == Panel::compare || worst_wanted_);
+    const CompareMode mode = state.compare.mode;
+    const bool shown = mode != CompareMode::off && mode != CompareMode::uncertainty;
+    return has_comparison(state) && (flipped_ || shown || state.panel == Panel::compare || worst_wanted_);
 }
 
-void PictureComparison::update(const Update& update, const PictureChange& change, const Renderer& renderer,
+void PictureComparison::update_uncertainty(const Update& update, glm::ivec2 size, Renderer& renderer) {
+    if (!shows_uncertainty(update.state)) return;
+    if (uncertainty_stale_) numbers_.set_uncertainty(renderer.uncertainty(), size);
+    uncertainty_stale_ = false;
+    update_map(update);
+}
+
+void PictureComparison::update_map(const Update& update) {
+    if (!numbers_.update_map(update.state.compare)) return;
+    const ComparisonMap& made = numbers_.map();
+    map_texture_ = made.mode == CompareMode::off ? GlTexture() : make_picture_texture(made.rgba, made.size);
+    update.report.comparison = true;
+}
+
+void PictureComparison::update(const Update& update, const PictureChange& change, Renderer& renderer,
                                const Scene& scene) {
     const ExplorerState& state = update.state;
     pair_stale_ |= change.stage != Stage::nothing;
+    uncertainty_stale_ |= change.stage <= Stage::color;
+    update_uncertainty(update, change.now.size, renderer);
     const CompareMode mode = has_comparison(state) ? state.compare.mode : CompareMode::off;
     const bool map = mode == CompareMode::difference || mode == CompareMode::false_color;
     const bool panel = state.panel == Panel::compare;
@@ -44,12 +65,7 @@ void PictureComparison::update(const Update& update, const PictureChange& change
         numbers_.work_on(state.compare.metric, panel);
     else
         numbers_.stop();
-    if (map && numbers_.update_map(state.compare)) {
-        const ComparisonMap& made = numbers_.map();
-        map_texture_ =
-            made.mode == CompareMode::off ? GlTexture() : make_picture_texture(made.rgba, numbers_.size());
-        update.report.comparison = true;
-    }
+    if (map) update_map(update);
     if (worst_wanted_ && numbers_.is_fresh(state.compare.metric)) pick_next_worst(update);
 }
 

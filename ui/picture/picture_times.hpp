@@ -19,7 +19,8 @@ struct PictureKind {
     Stage stage = Stage::nothing;                    // first stage that is drawn
     const Technique* reference = nullptr;            // reference that is drawn, too, or null
     Stage reference_stage = Stage::nothing;
-    bool failures = false;  // failures are marked again
+    bool failures = false;     // failures are marked again
+    bool uncertainty = false;  // what the moments leave open is measured again
     friend auto operator<=>(const PictureKind&, const PictureKind&) = default;
 };
 

@@ -58,14 +58,14 @@ void draw_wipe(ImDrawList& list, const Rect& area, const ExplorerState& state, c
 }
 
 void draw_color_legend(ImDrawList& list, const Rect& area, const ColorLegend& legend, const Palette& colors) {
-    const MetricRow& row = metrics()[static_cast<std::size_t>(legend.metric)];
-    const std::string title = fmt::format("{}{}", row.name, legend.computing ? ": computing…" : "");
+    const std::string title = fmt::format("{}{}", legend.name, legend.computing ? ": computing…" : "");
     const std::string range = fmt::format("least {:.3g}, greatest {:.3g}", legend.least, legend.most);
     const std::string end = fmt::format("{:.3g} and more", legend.end);
     const float line = ImGui::GetTextLineHeight();
     // Reserve space for text that comes and goes, so that the width stays the same.
-    const float width = std::max({15 * em(), ImGui::CalcTextSize(range.c_str()).x,
-                                  ImGui::CalcTextSize((std::string(row.name) + ": computing…").c_str()).x});
+    const float width =
+        std::max({15 * em(), ImGui::CalcTextSize(range.c_str()).x,
+                  ImGui::CalcTextSize((std::string(legend.name) + ": computing…").c_str()).x});
     const float pad = 0.8f * em();
     const ImVec2 low = {area.high.x - pad - width, area.low.y + pad};
     const float bar = 0.8f * em();

@@ -11,8 +11,8 @@ namespace momentscope::ui {
 
 /// The meaning of the false colours.
 struct ColorLegend {
-    Metric metric = Metric::rmse;
-    float end = 1;  // of the colours
+    const char* name = "";  // of what they show
+    float end = 1;          // of the colours
     float least = 0, most = 0;
     bool computing = false;  // the metric is being computed; the colours are those of the last pair
 };

@@ -8,19 +8,23 @@ namespace momentscope::ui {
 
 namespace {
 
-// A map of the differences between picture and reference.
+// A map of the differences between picture and reference, or of what the moments leave open.
 void show_map(ScenePicture& picture, const ExplorerState& state, const PictureComparison& comparison) {
     const CompareState& compare = state.compare;
-    if (comparison.numbers().map().mode == compare.mode) picture.texture = comparison.map_texture();
+    const Comparison& numbers = comparison.numbers();
+    const bool open = compare.mode == CompareMode::uncertainty;
+    const char* name =
+        open ? "Luminance left open" : metrics()[static_cast<std::size_t>(compare.metric)].name;
+    const PixelNumbers* shown = open ? numbers.uncertainty() : numbers.result(compare.metric);
+    if (numbers.map().mode == compare.mode) picture.texture = comparison.map_texture();
     if (compare.mode == CompareMode::difference)
         picture.title = fmt::format("|{} - {}| × {:.3g}, linear channels", state.technique->id,
                                     compare.reference->id, compare.gain);
-    else if (const MetricResult* result = comparison.numbers().result(compare.metric))
-        picture.legend = {compare.metric, false_color_end(compare), result->least, result->most,
-                          !comparison.numbers().is_fresh(compare.metric)};
+    else if (shown != nullptr)
+        picture.legend = {name, false_color_end(compare), shown->least, shown->most,
+                          !open && !numbers.is_fresh(compare.metric)};
     else
-        picture.title =
-            fmt::format("{}: computing…", metrics()[static_cast<std::size_t>(compare.metric)].name);
+        picture.title = fmt::format("{}: computing…", name);
 }
 
 void choose_picture(ScenePicture& picture, const ExplorerState& state, const Renderer& renderer,
@@ -34,7 +38,10 @@ void choose_picture(ScenePicture& picture, const ExplorerState& state, const Ren
         if (has_comparison(state)) picture.texture = comparison.reference().texture();
         picture.title = fmt::format("reference: {}", technique_label(*compare.reference));
     } else if (compare.mode != CompareMode::off) {
-        if (!has_comparison(state))
+        if (compare.mode == CompareMode::uncertainty && !shows_uncertainty(state))
+            picture.title =
+                fmt::format("{} has no moments, so nothing bounds its transmittances", state.technique->id);
+        else if (compare.mode != CompareMode::uncertainty && !has_comparison(state))
             picture.title = "nothing to compare: the picture is the reference itself";
         else if (compare.mode == CompareMode::wipe)
             picture.beside = comparison.reference().texture();

@@ -57,13 +57,15 @@ PictureKind picture_kind(const Workspace& w, const View& view, Stage stage) {
         kind.reference_stage = w.comparison.reference().stale_stage(reference_view(w.state, view));
     }
     kind.failures = w.state.failures && (stage <= Stage::color || !w.shown.failures);
+    kind.uncertainty = w.comparison.measures_uncertainty(w.state, stage);
     return kind;
 }
 
 // Called before anything is drawn, while the window still shows the last frame.
 void announce(const Workspace& w, const PictureKind& kind, glm::ivec2 size) {
     if (!w.options.before_long_picture) return;
-    if (kind.stage == Stage::nothing && kind.reference_stage == Stage::nothing && !kind.failures) return;
+    const bool nothing = kind.stage == Stage::nothing && kind.reference_stage == Stage::nothing;
+    if (nothing && !kind.failures && !kind.uncertainty) return;
     const auto expected = w.picture_times.expected(kind, size);
     if (!expected || *expected > w.options.most_silent_milliseconds) w.options.before_long_picture();
 }
