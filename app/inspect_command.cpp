@@ -87,14 +87,16 @@ std::string text_of_breakdowns(const PixelCapture& capture, const std::vector<Cu
     return text;
 }
 
-std::string text_of_steps(const std::vector<Curve>& curves, const std::vector<float>& depths) {
+std::string text_of_steps(const ViewRay& ray, const std::vector<Curve>& curves,
+                          const std::vector<float>& depths) {
     std::string text;
     for (const Curve& curve : curves) {
         if (!curve.technique->has_moments())
             throw Error(
                 fmt::format("'{}' has no steps, because it has no moments; choose a technique with moments.",
                             curve.technique->id));
-        for (const float depth : depths) text += steps_to_text(reconstruction_steps(curve, depth));
+        for (const float depth : depths)
+            text += steps_to_text(reconstruction_steps(curve, depth, fragment_at(ray, depth)));
     }
     return text;
 }
@@ -184,7 +186,7 @@ public:
             curves.push_back(sample_curve(ray, *one.technique, one.values, depths));
         if (sharp_bounds_)
             for (Curve& curve : curves) add_sharp_bounds(curve, ray);
-        const std::string text = steps_ ? text_of_steps(curves, depths) : text_of(subject, ray, curves);
+        const std::string text = steps_ ? text_of_steps(ray, curves, depths) : text_of(subject, ray, curves);
         if (output_.empty())
             print(text);
         else

@@ -19,6 +19,13 @@ std::optional<DepthInterval> ray_ends(const MomentVector& stored) {
     return DepthInterval{glsl::near_depth(ends), glsl::far_depth(ends)};
 }
 
+RayEnd ray_end(float depth, const MomentVector& stored) {
+    const int end = glsl::end_at(depth, glsl::make_ends(stored.near_step, stored.far_step));
+    if (end == glsl::AT_BOTH_ENDS) return RayEnd::both;
+    if (end == glsl::AT_NEAR_END) return RayEnd::near;
+    return end == glsl::AT_FAR_END ? RayEnd::far : RayEnd::none;
+}
+
 float scene_depth(float place, const Curve& curve) {
     const auto ends = curve.parameters.in_own_interval() ? ray_ends(curve.moments) : std::nullopt;
     return ends ? ends->near + 0.5f * (place + 1) * (ends->far - ends->near) : place;

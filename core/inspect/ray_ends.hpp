@@ -17,4 +17,10 @@ std::optional<DepthInterval> ray_ends(const MomentVector& stored);
 /// The depth in the scene of a place in the interval that the moments of a curve are taken in.
 float scene_depth(float place, const Curve& curve);
 
+/// The end of a ray whose step holds a fragment.
+enum class RayEnd { none, near, far, both };
+
+/// The end of a fragment at this depth, from what its pixel stores.
+RayEnd ray_end(float depth, const MomentVector& stored);
+
 }  // namespace momentscope

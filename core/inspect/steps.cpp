@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
 #include <string_view>
 
-#include "core/inspect/ray_ends.hpp"
+#include "core/inspect/fragment_estimates.hpp"
 
 namespace momentscope {
 
@@ -160,18 +161,41 @@ StepText weights_text(const Steps& s) {
         weights};
 }
 
-StepText expected_text(const Steps& s) {
+// How a fragment at an end is estimated.
+const char* end_sentence(const Steps& s) {
+    switch (s.end) {
+        case RayEnd::near:
+            return "The fragment lies in the step of the near end and is taken to be alone there, so A = L. ";
+        case RayEnd::far:
+            return "The fragment lies in the step of the far end and is taken to be alone there, so A = U. ";
+        case RayEnd::both:
+            return "All fragments lie in one step, which moments cannot tell apart, so L = 0 and U = b₀ − a. ";
+        case RayEnd::none:
+            return "";
+    }
+    return "";
+}
+
+// The result of an estimate that is not the published one.
+StepText bounds_text(const Steps& s) {
+    const bool mean = s.parameters.estimation.estimate == Estimate::expected && s.end != RayEnd::near &&
+                      s.end != RayEnd::far;
+    const std::string own =
+        s.own > 0 ? fmt::format(", without the fragment's own a = {:.6g}", s.own) : std::string();
     return {
         "8  Result",
-        "The absorbance in front lies between L, the masses in front, and U = L + w₀ b₀. Nothing says where, so T is "
-        "the mean over all A between them, (e^−L − e^−U) / (U − L). Of a fragment, its own absorbance is taken out of "
-        "w₀ b₀ first (docs/less_error.md).",
-        fmt::format("L = {:.6g}, U = {:.6g}\nT = {:.9g}\nA = −ln T = {:.9g}", s.lower, s.upper,
-                    s.transmittance, s.absorbance)};
+        fmt::format("The absorbance in front lies between L, the masses in front, and U = L + w₀ b₀{}. {}{}"
+                    "(docs/less_error.md).",
+                    own, end_sentence(s),
+                    mean ? "Nothing says where, so T is the mean over all A between them, "
+                           "(e^−L − e^−U) / (U − L) "
+                         : ""),
+        fmt::format("w₀ b₀ = {:.6g}\nL = {:.6g}, U = {:.6g}\nT = {:.9g}\nA = −ln T = {:.9g}",
+                    s.query_weight * s.stored.b0, s.lower, s.upper, s.transmittance, s.absorbance)};
 }
 
 StepText result_text(const Steps& s) {
-    if (s.parameters.estimation.estimate == Estimate::expected) return expected_text(s);
+    if (!s.parameters.is_published()) return bounds_text(s);
     return {
         "8  Result",
         fmt::format(
@@ -183,9 +207,30 @@ StepText result_text(const Steps& s) {
                     s.in_front, s.fraction, s.absorbance, s.transmittance)};
 }
 
+// The estimate of a fragment at the query.
+void add_fragment(Steps& steps, const Curve& curve, const Fragment& fragment) {
+    ViewRay alone;
+    alone.fragments = {fragment};
+    constexpr std::size_t FIRST[] = {0};
+    const FragmentEstimate estimate =
+        fragment_estimates(alone, curve.moments, *curve.technique, curve.parameters, FIRST).front();
+    steps.own = fragment_absorbance(fragment.opacity);
+    steps.end = ray_end(fragment.depth, curve.moments);
+    steps.lower = estimate.lower;
+    steps.upper = estimate.upper;
+    steps.transmittance = estimate.transmittance;
+    const float t = estimate.transmittance;
+    steps.absorbance = t > 0 ? -std::log(t) : estimate.upper;
+}
+
 }  // namespace
 
-Steps reconstruction_steps(const Curve& curve, float query) {
+const Fragment* fragment_at(const ViewRay& ray, float depth) {
+    const auto found = std::ranges::find(ray.fragments, depth, &Fragment::depth);
+    return found == ray.fragments.end() ? nullptr : &*found;
+}
+
+Steps reconstruction_steps(const Curve& curve, float query, const Fragment* fragment) {
     Steps result;
     result.technique = curve.technique;
     result.parameters = curve.parameters;
@@ -223,6 +268,7 @@ Steps reconstruction_steps(const Curve& curve, float query) {
         kernel.evaluate(curve.moments, settings_of(curve.parameters), {&query, 1},
                         {{&result.absorbance, 1}, {&result.lower, 1}, {&result.upper, 1}});
     result.transmittance = transmittance(result.absorbance);
+    if (fragment != nullptr && !curve.parameters.is_published()) add_fragment(result, curve, *fragment);
     return result;
 }
 

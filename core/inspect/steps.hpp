@@ -7,6 +7,7 @@
 
 #include "core/inspect/canonical.hpp"
 #include "core/inspect/curve.hpp"
+#include "core/inspect/ray_ends.hpp"
 
 namespace momentscope {
 
@@ -45,18 +46,24 @@ struct Steps {
     int floored_pivots = 0;
     std::vector<float> kernel;  // at_query, then the coefficients in t below the leading 1
     std::vector<StepNode> nodes;
-    float query_weight = 0;  // w_0: the gap between the bounds, divided by b0
-    float in_front = 0;      // sum of w_l v_l
-    float fraction = 0;      // in_front + beta w_0
-    float absorbance = 0;    // by the estimate of the parameters, as if no fragment lay at the query
+    float query_weight = 0;     // w_0: the gap between the bounds, divided by b0
+    float in_front = 0;         // sum of w_l v_l
+    float fraction = 0;         // in_front + beta w_0
+    float own = 0;              // absorbance of the fragment at the query, taken out of w_0; 0: no fragment
+    RayEnd end = RayEnd::none;  // the end whose step holds this fragment
+    float absorbance = 0;       // by the estimate of the parameters
     float transmittance = 1;
     bool with_ends = false;      // both ends of the ray are nodes, because a root lies beyond one of them
     float lower = 0, upper = 0;  // the bounds between which A is estimated; only unless published
 };
 
 /// The steps for the moments and parameters of a curve, at a query depth in [-1, 1]. Empty for techniques
-/// without moments.
-Steps reconstruction_steps(const Curve& curve, float query);
+/// without moments. fragment: the one that asks, at the query depth; nullptr: none does. The published
+/// techniques do not tell these two apart.
+Steps reconstruction_steps(const Curve& curve, float query, const Fragment* fragment = nullptr);
+
+/// The fragment of a ray at this depth; nullptr if there is none. If several lie there, the first.
+const Fragment* fragment_at(const ViewRay& ray, float depth);
 
 /// One step in words for students, with its equation and its numbers.
 struct StepText {

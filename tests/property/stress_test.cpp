@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "core/inspect/fragment_estimates.hpp"
 #include "core/inspect/steps.hpp"
 #include "core/ray/ray_json.hpp"
 #include "core/report/stress_report.hpp"
@@ -240,6 +241,38 @@ TEST_P(StepsTest, OfMomentsWithMuchBiasShowARegularMatrix) {
     EXPECT_GT(steps.after.smallest_eigenvalue, 1e-6);
     EXPECT_GT(steps.after.smallest_eigenvalue, steps.before.smallest_eigenvalue);
 }
+
+class FragmentSteps : public testing::TestWithParam<const Technique*> {};
+
+// What the second pass computes for a fragment, which its own absorbance and the ends of its ray bound.
+TEST_P(FragmentSteps, EndInTheEstimateOfTheFragment) {
+    std::mt19937 random(10);
+    for (int i = 0; i < 50; ++i) {
+        const ViewRay ray = random_ray(random);
+        const std::vector<float> depths = own_depths(ray);
+        const float nearest = *std::ranges::min_element(depths);
+        const Curve curve = sample_curve(ray, *GetParam(), {}, depths);
+        const auto estimates = fragment_estimates(ray, *GetParam(), curve.parameters);
+        for (const float depth : depths) {
+            const Fragment* fragment = fragment_at(ray, depth);
+            ASSERT_NE(fragment, nullptr);
+            const FragmentEstimate& expected =
+                estimates[static_cast<std::size_t>(fragment - ray.fragments.data())];
+            const Steps steps = reconstruction_steps(curve, depth, fragment);
+            EXPECT_EQ(steps.transmittance, expected.transmittance) << "bit for bit";
+            EXPECT_EQ(steps.own, fragment_absorbance(fragment->opacity));
+            const bool near = steps.end == RayEnd::near || steps.end == RayEnd::both;
+            EXPECT_EQ(near, depth - nearest < 1e-6f) << "steps of ends are 3e-5, and depths far apart";
+            const bool none_in_front = near && curve.parameters.in_own_interval();
+            EXPECT_TRUE(!none_in_front || steps.lower == 0);
+            EXPECT_EQ(step_texts(steps).back().numbers.find("nan"), std::string::npos);
+        }
+    }
+    EXPECT_EQ(fragment_at({}, 0.5f), nullptr);
+}
+
+INSTANTIATE_TEST_SUITE_P(Techniques, FragmentSteps, testing::ValuesIn(interval_techniques()),
+                         [](const auto& row) { return test_name(*row.param); });
 
 INSTANTIATE_TEST_SUITE_P(Techniques, StepsTest, testing::ValuesIn(kernel_techniques()),
                          [](const auto& row) { return test_name(*row.param); });

@@ -134,10 +134,22 @@ void measure_breakdown(Measurement& m, const ExplorerState& state) {
     m.breakdown = pixel_error_breakdown(m.capture.ray, *state.technique, state.parameters, m.capture.behind);
 }
 
+namespace {
+
+// The marked fragment if the query lies at its depth, or another fragment there.
+const Fragment* query_fragment(const Measurement& m, const ExplorerState& state, float query) {
+    const std::vector<Fragment>& fragments = m.capture.ray.fragments;
+    const bool marked =
+        state.marked && *state.marked < fragments.size() && fragments[*state.marked].depth == query;
+    return marked ? &fragments[*state.marked] : fragment_at(m.capture.ray, query);
+}
+
+}  // namespace
+
 void measure_query(Measurement& m, const ExplorerState& state) {
     const float query = query_depth(m, state);
     m.canonical = canonical_representation(m.curve, query);
-    m.steps = reconstruction_steps(m.curve, query);
+    m.steps = reconstruction_steps(m.curve, query, query_fragment(m, state, query));
 }
 
 std::string empty_ray_text(const Measurement& measurement) {

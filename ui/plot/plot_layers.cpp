@@ -180,7 +180,16 @@ void draw_stems(ImDrawList& list, const PlotAxes& axes, const Palette& colors, c
                        {x, top(canonical.query_absorbance) + 5 * scale}, tint);
 }
 
-// Shows where beta lies between the two bounds at the query depth.
+// How the estimate is chosen between the bounds at the query.
+std::string query_label(const Measurement& measurement) {
+    const ResolvedParameters& parameters = measurement.curve.parameters;
+    const RayEnd end = measurement.steps.end;
+    if (end == RayEnd::near || end == RayEnd::far) return end == RayEnd::near ? "near end" : "far end";
+    const bool mean = parameters.estimation.estimate == Estimate::expected;
+    return mean ? "mean of T" : fmt::format("β = {:.2f}", parameters.beta);
+}
+
+// Shows where the estimate lies between the two bounds at the query depth.
 void draw_query(ImDrawList& list, const PlotAxes& axes, const Palette& colors, const PlotInput& input) {
     const CanonicalRepresentation& canonical = input.measurement.canonical;
     const float scale = em() / 15;
@@ -191,12 +200,12 @@ void draw_query(ImDrawList& list, const PlotAxes& axes, const Palette& colors, c
     if (!(input.measurement.curve.moments.b0 > 0) || !shows(input, Series::bounds)) return;
     const float b0 = input.measurement.curve.moments.b0;
     const float beta = input.measurement.curve.parameters.beta;
-    const float low = std::clamp(canonical.in_front, 0.0f, b0);
-    const float high = std::clamp(canonical.in_front + canonical.query_absorbance, 0.0f, b0);
-    const bool expected = input.measurement.curve.parameters.estimation.estimate == Estimate::expected;
-    const float at = std::clamp(expected ? input.measurement.steps.absorbance
-                                         : canonical.in_front + beta * canonical.query_absorbance,
-                                0.0f, b0);
+    const bool published = input.measurement.curve.parameters.is_published();
+    const Steps& steps = input.measurement.steps;
+    const float front = canonical.in_front, here = canonical.query_absorbance;
+    const float low = std::clamp(published ? front : steps.lower, 0.0f, b0);
+    const float high = std::clamp(published ? front + here : steps.upper, 0.0f, b0);
+    const float at = std::clamp(published ? front + beta * here : steps.absorbance, 0.0f, b0);
     const ImU32 tint = tint_of(input, Series::bounds, colors.bounds);
     const float bar = 7 * scale;
     list.AddLine({x, axes.y(low)}, {x, axes.y(high)}, tint, 2 * scale);
@@ -205,7 +214,7 @@ void draw_query(ImDrawList& list, const PlotAxes& axes, const Palette& colors, c
     const float y = axes.y(at);
     const ImU32 fill = tint_of(input, Series::reconstruction, colors.reconstruction);
     list.AddQuadFilled({x - 5 * scale, y}, {x, y - 5 * scale}, {x + 5 * scale, y}, {x, y + 5 * scale}, fill);
-    const std::string label = expected ? "mean of T" : fmt::format("β = {:.2f}", beta);
+    const std::string label = query_label(input.measurement);
     const bool right = x + ImGui::CalcTextSize(label.c_str()).x + 2 * bar < axes.area.high.x;
     const float height = 0.5f * ImGui::GetTextLineHeight();
     const float text_y = std::clamp(y, axes.area.low.y + height, axes.area.high.y - height);
