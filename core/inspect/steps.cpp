@@ -161,37 +161,37 @@ StepText weights_text(const Steps& s) {
         weights};
 }
 
-// How a fragment at an end is estimated.
-const char* end_sentence(const Steps& s) {
-    switch (s.end) {
-        case RayEnd::near:
-            return "The fragment lies in the step of the near end and is taken to be alone there, so A = L. ";
-        case RayEnd::far:
-            return "The fragment lies in the step of the far end and is taken to be alone there, so A = U. ";
-        case RayEnd::both:
-            return "All fragments lie in one step, which moments cannot tell apart, so L = 0 and U = b₀ − a. ";
-        case RayEnd::none:
-            return "";
+// How A follows from the bounds.
+std::string rule_text(const Steps& s) {
+    constexpr const char* AT_END =
+        "The fragment lies in the step of the {} end and is taken to be alone there, so A = {}.";
+    const std::string together =
+        s.end == RayEnd::both ? "All fragments lie in one step, which moments cannot tell apart. " : "";
+    if (s.end == RayEnd::near) return fmt::format(AT_END, "near", "L");
+    if (s.end == RayEnd::far) return fmt::format(AT_END, "far", "U");
+    switch (s.parameters.estimation.estimate) {
+        case Estimate::expected:
+            return together +
+                   "Nothing says where, so T is the mean over all A between them, (e^−L − e^−U) / (U − L).";
+        case Estimate::own_beta:
+            break;
+        case Estimate::beta:
+            if (s.end == RayEnd::none)
+                return fmt::format("As published, A = L + β w₀ b₀ with β = {:.3g}.", s.parameters.beta);
     }
-    return "";
+    return together + fmt::format("A = L + β (U − L) with β = {:.3g}.", s.parameters.beta);
 }
 
 // The result of an estimate that is not the published one.
 StepText bounds_text(const Steps& s) {
-    const bool mean = s.parameters.estimation.estimate == Estimate::expected && s.end != RayEnd::near &&
-                      s.end != RayEnd::far;
     const std::string own =
         s.own > 0 ? fmt::format(", without the fragment's own a = {:.6g}", s.own) : std::string();
-    return {
-        "8  Result",
-        fmt::format("The absorbance in front lies between L, the masses in front, and U = L + w₀ b₀{}. {}{}"
-                    "(docs/less_error.md).",
-                    own, end_sentence(s),
-                    mean ? "Nothing says where, so T is the mean over all A between them, "
-                           "(e^−L − e^−U) / (U − L) "
-                         : ""),
-        fmt::format("w₀ b₀ = {:.6g}\nL = {:.6g}, U = {:.6g}\nT = {:.9g}\nA = −ln T = {:.9g}",
-                    s.query_weight * s.stored.b0, s.lower, s.upper, s.transmittance, s.absorbance)};
+    return {"8  Result",
+            fmt::format("The absorbance in front lies between L, the masses in front, and U = L + w₀ b₀{} "
+                        "(docs/less_error.md). {}",
+                        own, rule_text(s)),
+            fmt::format("w₀ b₀ = {:.6g}\nL = {:.6g}, U = {:.6g}\nT = {:.9g}\nA = −ln T = {:.9g}",
+                        s.query_weight * s.stored.b0, s.lower, s.upper, s.transmittance, s.absorbance)};
 }
 
 StepText result_text(const Steps& s) {
@@ -220,7 +220,7 @@ void add_fragment(Steps& steps, const Curve& curve, const Fragment& fragment) {
     steps.upper = estimate.upper;
     steps.transmittance = estimate.transmittance;
     const float t = estimate.transmittance;
-    steps.absorbance = t > 0 ? -std::log(t) : estimate.upper;
+    steps.absorbance = t > 0 ? 0 - std::log(t) : estimate.upper;  // no -0
 }
 
 }  // namespace
