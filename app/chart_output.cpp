@@ -6,6 +6,7 @@
 
 #include "app/gl_context.hpp"
 #include "app/gui_session.hpp"
+#include "core/gl/framebuffer.hpp"
 #include "core/image/image.hpp"
 #include "core/render/view.hpp"
 #include "core/report/chart_drawing.hpp"
@@ -45,7 +46,7 @@ void write_chart_picture(const Chart& chart, Metric metric, const std::filesyste
         top += CHART_SCALE * drawing.size.y;
     }
     gui.end_frame(pixels);
-    write_png(read_framebuffer(pixels), pixels.x, pixels.y, path);
+    write_png(read_window(pixels), pixels.x, pixels.y, path);
 }
 
 }  // namespace

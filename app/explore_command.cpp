@@ -9,6 +9,7 @@
 #include "app/lost_display.hpp"
 #include "app/output_conflicts.hpp"
 #include "app/terminal.hpp"
+#include "core/gl/framebuffer.hpp"
 #include "core/image/image.hpp"
 #include "core/ray/ray_json.hpp"
 #include "core/support/error.hpp"
@@ -125,7 +126,7 @@ private:
 
     void export_window(glm::ivec2 size, const std::string& path) {
         try {
-            write_png(read_framebuffer(size), size.x, size.y, path);
+            write_png(read_window(size), size.x, size.y, path);
             explorer_.workspace().status.say(fmt::format("Written to {}.", path));
         } catch (const Error& error) {
             explorer_.workspace().status.say(error.what());

@@ -6,6 +6,7 @@
 
 #include "app/gl_context.hpp"
 #include "app/image_texture.hpp"
+#include "core/gl/framebuffer.hpp"
 #include "core/image/image.hpp"
 #include "ui/model/measurement.hpp"
 #include "ui/model/selection.hpp"
@@ -86,7 +87,7 @@ void write_figure_picture(GuiSession& gui, const Figure& figure, RenderSource& s
             size = glm::min(
                 size, glm::ivec2(static_cast<int>(end.x + ui::em()), static_cast<int>(end.y + ui::em())));
     }
-    write_png(read_framebuffer(size), size.x, size.y, path);
+    write_png(read_window(size), size.x, size.y, path);
 }
 
 }  // namespace momentscope

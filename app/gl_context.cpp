@@ -55,17 +55,4 @@ std::unique_ptr<GlContext> make_gl_context(std::string_view name, glm::ivec2 siz
     throw Error(fmt::format("There is no GL context '{}'; use glfw or osmesa.", name));
 }
 
-std::vector<unsigned char> read_framebuffer(glm::ivec2 size) {
-    const std::size_t row = static_cast<std::size_t>(size.x) * 4;
-    std::vector<unsigned char> pixels(row * static_cast<std::size_t>(size.y));
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
-    for (std::size_t y = 0; y < static_cast<std::size_t>(size.y) / 2; ++y)
-        std::swap_ranges(pixels.begin() + static_cast<std::ptrdiff_t>(y * row),
-                         pixels.begin() + static_cast<std::ptrdiff_t>((y + 1) * row),
-                         pixels.end() - static_cast<std::ptrdiff_t>((y + 1) * row));
-    return pixels;
-}
-
 }  // namespace momentscope

@@ -30,7 +30,4 @@ private:
 /// of this size. Throws Error that says what to do.
 std::unique_ptr<GlContext> make_gl_context(std::string_view name, glm::ivec2 size);
 
-/// The default framebuffer as sRGB RGBA bytes, row by row from the top.
-std::vector<unsigned char> read_framebuffer(glm::ivec2 size);
-
 }  // namespace momentscope

@@ -8,6 +8,7 @@
 #include <imgui_impl_glfw.h>
 #include <imgui_impl_opengl3.h>
 
+#include "core/gl/framebuffer.hpp"
 #include "ui/widgets/shortcut.hpp"
 #include "ui/widgets/theme.hpp"
 
@@ -55,10 +56,7 @@ void GuiSession::end_frame() {
 }
 
 void GuiSession::paint(glm::ivec2 size) const {
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glViewport(0, 0, size.x, size.y);
-    glClearColor(0, 0, 0, 1);
-    glClear(GL_COLOR_BUFFER_BIT);
+    clear_window(size);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 

@@ -4,6 +4,7 @@
 #include <thread>
 #include <utility>
 
+#include "core/gl/framebuffer.hpp"
 #include "core/image/image.hpp"
 #include "core/support/error.hpp"
 
@@ -44,7 +45,7 @@ void HeadlessWindow::draw() {
 
 std::vector<unsigned char> HeadlessWindow::pixels() const {
     gui_.paint(size_);
-    return read_framebuffer(size_);
+    return read_window(size_);
 }
 
 void HeadlessWindow::settle() {

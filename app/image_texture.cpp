@@ -16,7 +16,7 @@ GlTexture image_texture(const Image& image) {
         bytes.push_back(255);
     }
     GlTexture texture = make_texture(GL_RGBA8, {image.width, image.height});
-    glTextureSubImage2D(texture, 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+    write_texture(texture, {image.width, image.height}, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
     return texture;
 }
 

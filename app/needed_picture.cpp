@@ -9,6 +9,7 @@
 #include "app/gl_context.hpp"
 #include "app/gui_session.hpp"
 #include "app/image_texture.hpp"
+#include "core/gl/framebuffer.hpp"
 #include "ui/widgets/theme.hpp"
 #include "ui/widgets/ui.hpp"
 
@@ -126,7 +127,7 @@ void write_needed_picture(const Image& picture, std::span<const PixelNeed> pixel
         gui.end_frame(size);
         if (frame == 0) size.y = std::min(size.y, static_cast<int>(content));
     }
-    write_png(read_framebuffer(size), size.x, size.y, path);
+    write_png(read_window(size), size.x, size.y, path);
 }
 
 }  // namespace momentscope

@@ -2,6 +2,7 @@
 
 #include "app/gl_context.hpp"
 #include "app/gui_session.hpp"
+#include "core/gl/framebuffer.hpp"
 #include "core/image/image.hpp"
 #include "core/report/stress_report.hpp"
 #include "core/support/error.hpp"
@@ -59,7 +60,7 @@ void write_stress_picture(const std::vector<StressCell>& cells, const StressOpti
         ImGui::End();
         gui.end_frame(size);
     }
-    write_png(read_framebuffer(size), size.x, size.y, path);
+    write_png(read_window(size), size.x, size.y, path);
 }
 
 }  // namespace momentscope

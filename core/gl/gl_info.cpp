@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "core/support/error.hpp"
+
 namespace momentscope {
 
 namespace {
@@ -15,10 +17,15 @@ std::string gl_text(GLenum name) {
     return text == nullptr ? "unknown" : reinterpret_cast<const char*>(text);
 }
 
+int gl_number(GLenum name) {
+    GLint number = 0;
+    glGetIntegerv(name, &number);
+    return number;
+}
+
 bool has_extension(std::string_view wanted) {
-    GLint count = 0;
-    glGetIntegerv(GL_NUM_EXTENSIONS, &count);
-    for (GLint i = 0; i < count; ++i)
+    const int count = gl_number(GL_NUM_EXTENSIONS);
+    for (int i = 0; i < count; ++i)
         if (wanted == reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i))))
             return true;
     return false;
@@ -58,13 +65,35 @@ GlInfo gl_info() {
     if (!has_extension("GL_NV_shader_atomic_int64"))
         info.missing.push_back(
             {"64-bit atomics in shaders", "methods that sort fragments by atomics cannot run"});
-    GLint64 block = 0;
-    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &block);
-    constexpr GLint64 WHOLE_PICTURE = 120'000'000;  // bytes of the list that `sorted` needs
+    const std::size_t block = most_bytes_of_storage();
+    constexpr std::size_t WHOLE_PICTURE = 120'000'000;  // bytes of the list that `sorted` needs
     if (block < WHOLE_PICTURE)
         info.missing.push_back({fmt::format("shader buffers beyond {} MB", block / 1'000'000),
                                 "sorted draws large pictures in more bands, which takes longer"});
     return info;
+}
+
+void require_supported_gl() {
+    const int major = gl_number(GL_MAJOR_VERSION), minor = gl_number(GL_MINOR_VERSION);
+    if (major * 10 + minor < 45)
+        throw Error(fmt::format(
+            "This GL is version {}.{}, but Momentscope needs OpenGL 4.5; update the driver, or use "
+            "--headless, which renders in software.",
+            major, minor));
+}
+
+int most_texels_of_a_side() {
+    return gl_number(GL_MAX_TEXTURE_SIZE);
+}
+
+int most_texture_layers() {
+    return gl_number(GL_MAX_ARRAY_TEXTURE_LAYERS);
+}
+
+std::size_t most_bytes_of_storage() {
+    GLint64 bytes = 0;
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
+    return static_cast<std::size_t>(bytes);
 }
 
 }  // namespace momentscope

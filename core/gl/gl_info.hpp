@@ -1,5 +1,6 @@
 // gl_info.hpp -- the OpenGL of this machine, and the features that it lacks.
 #pragma once
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -30,5 +31,13 @@ struct GlInfo {
 
 /// The information about the current context.
 GlInfo gl_info();
+
+/// Throws Error, with what to do, if the current context cannot draw pictures.
+void require_supported_gl();
+
+/// What the current context can hold.
+int most_texels_of_a_side();
+int most_texture_layers();
+std::size_t most_bytes_of_storage();  // of one buffer that shaders may write
 
 }  // namespace momentscope

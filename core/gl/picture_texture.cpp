@@ -17,7 +17,7 @@ GlTexture make_picture_texture(std::span<const unsigned char> rgba, glm::ivec2 s
         flipped.insert(flipped.end(), bytes.begin(), bytes.end());
     }
     GlTexture texture = make_texture(GL_RGBA8, size);
-    glTextureSubImage2D(texture, 0, 0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, flipped.data());
+    write_texture(texture, size, GL_RGBA, GL_UNSIGNED_BYTE, flipped.data());
     check_gl(fmt::format("showing a picture of {}x{} pixels", size.x, size.y));
     return texture;
 }

@@ -176,4 +176,16 @@ GLuint ProgramCache::get(const char* vertex, const char* fragment, const ShaderV
     return found->second;
 }
 
+void use_program(GLuint program) {
+    glUseProgram(program);
+}
+
+void set_uniform(GLint location, int value) {
+    glUniform1i(location, value);
+}
+
+void set_uniform(GLint location, glm::ivec2 value) {
+    glUniform2i(location, value.x, value.y);
+}
+
 }  // namespace momentscope

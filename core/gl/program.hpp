@@ -58,4 +58,11 @@ private:
     std::vector<std::string> notes_;
 };
 
+/// Everything is drawn with this program from now on; 0: with none.
+void use_program(GLuint program);
+
+/// Set a uniform of the program in use. location: as in the text of the shader.
+void set_uniform(GLint location, int value);
+void set_uniform(GLint location, glm::ivec2 value);
+
 }  // namespace momentscope

@@ -2,83 +2,145 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
 #include "core/support/error.hpp"
 
 namespace momentscope {
 
 namespace {
 
-void use_without_filter(GLuint texture) {
-    glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTextureParameteri(texture, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTextureParameteri(texture, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+// Textures are edited at this unit, which no shader reads. OpenGL ES 3.0 has at least 32.
+constexpr GLenum EDITING_UNIT = GL_TEXTURE31;
+
+void edit(GLenum target, GLuint texture) {
+    glActiveTexture(EDITING_UNIT);
+    glBindTexture(target, texture);
+}
+
+void set(GLenum target, GLenum filter, GLenum wrap) {
+    const auto filtered = static_cast<GLint>(filter), wrapped = static_cast<GLint>(wrap);
+    glTexParameteri(target, GL_TEXTURE_MIN_FILTER, filtered);
+    glTexParameteri(target, GL_TEXTURE_MAG_FILTER, filtered);
+    glTexParameteri(target, GL_TEXTURE_WRAP_S, wrapped);
+    glTexParameteri(target, GL_TEXTURE_WRAP_T, wrapped);
+}
+
+GlTexture new_texture() {
+    GLuint name = 0;
+    glGenTextures(1, &name);
+    return GlTexture(name);
+}
+
+constexpr GLenum CHANNELS[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
+
+// A framebuffer to read from.
+class Reading {
+public:
+    explicit Reading(GLuint texture) : Reading() {
+        glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+    }
+    Reading(GLuint layered, int layer) : Reading() {
+        glFramebufferTextureLayer(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, layered, 0, layer);
+    }
+    ~Reading() { glBindFramebuffer(GL_READ_FRAMEBUFFER, 0); }
+    Reading(const Reading&) = delete;
+    Reading& operator=(const Reading&) = delete;
+
+    static void read(const TexelRect& rect, GLenum format, GLenum type, void* texels) {
+        glPixelStorei(GL_PACK_ALIGNMENT, 1);
+        glReadPixels(rect.corner.x, rect.corner.y, rect.extent.x, rect.extent.y, format, type, texels);
+        glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    }
+
+private:
+    Reading() {
+        GLuint name = 0;
+        glGenFramebuffers(1, &name);
+        framebuffer_ = GlFramebuffer(name);
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, name);
+    }
+
+    GlFramebuffer framebuffer_;
+};
+
+std::size_t texel_count(glm::ivec2 extent) {
+    return static_cast<std::size_t>(extent.x) * static_cast<std::size_t>(extent.y);
+}
+
+std::vector<float> read_floats(const TexelRect& rect, int channels) {
+    const auto count = static_cast<std::size_t>(channels);
+    std::vector<float> numbers(texel_count(rect.extent) * count);
+    Reading::read(rect, CHANNELS[count - 1], GL_FLOAT, numbers.data());
+    return numbers;
 }
 
 }  // namespace
 
 GlTexture make_texture(GLenum format, glm::ivec2 size) {
-    GLuint name = 0;
-    glCreateTextures(GL_TEXTURE_2D, 1, &name);
-    GlTexture texture(name);
-    glTextureStorage2D(texture, 1, format, size.x, size.y);
+    GlTexture texture = new_texture();
+    edit(GL_TEXTURE_2D, texture);
+    glTexStorage2D(GL_TEXTURE_2D, 1, format, size.x, size.y);
     check_gl(fmt::format("making a texture of {}x{} pixels", size.x, size.y));
-    use_without_filter(texture);
+    set(GL_TEXTURE_2D, GL_NEAREST, GL_CLAMP_TO_EDGE);
     return texture;
 }
 
 GlTexture make_layered_texture(GLenum format, glm::ivec2 size, int layers) {
-    GLuint name = 0;
-    glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &name);
-    GlTexture texture(name);
-    glTextureStorage3D(texture, 1, format, size.x, size.y, layers);
+    GlTexture texture = new_texture();
+    edit(GL_TEXTURE_2D_ARRAY, texture);
+    glTexStorage3D(GL_TEXTURE_2D_ARRAY, 1, format, size.x, size.y, layers);
     check_gl(fmt::format("making {} textures of {}x{} pixels", layers, size.x, size.y));
-    use_without_filter(texture);
+    set(GL_TEXTURE_2D_ARRAY, GL_NEAREST, GL_CLAMP_TO_EDGE);
     return texture;
 }
 
-GlFramebuffer make_framebuffer(std::initializer_list<GLuint> colors, GLuint depth) {
-    return make_framebuffer(colors.begin(), static_cast<int>(colors.size()), depth);
+void write_texture(GLuint texture, glm::ivec2 size, GLenum format, GLenum type, const void* texels) {
+    edit(GL_TEXTURE_2D, texture);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, format, type, texels);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
 }
 
-namespace {
-
-// Calls attach(framebuffer, attachment, i) for each colour.
-template <typename Attach>
-GlFramebuffer make_framebuffer_of(int count, GLuint depth, const Attach& attach) {
-    GLuint name = 0;
-    glCreateFramebuffers(1, &name);
-    GlFramebuffer framebuffer(name);
-    std::array<GLenum, 8> attachments{};
-    for (int i = 0; i < count; ++i) {
-        attachments[static_cast<std::size_t>(i)] = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
-        attach(name, attachments[static_cast<std::size_t>(i)], i);
-    }
-    if (depth != 0) glNamedFramebufferTexture(framebuffer, GL_DEPTH_ATTACHMENT, depth, 0);
-    glNamedFramebufferDrawBuffers(framebuffer, count, attachments.data());
-    const GLenum status = glCheckNamedFramebufferStatus(framebuffer, GL_FRAMEBUFFER);
-    if (status != GL_FRAMEBUFFER_COMPLETE)
-        throw Error(
-            fmt::format("This GL cannot render to the textures that are needed (status 0x{:x}); it must have "
-                        "OpenGL 4.5 with float render targets.",
-                        status));
-    return framebuffer;
+void interpolate_and_repeat(GLuint texture) {
+    edit(GL_TEXTURE_2D, texture);
+    set(GL_TEXTURE_2D, GL_LINEAR, GL_REPEAT);
 }
 
-}  // namespace
-
-GlFramebuffer make_framebuffer(const GLuint* colors, int count, GLuint depth) {
-    return make_framebuffer_of(count, depth, [&](GLuint framebuffer, GLenum attachment, int i) {
-        glNamedFramebufferTexture(framebuffer, attachment, colors[i], 0);
-    });
+std::vector<float> read_texture(GLuint texture, const TexelRect& rect, int channels) {
+    const Reading reading(texture);
+    return read_floats(rect, channels);
 }
 
-GlFramebuffer make_layer_framebuffer(GLuint layered, int first, int count) {
-    return make_framebuffer_of(count, 0, [&](GLuint framebuffer, GLenum attachment, int i) {
-        glNamedFramebufferTextureLayer(framebuffer, attachment, layered, 0, first + i);
-    });
+std::vector<float> read_texture_layer(GLuint layered, int layer, const TexelRect& rect, int channels) {
+    const Reading reading(layered, layer);
+    return read_floats(rect, channels);
+}
+
+std::vector<std::uint16_t> read_texture_pairs(GLuint texture, const TexelRect& rect) {
+    const Reading reading(texture);
+    std::vector<std::uint16_t> pairs(2 * texel_count(rect.extent));
+    Reading::read(rect, GL_RG, GL_UNSIGNED_SHORT, pairs.data());
+    return pairs;
+}
+
+std::vector<unsigned char> read_texture_bytes(GLuint texture, glm::ivec2 size) {
+    const Reading reading(texture);
+    std::vector<unsigned char> bytes(4 * texel_count(size));
+    Reading::read({{0, 0}, size}, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+    return bytes;
+}
+
+void bind_texture(GLuint unit, GLuint texture) {
+    glActiveTexture(GL_TEXTURE0 + unit);
+    glBindTexture(GL_TEXTURE_2D, texture);
+}
+
+void bind_layered_texture(GLuint unit, GLuint texture) {
+    glActiveTexture(GL_TEXTURE0 + unit);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
+}
+
+void bind_image(GLuint unit, GLuint texture, GLenum format) {
+    glBindImageTexture(unit, texture, 0, GL_TRUE, 0, GL_READ_WRITE, format);
 }
 
 void check_gl(const std::string& doing) {

@@ -16,7 +16,7 @@ public:
     /// The fragments of a rectangle of texels; nullopt if there are more than can be captured at a time.
     /// frame_block: the uniform block with the light as the eye.
     std::optional<std::vector<FragmentNode>> capture(const SceneBuffers& scene, GLuint frame_block,
-                                                     glm::ivec2 corner, glm::ivec2 extent);
+                                                     const TexelRect& rect);
 
 private:
     int size_;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/gl/buffer.hpp"
+#include "core/gl/gl_info.hpp"
 #include "core/gl/texture.hpp"
 #include "core/support/error.hpp"
 
@@ -14,17 +16,15 @@ DeepShadowMap make_deep_shadow_map(CasterTexels& texels, const SceneBuffers& sce
                                    int size) {
     std::vector<glm::uvec2> lists(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
     std::vector<glm::vec2> steps;
-    GLint64 most_bytes = 0;
-    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most_bytes);
+    const std::size_t most_bytes = most_bytes_of_storage();
     for (int y = 0, rows = size; y < size; y += rows) {
         rows = std::min(rows, size - y);
-        auto nodes = texels.capture(scene, frame_block, {0, y}, {size, rows});
+        auto nodes = texels.capture(scene, frame_block, {{0, y}, {size, rows}});
         while (!nodes && rows > 1) {
             rows = (rows + 1) / 2;
-            nodes = texels.capture(scene, frame_block, {0, y}, {size, rows});
+            nodes = texels.capture(scene, frame_block, {{0, y}, {size, rows}});
         }
-        if (!nodes ||
-            (steps.size() + nodes->size()) * sizeof(glm::vec2) > static_cast<std::size_t>(most_bytes))
+        if (!nodes || (steps.size() + nodes->size()) * sizeof(glm::vec2) > most_bytes)
             throw Error(fmt::format(
                 "A deep shadow map of {0}x{0} texels has more fragments than this GL can hold; give a smaller "
                 "--shadow-size.",
@@ -48,13 +48,8 @@ DeepShadowMap make_deep_shadow_map(CasterTexels& texels, const SceneBuffers& sce
     }
     DeepShadowMap map;
     map.lists = make_texture(GL_RG32UI, glm::ivec2(size));
-    glTextureSubImage2D(map.lists, 0, 0, 0, size, size, GL_RG_INTEGER, GL_UNSIGNED_INT, lists.data());
-    GLuint name = 0;
-    glCreateBuffers(1, &name);
-    map.steps = GlBuffer(name);
-    if (steps.empty()) steps.emplace_back(0.0f, 1.0f);  // GL does not accept empty storage
-    glNamedBufferStorage(map.steps, static_cast<GLsizeiptr>(steps.size() * sizeof(glm::vec2)), steps.data(),
-                         0);
+    write_texture(map.lists, glm::ivec2(size), GL_RG_INTEGER, GL_UNSIGNED_INT, lists.data());
+    map.steps = make_buffer_of<glm::vec2>(steps);
     return map;
 }
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/gl/texture.hpp"
+#include "core/gl/vertex_array.hpp"
 #include "core/render/geometry_pass.hpp"
 
 namespace momentscope {
@@ -14,26 +14,23 @@ FailureMarks::FailureMarks(glm::ivec2 size, GLuint depth)
 }
 
 std::optional<FailureCounts> FailureMarks::draw(const DrawnPicture& picture) {
-    const glm::ivec2 size = picture.view.size;
-    const float zero[4] = {0, 0, 0, 0};
-    glClearNamedFramebufferfv(target_, GL_COLOR, 0, zero);
+    clear_color(target_, 0, glm::vec4(0));
     picture.bind();
-    glBindFramebuffer(GL_FRAMEBUFFER, target_);
-    if (!picture.transparency.draw_diagnosis(picture.input, Diagnosis::failures)) return std::nullopt;
-    glBindFramebuffer(GL_FRAMEBUFFER, color_target_);
-    glUseProgram(picture.input.programs.get("passes/fullscreen.vert", "passes/failure_colors.frag"));
-    glBindTextureUnit(0, counts_);
+    if (!picture.transparency.draw_diagnosis(picture.input, Diagnosis::failures, target_))
+        return std::nullopt;
+    set_draw_state({});
+    bind_framebuffer(color_target_);
+    use_program(picture.input.programs.get("passes/fullscreen.vert", "passes/failure_colors.frag"));
+    bind_texture(0, counts_);
     draw_fullscreen();
     leave_nothing_bound();
-    std::vector<glm::vec2> counts(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
-    glGetTextureImage(counts_, 0, GL_RG, GL_FLOAT, static_cast<GLsizei>(counts.size() * sizeof(glm::vec2)),
-                      counts.data());
+    const std::vector<float> counts = read_texture(counts_, {{0, 0}, picture.view.size}, 2);
     check_gl("marking failed reconstructions");
     FailureCounts total;
-    for (const glm::vec2& count : counts) {
-        if (count.x > 0.5f)
+    for (std::size_t i = 0; i < counts.size(); i += 2) {
+        if (counts[i] > 0.5f)
             ++total.failed;
-        else if (count.y > 0.5f)
+        else if (counts[i + 1] > 0.5f)
             ++total.clamped;
     }
     return total;

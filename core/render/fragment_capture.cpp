@@ -35,12 +35,12 @@ void add_shares(std::vector<PixelCapture>& captures, const DrawnPicture& picture
                 const Transparency::LowTarget& low, glm::ivec2 lower_left, glm::ivec2 extent) {
     const LowFootprint footprint(picture.view.size, low.size, lower_left, extent);
     FragmentList list(low.size, PIXEL_LIST_CAPACITY, low.depth);
-    glViewport(0, 0, low.size.x, low.size.y);
+    set_viewport(low.size);
     const GLuint program = picture.input.programs.get("passes/scene.vert", "passes/capture.frag");
     std::vector<std::vector<Fragment>> of_pixel;
     for (int y = 0; y < footprint.extent().y; ++y) {  // row by row, so that the fragments fit in the list
-        const std::size_t count = list.capture(picture.input, program, footprint.corner() + glm::ivec2(0, y),
-                                               {footprint.extent().x, 1});
+        const std::size_t count = list.capture(
+            picture.input, program, {footprint.corner() + glm::ivec2(0, y), {footprint.extent().x, 1}});
         if (count > list.capacity())
             throw Error(
                 fmt::format("A row of low-resolution moments has {} fragments, but at most {} can be "
@@ -53,7 +53,7 @@ void add_shares(std::vector<PixelCapture>& captures, const DrawnPicture& picture
                 fragment_of(node, picture.input.scene));
         }
     }
-    glViewport(0, 0, picture.view.size.x, picture.view.size.y);
+    set_viewport(picture.view.size);
     for (std::size_t i = 0; i < captures.size(); ++i) {
         const int column = static_cast<int>(i) % extent.x, row = static_cast<int>(i) / extent.x;
         captures[i].ray.low_resolution_sources =
@@ -78,15 +78,13 @@ std::vector<PixelCapture> sort_captures(const DrawnPicture& picture, std::vector
         capture.ray.fragments.push_back(fragment_of(node, picture.input.scene));
         if (has_transmittance) capture.transmittance.push_back(node.transmittance);
     }
-    std::vector<glm::vec4> behind(captures.size());
-    glGetTextureSubImage(picture.input.opaque_color, 0, lower_left.x, lower_left.y, 0, extent.x, extent.y, 1,
-                         GL_RGBA, GL_FLOAT, static_cast<GLsizei>(behind.size() * sizeof(glm::vec4)),
-                         behind.data());
-    for (std::size_t i = 0; i < behind.size(); ++i) {
+    const std::vector<float> behind = read_texture(picture.input.opaque_color, {lower_left, extent}, 4);
+    for (std::size_t i = 0; i < captures.size(); ++i) {
         const glm::ivec2 at(static_cast<int>(i) % extent.x, static_cast<int>(i) / extent.x);
-        captures[index_of(lower_left.x + at.x, lower_left.y + at.y)].behind = glm::vec3(behind[i]);
+        captures[index_of(lower_left.x + at.x, lower_left.y + at.y)].behind = {
+            behind[4 * i], behind[4 * i + 1], behind[4 * i + 2]};
     }
-    const std::vector<MomentVector> stored = picture.transparency.read_moments(lower_left, extent);
+    const std::vector<MomentVector> stored = picture.transparency.read_moments({lower_left, extent});
     for (std::size_t i = 0; i < stored.size(); ++i) {
         const glm::ivec2 at(static_cast<int>(i) % extent.x, static_cast<int>(i) / extent.x);
         captures[index_of(lower_left.x + at.x, lower_left.y + at.y)].stored = stored[i];
@@ -103,7 +101,7 @@ std::vector<PixelCapture> FragmentCapture::region(const DrawnPicture& picture, g
     const auto [program, has_transmittance] = capture_program(picture);
     picture.bind();
     const glm::ivec2 lower_left(corner.x, picture.view.size.y - corner.y - extent.y);
-    const std::size_t count = list_.capture(picture.input, program, lower_left, extent);
+    const std::size_t count = list_.capture(picture.input, program, {lower_left, extent});
     if (count > list_.capacity() && extent.x * extent.y > 1) {  // then capture two halves
         const bool rows = extent.y > 1;
         const glm::ivec2 half = rows ? glm::ivec2(extent.x, extent.y / 2) : glm::ivec2(extent.x / 2, 1);
@@ -128,7 +126,7 @@ std::vector<float> FragmentCapture::lights(const DrawnPicture& picture, glm::ive
     picture.bind();
     const glm::ivec2 lower_left(pixel.x, picture.view.size.y - 1 - pixel.y);
     const GLuint program = picture.input.programs.get("passes/scene.vert", "passes/capture.frag", variant);
-    const std::size_t count = list_.capture(picture.input, program, lower_left, {1, 1});
+    const std::size_t count = list_.capture(picture.input, program, {lower_left, {1, 1}});
     const std::vector<PixelCapture> captures =
         sort_captures(picture, list_.read(count), lower_left, {1, 1}, true);
     leave_nothing_bound();

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/gl/program.hpp"
+#include "core/gl/texture.hpp"
 #include "core/ray/view_ray.hpp"
 #include "core/render/transparency.hpp"
 
@@ -40,7 +41,7 @@ public:
 
     /// Captures the fragments of a rectangle, in GL pixels, with `program` (capture.frag). Returns how many
     /// fragments there are; only the first capacity() of them are stored.
-    std::size_t capture(const PassInput& input, GLuint program, glm::ivec2 corner, glm::ivec2 extent);
+    std::size_t capture(const PassInput& input, GLuint program, const TexelRect& rect);
 
     void bind() const;
     std::size_t capacity() const { return capacity_; }
@@ -50,7 +51,8 @@ private:
     std::size_t capacity_;
     GlTexture heads_;
     GlBuffer nodes_;
-    GlFramebuffer target_;  // depth test only, no colours
+    GlFramebuffer heads_target_;  // to clear them
+    GlFramebuffer target_;        // depth test only, no colours
 };
 
 }  // namespace momentscope

@@ -11,29 +11,21 @@ LightProbe::LightProbe(const DrawnPicture& picture, GLuint depth) : size_(pictur
     assert(picture.shadows != nullptr && "the picture has no shadows");
     probe_ = make_texture(GL_RGBA32F, size_);
     target_ = make_framebuffer({probe_}, depth);
-    const float nothing[4] = {0, 1, 2, 0};
-    glClearNamedFramebufferfv(target_, GL_COLOR, 0, nothing);
+    clear_color(target_, 0, glm::vec4(0, 1, 2, 0));
     picture.bind();
-    glBindFramebuffer(GL_FRAMEBUFFER, target_);
-    glUseProgram(
+    use_program(
         picture.input.programs.get("passes/scene.vert", "passes/light_probe.frag", picture.input.lit({})));
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_EQUAL);
-    glDepthMask(GL_FALSE);
+    set_draw_state({.depth = DepthTest::equal, .writes_depth = false});
+    bind_framebuffer(target_);
     picture.input.scene.draw(Surfaces::opaque);
-    glDepthMask(GL_TRUE);
-    glDepthFunc(GL_LESS);
-    glDisable(GL_DEPTH_TEST);
     leave_nothing_bound();
 }
 
 std::optional<LitSurface> LightProbe::surface(glm::ivec2 pixel) const {
-    glm::vec4 probe;
-    glGetTextureSubImage(probe_, 0, pixel.x, size_.y - 1 - pixel.y, 0, 1, 1, 1, GL_RGBA, GL_FLOAT,
-                         sizeof(probe), &probe);
+    const std::vector<float> probe = read_texture(probe_, {{pixel.x, size_.y - 1 - pixel.y}, {1, 1}}, 4);
     check_gl("reading how a surface is lit");
-    if (!(probe.w > 0)) return std::nullopt;
-    return LitSurface{probe.w, probe.x, probe.y};
+    if (!(probe[3] > 0)) return std::nullopt;
+    return LitSurface{probe[3], probe[0], probe[1]};
 }
 
 }  // namespace momentscope

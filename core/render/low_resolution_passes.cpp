@@ -1,6 +1,6 @@
 #include "core/render/low_resolution_passes.hpp"
 
-#include "core/gl/texture.hpp"
+#include "core/gl/vertex_array.hpp"
 #include "core/render/geometry_pass.hpp"
 #include "core/render/low_footprint.hpp"
 
@@ -40,15 +40,12 @@ void LowResolutionPasses::make_targets(int divisor) {
 }
 
 void LowResolutionPasses::draw_low_depth(const PassInput& input) {
-    glBindFramebuffer(GL_FRAMEBUFFER, depth_target_);
-    glUseProgram(input.programs.get("passes/fullscreen.vert", "passes/farthest_depth.frag"));
-    glUniform2i(0, low_size_.x, low_size_.y);
-    glBindTextureUnit(0, full_depth_);
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_ALWAYS);
+    set_draw_state({.depth = DepthTest::always});
+    bind_framebuffer(depth_target_);
+    use_program(input.programs.get("passes/fullscreen.vert", "passes/farthest_depth.frag"));
+    set_uniform(0, low_size_);
+    bind_texture(0, full_depth_);
     draw_fullscreen();
-    glDepthFunc(GL_LESS);
-    glDisable(GL_DEPTH_TEST);
 }
 
 void LowResolutionPasses::draw_set(const PassInput& input, bool second) {
@@ -60,30 +57,31 @@ void LowResolutionPasses::draw_set(const PassInput& input, bool second) {
         variant.defines["SECOND_PASS"] = "1";
         bind_states();
     }
-    glUseProgram(input.programs.get("passes/scene.vert", "passes/state.frag", variant));
-    draw_transparent(input.scene, second ? second_target_ : first_target_, Blending::add);
+    use_program(input.programs.get("passes/scene.vert", "passes/state.frag", variant));
+    draw_transparent(input.scene, second ? second_target_ : first_target_, {.blending = Blending::add});
     convert(input);
 }
 
 void LowResolutionPasses::convert(const PassInput& input) {
     for (int i = 0; i < TEXELS; ++i)
-        glBindTextureUnit(FIRST_STATE_UNIT + static_cast<GLuint>(i), sums_[static_cast<std::size_t>(i)]);
-    glBindFramebuffer(GL_FRAMEBUFFER, converted_target_);
-    glUseProgram(input.programs.get("passes/fullscreen.vert", "passes/state_convert.frag",
-                                    state_variant(technique_, settings_)));
+        bind_texture(FIRST_STATE_UNIT + static_cast<GLuint>(i), sums_[static_cast<std::size_t>(i)]);
+    set_draw_state({});
+    bind_framebuffer(converted_target_);
+    use_program(input.programs.get("passes/fullscreen.vert", "passes/state_convert.frag",
+                                   state_variant(technique_, settings_)));
     draw_fullscreen();
 }
 
 void LowResolutionPasses::draw_moments(const PassInput& input) {
     settings_ = input.parameters.settings;
     make_targets(resolution_divisor(technique_, settings_));
-    glViewport(0, 0, low_size_.x, low_size_.y);
+    set_viewport(low_size_);
     if (low_depth_ != 0) draw_low_depth(input);
     clear_colors(first_target_, SET_TEXELS);
     clear_colors(second_target_, SET_TEXELS);
     draw_set(input, false);
     if (moment_sets(technique_, settings_) == 2) draw_set(input, true);
-    glViewport(0, 0, size_.x, size_.y);
+    set_viewport(size_);
 }
 
 std::optional<Transparency::LowTarget> LowResolutionPasses::low_target() const {
@@ -93,7 +91,7 @@ std::optional<Transparency::LowTarget> LowResolutionPasses::low_target() const {
 
 void LowResolutionPasses::bind_states() const {
     for (int i = 0; i < TEXELS; ++i)
-        glBindTextureUnit(FIRST_STATE_UNIT + static_cast<GLuint>(i), converted_[static_cast<std::size_t>(i)]);
+        bind_texture(FIRST_STATE_UNIT + static_cast<GLuint>(i), converted_[static_cast<std::size_t>(i)]);
 }
 
 }  // namespace momentscope

@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "core/gl/texture.hpp"
+#include "core/gl/buffer.hpp"
+#include "core/gl/vertex_array.hpp"
 #include "core/render/geometry_pass.hpp"
 #include "core/support/error.hpp"
 #include "core/techniques/moment_kernel.hpp"
@@ -94,8 +95,9 @@ MomentPasses::MomentPasses(const Technique& technique, glm::ivec2 size, GLuint d
     if (floats > 4)
         moments_5_to_8_ = make_texture(floats > 6 ? formats.four_moments : formats.two_moments, size);
     weighted_color_ = make_texture(GL_RGBA16F, size);  // half floats, as in the evaluation of the paper
-    const GLuint targets[] = {total_absorbance_, moments_1_to_4_, moments_5_to_8_};
-    moment_target_ = make_framebuffer(targets, floats > 4 ? 3 : 2, depth);
+    std::vector<GLuint> targets = {total_absorbance_, moments_1_to_4_};
+    if (floats > 4) targets.push_back(moments_5_to_8_);
+    moment_target_ = make_framebuffer(targets, depth);
     depth_target_ = make_framebuffer({}, depth);
     color_target_ = make_framebuffer({weighted_color_}, depth);
 }
@@ -108,7 +110,7 @@ void MomentPasses::make_optional_targets(const ResolvedParameters& parameters) {
         std::vector<GLuint> targets = {total_absorbance_, moments_1_to_4_};
         if (moments_5_to_8_ != 0) targets.push_back(moments_5_to_8_);
         targets.push_back(ends_);
-        moments_and_ends_target_ = make_framebuffer(targets.data(), static_cast<int>(targets.size()), depth_);
+        moments_and_ends_target_ = make_framebuffer(targets, depth_);
     }
     if (parameters.moves_uncertain() && uncertain_color_ == 0) {
         uncertain_color_ = make_texture(GL_RGBA16F, size_);
@@ -118,8 +120,8 @@ void MomentPasses::make_optional_targets(const ResolvedParameters& parameters) {
 
 void MomentPasses::draw_ends(const PassInput& input) {
     clear_colors(ends_target_, 1);
-    glUseProgram(input.programs.get(SCENE, ENDS, input.lean({})));
-    draw_transparent(input.scene, ends_target_, Blending::greatest);
+    use_program(input.programs.get(SCENE, ENDS, input.lean({})));
+    draw_transparent(input.scene, ends_target_, {.blending = Blending::greatest});
 }
 
 void MomentPasses::draw_moments(const PassInput& input) {
@@ -138,21 +140,19 @@ void MomentPasses::draw_moments(const PassInput& input) {
     if (by_images) {
         const Formats formats = formats_of(technique_.moment_kernel());
         const bool two = technique_.moment_kernel().moment_floats == 6;
-        glBindImageTexture(0, total_absorbance_, 0, GL_FALSE, 0, GL_READ_WRITE, formats.total_absorbance);
-        glBindImageTexture(1, moments_1_to_4_, 0, GL_FALSE, 0, GL_READ_WRITE, formats.four_moments);
+        bind_image(0, total_absorbance_, formats.total_absorbance);
+        bind_image(1, moments_1_to_4_, formats.four_moments);
         if (moments_5_to_8_ != 0)
-            glBindImageTexture(2, moments_5_to_8_, 0, GL_FALSE, 0, GL_READ_WRITE,
-                               two ? formats.two_moments : formats.four_moments);
-        if (with_ends) glBindImageTexture(3, ends_, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RG16);
+            bind_image(2, moments_5_to_8_, two ? formats.two_moments : formats.four_moments);
+        if (with_ends) bind_image(3, ends_, GL_RG16);
     }
-    glBindTextureUnit(ENDS_UNIT, ends_);
-    glUseProgram(input.programs.get(SCENE, MOMENTS,
-                                    input.lean(accumulation_variant(technique_, input.parameters, access_))));
-    if (with_ends) glBlendEquationi(colors, GL_MAX);
-    draw_transparent(input.scene, by_images ? depth_target_ : target,
-                     ordered ? Blending::none : Blending::add);
-    if (with_ends) glBlendEquation(GL_FUNC_ADD);
-    if (by_images) glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+    bind_texture(ENDS_UNIT, ends_);
+    use_program(input.programs.get(SCENE, MOMENTS,
+                                   input.lean(accumulation_variant(technique_, input.parameters, access_))));
+    DrawState state = {.blending = ordered ? Blending::none : Blending::add};
+    if (with_ends) state.greatest_target = colors;
+    draw_transparent(input.scene, by_images ? depth_target_ : target, state);
+    if (by_images) finish_shader_writes();
 }
 
 void MomentPasses::make_factors(int floats) {
@@ -164,7 +164,7 @@ void MomentPasses::make_factors(int floats) {
         factors_.push_back(make_texture(left == 1 ? GL_R32F : left == 2 ? GL_RG32F : GL_RGBA32F, size_));
         targets.push_back(factors_.back());
     }
-    factor_target_ = make_framebuffer(targets.data(), static_cast<int>(targets.size()), 0);
+    factor_target_ = make_framebuffer(targets, 0);
 }
 
 // Factors depend on alpha, but not on beta or theta.
@@ -173,8 +173,9 @@ void MomentPasses::draw_factors(const PassInput& input) {
     // Without ends, b0 is read where the first pass stored it.
     make_factors(pixel_factor_floats(technique_, input.parameters) - (input.parameters.knows_ends() ? 0 : 1));
     bind_stored();
-    glBindFramebuffer(GL_FRAMEBUFFER, factor_target_);
-    glUseProgram(
+    set_draw_state({});
+    bind_framebuffer(factor_target_);
+    use_program(
         input.programs.get("passes/fullscreen.vert", FACTOR, factor_variant(technique_, input.parameters)));
     draw_fullscreen();
     factored_bias_ = input.parameters.alpha;
@@ -188,25 +189,25 @@ void MomentPasses::draw_color(const PassInput& input) {
     clear_colors(target, uncertain ? 2 : 1);
     ShaderVariant variant = input.lean(input.lit(reconstruction_variant(technique_, input.parameters)));
     if (uncertain) variant.defines["UNCERTAIN"] = "1";
-    glUseProgram(input.programs.get(SCENE, COLOR, variant));
+    use_program(input.programs.get(SCENE, COLOR, variant));
     bind_stored();
-    draw_transparent(input.scene, target, Blending::add);
+    draw_transparent(input.scene, target, {.blending = Blending::add});
 }
 
-void MomentPasses::draw_composite(const PassInput& input) {
+void MomentPasses::draw_composite(const PassInput& input, GLuint target) {
+    set_draw_state({});
+    bind_framebuffer(target);
     ShaderVariant variant;
     if (input.parameters.moves_uncertain()) variant.defines["UNCERTAIN"] = "1";
-    glUseProgram(input.programs.get("passes/fullscreen.vert", "passes/composite.frag", variant));
-    glBindTextureUnit(0, input.opaque_color);
-    glBindTextureUnit(1, weighted_color_);
-    glBindTextureUnit(2, total_absorbance_);
-    glBindTextureUnit(UNCERTAIN_UNIT, uncertain_color_);
+    use_program(input.programs.get("passes/fullscreen.vert", "passes/composite.frag", variant));
+    bind_texture(0, input.opaque_color);
+    bind_texture(1, weighted_color_);
+    bind_texture(2, total_absorbance_);
+    bind_texture(UNCERTAIN_UNIT, uncertain_color_);
     draw_fullscreen();
 }
 
-bool MomentPasses::draw_diagnosis(const PassInput& input, Diagnosis diagnosis) {
-    GLint target = 0;
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
+bool MomentPasses::draw_diagnosis(const PassInput& input, Diagnosis diagnosis, GLuint target) {
     ResolvedParameters parameters = input.parameters;
     parameters.factored_once = false;  // stored factors do not say which pivots were raised
     ShaderVariant variant;
@@ -217,9 +218,9 @@ bool MomentPasses::draw_diagnosis(const PassInput& input, Diagnosis diagnosis) {
         variant = reconstruction_variant(technique_, parameters);
     }
     const char* fragment_shader = diagnosis == Diagnosis::uncertainty ? UNCERTAINTY : FAILURES;
-    glUseProgram(input.programs.get(SCENE, fragment_shader, variant));
+    use_program(input.programs.get(SCENE, fragment_shader, variant));
     bind_stored();
-    draw_transparent(input.scene, static_cast<GLuint>(target), Blending::add);
+    draw_transparent(input.scene, target, {.blending = Blending::add});
     return true;
 }
 
@@ -228,28 +229,21 @@ std::optional<ShaderVariant> MomentPasses::bind_for_capture(const ResolvedParame
     return reconstruction_variant(technique_, parameters);
 }
 
-std::vector<MomentVector> MomentPasses::read_moments(glm::ivec2 corner, glm::ivec2 extent) const {
-    const auto count = static_cast<std::size_t>(extent.x) * static_cast<std::size_t>(extent.y);
-    const auto read = [&](GLuint texture, GLenum format, std::size_t channels) {
-        std::vector<float> values(count * channels);
-        glGetTextureSubImage(texture, 0, corner.x, corner.y, 0, extent.x, extent.y, 1, format, GL_FLOAT,
-                             static_cast<GLsizei>(values.size() * sizeof(float)), values.data());
-        return values;
-    };
-    const auto floats = static_cast<std::size_t>(technique_.moment_kernel().moment_floats);
-    const std::vector<float> absorbances = read(total_absorbance_, GL_RED, 1);
-    const std::vector<float> first = read(moments_1_to_4_, GL_RGBA, 4);
-    const std::vector<float> second = floats > 4 ? read(moments_5_to_8_, GL_RGBA, 4) : std::vector<float>();
-    std::vector<GLushort> ends(has_ends_ ? 2 * count : 0);
-    if (has_ends_)
-        glGetTextureSubImage(ends_, 0, corner.x, corner.y, 0, extent.x, extent.y, 1, GL_RG, GL_UNSIGNED_SHORT,
-                             static_cast<GLsizei>(ends.size() * sizeof(GLushort)), ends.data());
+std::vector<MomentVector> MomentPasses::read_moments(const TexelRect& rect) const {
+    const int floats = technique_.moment_kernel().moment_floats;
+    const std::vector<float> absorbances = read_texture(total_absorbance_, rect, 1);
+    const std::vector<float> first = read_texture(moments_1_to_4_, rect, 4);
+    const std::vector<float> second =
+        floats > 4 ? read_texture(moments_5_to_8_, rect, floats - 4) : std::vector<float>();
+    const std::vector<std::uint16_t> ends =
+        has_ends_ ? read_texture_pairs(ends_, rect) : std::vector<std::uint16_t>();
     check_gl("reading moments");
+    const std::size_t count = absorbances.size(), per_pixel = static_cast<std::size_t>(floats);
     std::vector<MomentVector> moments(count);
     for (std::size_t i = 0; i < count; ++i) {
         moments[i].b0 = absorbances[i];
-        for (std::size_t k = 0; k < floats; ++k)
-            moments[i].b[k] = k < 4 ? first[4 * i + k] : second[4 * i + k - 4];
+        for (std::size_t k = 0; k < per_pixel; ++k)
+            moments[i].b[k] = k < 4 ? first[4 * i + k] : second[(per_pixel - 4) * i + k - 4];
         if (has_ends_) {
             moments[i].near_step = ends[2 * i];
             moments[i].far_step = ends[2 * i + 1];
@@ -259,12 +253,12 @@ std::vector<MomentVector> MomentPasses::read_moments(glm::ivec2 corner, glm::ive
 }
 
 void MomentPasses::bind_stored() const {
-    glBindTextureUnit(0, total_absorbance_);
-    glBindTextureUnit(1, moments_1_to_4_);
-    glBindTextureUnit(2, moments_5_to_8_);
+    bind_texture(0, total_absorbance_);
+    bind_texture(1, moments_1_to_4_);
+    bind_texture(2, moments_5_to_8_);
     for (std::size_t i = 0; i < factors_.size(); ++i)
-        glBindTextureUnit(FIRST_FACTOR_UNIT + static_cast<GLuint>(i), factors_[i]);
-    glBindTextureUnit(ENDS_UNIT, ends_);
+        bind_texture(FIRST_FACTOR_UNIT + static_cast<GLuint>(i), factors_[i]);
+    bind_texture(ENDS_UNIT, ends_);
 }
 
 }  // namespace momentscope

@@ -24,11 +24,11 @@ public:
     MomentPasses(const Technique& technique, glm::ivec2 size, GLuint depth, OrderedAccess access);
     void draw_moments(const PassInput& input) override;
     void draw_color(const PassInput& input) override;
-    void draw_composite(const PassInput& input) override;
+    void draw_composite(const PassInput& input, GLuint target) override;
     std::optional<ShaderVariant> bind_for_capture(const ResolvedParameters& parameters) const override;
-    bool draw_diagnosis(const PassInput& input, Diagnosis diagnosis) override;
+    bool draw_diagnosis(const PassInput& input, Diagnosis diagnosis, GLuint target) override;
 
-    std::vector<MomentVector> read_moments(glm::ivec2 corner, glm::ivec2 extent) const override;
+    std::vector<MomentVector> read_moments(const TexelRect& rect) const override;
 
 private:
     void bind_stored() const;

@@ -13,7 +13,7 @@ public:
     /// Peels one layer after another until one is empty everywhere. Each layer lies strictly behind the
     /// previous one, so there are at most as many as a pixel has fragments.
     void draw_color(const PassInput& input) override;
-    void draw_composite(const PassInput& input) override;
+    void draw_composite(const PassInput& input, GLuint target) override;
 
 private:
     bool draw_layer(const PassInput& input, int layer);  // false if the layer is empty
@@ -21,7 +21,7 @@ private:
 
     GlTexture depths_[2];  // of this layer and of the previous one, in turn
     GlTexture layer_, sum_;
-    GlFramebuffer layer_targets_[2], sum_target_;
+    GlFramebuffer layer_targets_[2], sum_target_, opaque_depth_;
     GlQuery any_fragment_;
 };
 

@@ -6,8 +6,11 @@
 #include <bit>
 #include <cassert>
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
-#include "core/gl/texture.hpp"
+#include "core/gl/buffer.hpp"
+#include "core/gl/query.hpp"
+#include "core/gl/vertex_array.hpp"
 #include "core/render/geometry_pass.hpp"
 #include "core/render/uniform_blocks.hpp"
 #include "core/scene/camera.hpp"
@@ -19,18 +22,6 @@ namespace {
 
 constexpr GLint TONE_MAP_LOCATION = 0;  // display.frag
 
-void require_gl_4_5() {
-    GLint major = 0;
-    GLint minor = 0;
-    glGetIntegerv(GL_MAJOR_VERSION, &major);
-    glGetIntegerv(GL_MINOR_VERSION, &minor);
-    if (major * 10 + minor < 45)
-        throw Error(fmt::format(
-            "This GL is version {}.{}, but Momentscope needs OpenGL 4.5; update the driver, or use "
-            "--headless, which renders in software.",
-            major, minor));
-}
-
 }  // namespace
 
 Renderer::Renderer(std::shared_ptr<ProgramCache> programs)
@@ -38,14 +29,10 @@ Renderer::Renderer(std::shared_ptr<ProgramCache> programs)
 
 Renderer::Renderer(OrderedAccess access, std::shared_ptr<ProgramCache> programs)
     : access_(access), programs_(std::move(programs)) {
-    require_gl_4_5();
+    require_supported_gl();
     timing_ = reliable_timing(gl_info());
-    GLuint name = 0;
-    glCreateBuffers(1, &name);
-    frame_block_ = GlBuffer(name);
-    glNamedBufferStorage(frame_block_, sizeof(FrameBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
-    glCreateQueries(GL_TIME_ELAPSED, 1, &name);
-    timer_ = GlQuery(name);
+    frame_block_ = make_buffer(sizeof(FrameBlock));
+    timer_ = make_query();
 }
 
 Renderer::~Renderer() = default;
@@ -124,7 +111,7 @@ void Renderer::update_frame_block(const View& view) {
                               glm::vec4(p.beta, p.alpha, p.renormalizes() ? 1 : 0, 0),
                               std::bit_cast<std::array<glm::vec4, 2>>(basis),
                               glm::ivec4(view.size, warp.z, 0)};
-    glNamedBufferSubData(frame_block_, 0, sizeof(block), &block);
+    write_buffer(frame_block_, block);
 }
 
 bool Renderer::lit() const {
@@ -144,22 +131,16 @@ PassInput Renderer::pass_input() const {
 void Renderer::update_shadows(const View& view) {
     if (!has_shadows(view.parameters)) return;
     if (shadow_maps_ == nullptr) shadow_maps_ = std::make_unique<ShadowMaps>(timing_, programs_);
-    glDisable(GL_BLEND);
-    glDisable(GL_CULL_FACE);
-    glDisable(GL_SCISSOR_TEST);
     shadow_maps_->update(*buffers_, casters_, shadow_settings(view.parameters, light_));
 }
 
 void Renderer::draw_opaque() {
-    const float background[4] = {background_.r, background_.g, background_.b, 1};
-    const float far = 1;
-    glClearNamedFramebufferfv(opaque_target_, GL_COLOR, 0, background);
-    glClearNamedFramebufferfv(opaque_target_, GL_DEPTH, 0, &far);
-    glBindFramebuffer(GL_FRAMEBUFFER, opaque_target_);
-    glEnable(GL_DEPTH_TEST);
-    glUseProgram(programs_->get("passes/scene.vert", "passes/opaque.frag", pass_input().lit({})));
+    clear_color(opaque_target_, 0, glm::vec4(background_, 1));
+    clear_depth(opaque_target_, 1);
+    set_draw_state({.depth = DepthTest::nearer});
+    bind_framebuffer(opaque_target_);
+    use_program(programs_->get("passes/scene.vert", "passes/opaque.frag", pass_input().lit({})));
     buffers_->draw(Surfaces::opaque);
-    glDisable(GL_DEPTH_TEST);
 }
 
 // Waits for the GL. The capture that follows a picture would wait anyway.
@@ -178,11 +159,8 @@ void Renderer::redraw() {
 
 void Renderer::run_from(Stage stage) {
     probe_.reset();
-    glViewport(0, 0, view_.size.x, view_.size.y);
-    glDisable(GL_BLEND);
-    glDisable(GL_CULL_FACE);
-    glDisable(GL_SCISSOR_TEST);
-    glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_block_);
+    set_viewport(view_.size);
+    bind_uniforms(0, frame_block_);
     if (lit()) shadow_maps_->bind(view_matrix(view_.camera));
     const PassInput input = pass_input();
     if (stage <= Stage::opaque || stage == Stage::shading) {
@@ -198,33 +176,28 @@ void Renderer::run_from(Stage stage) {
         ++counts_.color;
     }
     if (stage <= Stage::composite) {
-        glBindFramebuffer(GL_FRAMEBUFFER, picture_target_);
-        timed(times_.composite, [&] { transparency_->draw_composite(input); });
+        timed(times_.composite, [&] { transparency_->draw_composite(input, picture_target_); });
         ++counts_.composite;
     }
-    glBindFramebuffer(GL_FRAMEBUFFER, display_target_);
-    glUseProgram(programs_->get("passes/fullscreen.vert", "passes/display.frag"));
-    glUniform1i(TONE_MAP_LOCATION, static_cast<GLint>(tone_map_of(view_.parameters)));
-    glBindTextureUnit(0, picture_);
+    set_draw_state({});
+    bind_framebuffer(display_target_);
+    use_program(programs_->get("passes/fullscreen.vert", "passes/display.frag"));
+    set_uniform(TONE_MAP_LOCATION, static_cast<int>(tone_map_of(view_.parameters)));
+    bind_texture(0, picture_);
     draw_fullscreen();
     leave_nothing_bound();
 }
 
 Image Renderer::read_picture() const {
-    Image image(view_.size.x, view_.size.y);
-    glGetTextureImage(picture_, 0, GL_RGBA, GL_FLOAT,
-                      static_cast<GLsizei>(image.pixels.size() * sizeof(glm::vec4)), image.pixels.data());
-    check_gl("reading the picture");
-    image.flip_rows();
-    return image;
+    return read_region({0, 0}, view_.size);
 }
 
 Image Renderer::read_region(glm::ivec2 corner, glm::ivec2 extent) const {
-    Image image(extent.x, extent.y);
-    glGetTextureSubImage(picture_, 0, corner.x, view_.size.y - corner.y - extent.y, 0, extent.x, extent.y, 1,
-                         GL_RGBA, GL_FLOAT, static_cast<GLsizei>(image.pixels.size() * sizeof(glm::vec4)),
-                         image.pixels.data());
+    const TexelRect rect = {{corner.x, view_.size.y - corner.y - extent.y}, extent};
+    const std::vector<float> numbers = read_texture(picture_, rect, 4);
     check_gl("reading pixels");
+    Image image(extent.x, extent.y);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = glm::make_vec4(&numbers[4 * i]);
     image.flip_rows();
     return image;
 }

@@ -5,12 +5,12 @@
 #include <optional>
 #include <string>
 
+#include "core/gl/pass_timing.hpp"
 #include "core/image/image.hpp"
 #include "core/inspect/pixel_capture.hpp"
 #include "core/render/failure_marks.hpp"
 #include "core/render/fragment_capture.hpp"
 #include "core/render/light_probe.hpp"
-#include "core/render/pass_timing.hpp"
 #include "core/render/shadow_maps.hpp"
 #include "core/render/uncertainty_map.hpp"
 #include "core/render/view.hpp"

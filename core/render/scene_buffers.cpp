@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <numeric>
 
+#include "core/gl/buffer.hpp"
 #include "core/gl/texture.hpp"
+#include "core/gl/vertex_array.hpp"
 #include "core/ray/view_ray.hpp"
 #include "core/render/scene_size.hpp"
 
@@ -12,29 +14,15 @@ namespace momentscope {
 
 namespace {
 
-template <typename T>
-GlBuffer make_buffer(const std::vector<T>& data, GLbitfield flags = 0) {
-    GLuint name = 0;
-    glCreateBuffers(1, &name);
-    GlBuffer buffer(name);
-    // GL does not accept empty storage, and a scene without objects has a buffer, too.
-    const auto bytes = static_cast<GLsizeiptr>(data.size() * sizeof(T));
-    glNamedBufferStorage(buffer, bytes > 0 ? bytes : 4, bytes > 0 ? data.data() : nullptr, flags);
-    return buffer;
-}
-
 // The unit in transparent_fragment.glsl. Techniques use the units from 0 on.
 constexpr GLuint ALPHA_MAP_UNIT = 15;
 
+constexpr GLuint OBJECT_BLOCK = 1;  // blocks.glsl
+
 GlTexture make_alpha_map(const AlphaMap& map) {
     GlTexture texture = make_texture(GL_R8, {map.width, map.height});
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTextureSubImage2D(texture, 0, 0, 0, map.width, map.height, GL_RED, GL_UNSIGNED_BYTE, map.bytes.data());
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTextureParameteri(texture, GL_TEXTURE_WRAP_S, GL_REPEAT);
-    glTextureParameteri(texture, GL_TEXTURE_WRAP_T, GL_REPEAT);
+    write_texture(texture, {map.width, map.height}, GL_RED, GL_UNSIGNED_BYTE, map.bytes.data());
+    interpolate_and_repeat(texture);
     return texture;
 }
 
@@ -44,7 +32,7 @@ SceneBuffers::SceneBuffers(const Scene& scene) : objects_(scene.objects), sequen
     require_drawable(size_of(scene));
     for (const Mesh& mesh : scene.meshes) meshes_.push_back(upload(mesh));
     std::iota(sequence_.begin(), sequence_.end(), 0U);
-    object_blocks_ = make_buffer(object_blocks(), GL_DYNAMIC_STORAGE_BIT);
+    object_blocks_ = make_buffer_of<ObjectBlock>(object_blocks());
     for (const AlphaMap& map : scene.alpha_maps) alpha_maps_.push_back(make_alpha_map(map));
     no_alpha_map_ = make_alpha_map({1, 1, {255}});
     check_gl("uploading the scene");
@@ -66,18 +54,13 @@ void SceneBuffers::set_order(const SubmissionOrder& order) {
     RandomNumbers random(order.seed);
     sequence_ = ordered_numbers(objects_.size(), order.kind, random);
     const std::vector<ObjectBlock> blocks = object_blocks();
-    if (!blocks.empty())
-        glNamedBufferSubData(object_blocks_, 0, static_cast<GLsizeiptr>(blocks.size() * sizeof(ObjectBlock)),
-                             blocks.data());
+    write_buffer(object_blocks_, 0, std::as_bytes(std::span(blocks)));
     for (MeshBuffers& mesh : meshes_) {
         std::vector<std::uint32_t> indices;
         indices.reserve(mesh.submitted.size());
         for (const std::uint32_t triangle : ordered_numbers(mesh.submitted.size() / 3, order.kind, random))
             indices.insert(indices.end(), &mesh.submitted[3 * triangle], &mesh.submitted[3 * triangle] + 3);
-        if (!indices.empty())
-            glNamedBufferSubData(mesh.indices, 0,
-                                 static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)),
-                                 indices.data());
+        write_buffer(mesh.indices, 0, std::as_bytes(std::span(indices)));
     }
 }
 
@@ -88,22 +71,14 @@ SceneBuffers::MeshBuffers SceneBuffers::upload(const Mesh& mesh) {
         vertices.push_back({mesh.positions[i], mesh.normals[i],
                             mesh.texture_coordinates.empty() ? glm::vec2(0) : mesh.texture_coordinates[i]});
     MeshBuffers buffers;
-    buffers.vertices = make_buffer(vertices);
-    buffers.indices = make_buffer(mesh.indices, GL_DYNAMIC_STORAGE_BIT);
+    buffers.vertices = make_buffer_of<Vertex>(vertices);
+    buffers.indices = make_buffer_of<std::uint32_t>(mesh.indices);
     buffers.submitted = mesh.indices;
-    GLuint name = 0;
-    glCreateVertexArrays(1, &name);
-    buffers.array = GlVertexArray(name);
-    glVertexArrayVertexBuffer(name, 0, buffers.vertices, 0, sizeof(Vertex));
-    glVertexArrayElementBuffer(name, buffers.indices);
-    const auto add_attribute = [&](GLuint attribute, GLint floats, std::size_t offset) {
-        glEnableVertexArrayAttrib(name, attribute);
-        glVertexArrayAttribFormat(name, attribute, floats, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
-        glVertexArrayAttribBinding(name, attribute, 0);
-    };
-    add_attribute(0, 3, offsetof(Vertex, position));
-    add_attribute(1, 3, offsetof(Vertex, normal));
-    add_attribute(2, 2, offsetof(Vertex, texture_coordinate));
+    buffers.array = make_vertex_array(buffers.vertices, sizeof(Vertex),
+                                      {{0, 3, offsetof(Vertex, position)},
+                                       {1, 3, offsetof(Vertex, normal)},
+                                       {2, 2, offsetof(Vertex, texture_coordinate)}},
+                                      buffers.indices);
     return buffers;
 }
 
@@ -112,12 +87,10 @@ void SceneBuffers::draw(Surfaces surfaces) const {
         if (objects_[i].opaque() == (surfaces == Surfaces::transparent)) continue;
         if (surfaces == Surfaces::opaque_casters && !objects_[i].casts_shadow) continue;
         const MeshBuffers& mesh = meshes_[objects_[i].mesh];
-        glBindBufferRange(GL_UNIFORM_BUFFER, 1, object_blocks_,
-                          static_cast<GLintptr>(i * sizeof(ObjectBlock)), sizeof(ObjectBlock));
-        glBindTextureUnit(ALPHA_MAP_UNIT,
-                          objects_[i].alpha_map ? alpha_maps_[*objects_[i].alpha_map] : no_alpha_map_);
-        glBindVertexArray(mesh.array);
-        glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(mesh.submitted.size()), GL_UNSIGNED_INT, nullptr);
+        bind_uniforms(OBJECT_BLOCK, object_blocks_, i * sizeof(ObjectBlock), sizeof(ObjectBlock));
+        bind_texture(ALPHA_MAP_UNIT,
+                     objects_[i].alpha_map ? alpha_maps_[*objects_[i].alpha_map] : no_alpha_map_);
+        draw_triangles(mesh.array, mesh.submitted.size());
     }
 }
 

@@ -24,7 +24,7 @@ void capture_region(const CaptureInput& in, ShadowFilterSamples& bundle) {
     const ShadowFootprint region = shadow_footprint(bundle.place.texel, in.settings.size, in.settings.radius);
     for (const float weight : region.weights) bundle.texels.push_back({weight, {}});
     auto nodes = in.settings.casters
-                     ? in.texels.capture(in.scene, in.frame_block, region.corner, region.extent)
+                     ? in.texels.capture(in.scene, in.frame_block, {region.corner, region.extent})
                      : std::vector<FragmentNode>();
     if (!nodes)
         throw Error(
@@ -37,10 +37,7 @@ void capture_region(const CaptureInput& in, ShadowFilterSamples& bundle) {
         bundle.texels[static_cast<std::size_t>(at.y * region.extent.x + at.x)].fragments.push_back(
             fragment_of(node, in.scene));
     }
-    std::vector<float> depths(region.weights.size());
-    glGetTextureSubImage(in.maps.nearest, 0, region.corner.x, region.corner.y, 0, region.extent.x,
-                         region.extent.y, 1, GL_RED, GL_FLOAT,
-                         static_cast<GLsizei>(depths.size() * sizeof(float)), depths.data());
+    const std::vector<float> depths = read_texture(in.maps.nearest, {region.corner, region.extent}, 1);
     for (std::size_t i = 0; i < depths.size(); ++i) bundle.opaque.push_back({depths[i], region.weights[i]});
 }
 
@@ -51,15 +48,15 @@ void read_filtered(const CaptureInput& in, ShadowFilterSamples& bundle) {
     for (std::size_t i = 0; i < corners.weights.size(); ++i) {
         const glm::ivec2 at = corners.corner + glm::ivec2(static_cast<int>(i) % corners.extent.x,
                                                           static_cast<int>(i) / corners.extent.x);
-        const auto add = [&](GLuint texture, int layer, float* sum) {
-            std::array<float, 4> values{};
-            glGetTextureSubImage(texture, 0, at.x, at.y, layer, 1, 1, 1, GL_RGBA, GL_FLOAT, sizeof(values),
-                                 values.data());
+        const TexelRect texel = {at, {1, 1}};
+        const auto add = [&](const std::vector<float>& values, float* sum) {
             for (std::size_t k = 0; k < 4; ++k) sum[k] += corners.weights[i] * values[k];
         };
         for (std::size_t layer = 0; layer < in.maps.layers; ++layer)
-            add(in.maps.filtered, static_cast<int>(layer), &bundle.sums[4 * layer]);
-        if (in.maps.opaque_filtered != 0) add(in.maps.opaque_filtered, 0, bundle.texel.data());
+            add(read_texture_layer(in.maps.filtered, static_cast<int>(layer), texel, 4),
+                &bundle.sums[4 * layer]);
+        if (in.maps.opaque_filtered != 0)
+            add(read_texture(in.maps.opaque_filtered, texel, 4), bundle.texel.data());
     }
     if (!bundle.sums.empty())
         bundle.sums.resize(static_cast<std::size_t>(texel_numbers(in.settings.transparent)));

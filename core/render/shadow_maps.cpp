@@ -4,7 +4,12 @@
 
 #include <utility>
 
-#include "core/gl/texture.hpp"
+#include "core/gl/buffer.hpp"
+#include "core/gl/draw_state.hpp"
+#include "core/gl/framebuffer.hpp"
+#include "core/gl/gl_info.hpp"
+#include "core/gl/query.hpp"
+#include "core/gl/vertex_array.hpp"
 #include "core/render/geometry_pass.hpp"
 #include "core/render/uniform_blocks.hpp"
 #include "core/shadow/shadow_filter.hpp"
@@ -22,14 +27,6 @@ constexpr GLuint OPAQUE_UNIT = 12, TRANSPARENT_UNIT = 13, DEEP_STEPS = 1;
 constexpr GLint DIRECTION = 0, LAYER = 1;  // shadow_filter.frag
 constexpr std::size_t MAX_BYTES = std::size_t{1} << 30;
 
-GlBuffer make_uniform_buffer(std::size_t bytes) {
-    GLuint name = 0;
-    glCreateBuffers(1, &name);
-    GlBuffer buffer(name);
-    glNamedBufferStorage(buffer, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_STORAGE_BIT);
-    return buffer;
-}
-
 GLenum opaque_format(const OpaqueShadow& row) {
     if (row.bits == 16) return GL_RGBA16;
     return row.numbers == 2 ? GL_RG32F : GL_RGBA32F;
@@ -37,8 +34,7 @@ GLenum opaque_format(const OpaqueShadow& row) {
 
 // Throws Error if this GL cannot hold the maps, before they take memory.
 void require_fitting(const ShadowSettings& settings) {
-    GLint most = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    const int most = most_texels_of_a_side();
     if (settings.size > most)
         throw Error(fmt::format(
             "A shadow map of {0}x{0} texels is larger than the {1}x{1} that this GL can draw; give a "
@@ -71,18 +67,15 @@ bool same_sums(const ShadowSettings& a, const ShadowSettings& b) {
 
 ShadowMaps::ShadowMaps(PassTiming timing, std::shared_ptr<ProgramCache> programs)
     : timing_(timing),
-      frame_block_(make_uniform_buffer(sizeof(FrameBlock))),
-      light_block_(make_uniform_buffer(sizeof(LightBlock))),
-      programs_(std::move(programs)) {
-    GLuint name = 0;
-    glCreateQueries(GL_TIME_ELAPSED, 1, &name);
-    timer_ = GlQuery(name);
-}
+      timer_(make_query()),
+      frame_block_(make_buffer(sizeof(FrameBlock))),
+      light_block_(make_buffer(sizeof(LightBlock))),
+      programs_(std::move(programs)) {}
 
 // Waits for the GL, as drawing a picture does.
 template <typename Draw>
 void ShadowMaps::run(ShadowStage& stage, const Draw& draw) {
-    glViewport(0, 0, settings_->size, settings_->size);
+    set_viewport(glm::ivec2(settings_->size));
     PassTimer timer(timing_, timer_);
     draw();
     stage.milliseconds = timer.milliseconds();
@@ -106,8 +99,8 @@ void ShadowMaps::update(const SceneBuffers& scene, const Sphere& casters, const 
         if (opaque_row) make_opaque();
         if (size || caster_layers(*last) != caster_layers(settings)) make_sums();
         write_blocks(glm::mat4(1));
-        glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_block_);
-        glBindBufferBase(GL_UNIFORM_BUFFER, LIGHT_BLOCK, light_block_);
+        bind_uniforms(0, frame_block_);
+        bind_uniforms(LIGHT_BLOCK, light_block_);
         if (place) run(stages_.opaque_render, [&] { draw_opaque(scene); });
         if (place || radius || opaque_row) run(stages_.opaque_filter, [&] { filter_opaque(); });
         if (sums) run(stages_.transparent_render, [&] { draw_sums(scene); });
@@ -169,7 +162,7 @@ void ShadowMaps::write_blocks(const glm::mat4& eye_view) const {
                               glm::vec4(0),
                               {},
                               glm::ivec4(settings_->size, settings_->size, 1, 0)};
-    glNamedBufferSubData(frame_block_, 0, sizeof(frame), &frame);
+    write_buffer(frame_block_, frame);
     const ResolvedParameters parameters =
         resolve(settings_->transparent.values, *settings_->transparent.technique);
     LightBlock light = {};
@@ -183,18 +176,16 @@ void ShadowMaps::write_blocks(const glm::mat4& eye_view) const {
     const std::vector<float> weights = gaussian_weights(settings_->radius);
     for (std::size_t i = 0; i < weights.size(); ++i)
         light.weights[i / 4][static_cast<int>(i % 4)] = weights[i];
-    glNamedBufferSubData(light_block_, 0, sizeof(light), &light);
+    write_buffer(light_block_, light);
 }
 
 void ShadowMaps::draw_opaque(const SceneBuffers& scene) {
-    const float far[4] = {1, 1, 1, 1};
-    glClearNamedFramebufferfv(nearest_target_, GL_COLOR, 0, far);
-    glClearNamedFramebufferfv(nearest_target_, GL_DEPTH, 0, far);
-    glBindFramebuffer(GL_FRAMEBUFFER, nearest_target_);
-    glEnable(GL_DEPTH_TEST);
-    glUseProgram(programs_->get(CASTERS, "passes/caster_depth.frag"));
+    clear_color(nearest_target_, 0, glm::vec4(1));
+    clear_depth(nearest_target_, 1);
+    set_draw_state({.depth = DepthTest::nearer});
+    bind_framebuffer(nearest_target_);
+    use_program(programs_->get(CASTERS, "passes/caster_depth.frag"));
     scene.draw(Surfaces::opaque_casters);
-    glDisable(GL_DEPTH_TEST);
 }
 
 void ShadowMaps::draw_sums(const SceneBuffers& scene) {
@@ -207,8 +198,8 @@ void ShadowMaps::draw_sums(const SceneBuffers& scene) {
     ShaderVariant variant;
     add_lighting(variant, lighting_);
     clear_colors(sums_target_, layers);
-    glUseProgram(programs_->get(CASTERS, "passes/caster.frag", variant));
-    draw_transparent(scene, sums_target_, Blending::add);
+    use_program(programs_->get(CASTERS, "passes/caster.frag", variant));
+    draw_transparent(scene, sums_target_, {.blending = Blending::add});
 }
 
 void ShadowMaps::filter_opaque() {
@@ -216,45 +207,47 @@ void ShadowMaps::filter_opaque() {
     ShaderVariant of_depths;
     add_lighting(of_depths, lighting_);
     of_depths.defines["OPAQUE_DEPTHS"] = "1";
-    glBindFramebuffer(GL_FRAMEBUFFER, opaque_halfway_target_);
-    glUseProgram(programs_->get(FULLSCREEN, FILTER, of_depths));
-    glUniform2i(DIRECTION, 1, 0);
-    glBindTextureUnit(0, nearest_);
+    set_draw_state({});
+    bind_framebuffer(opaque_halfway_target_);
+    use_program(programs_->get(FULLSCREEN, FILTER, of_depths));
+    set_uniform(DIRECTION, glm::ivec2(1, 0));
+    bind_texture(0, nearest_);
     draw_fullscreen();
-    glBindFramebuffer(GL_FRAMEBUFFER, opaque_target_);
-    glUseProgram(programs_->get(FULLSCREEN, FILTER));
-    glUniform2i(DIRECTION, 0, 1);
-    glUniform1i(LAYER, 0);
-    glBindTextureUnit(0, opaque_halfway_);
+    bind_framebuffer(opaque_target_);
+    use_program(programs_->get(FULLSCREEN, FILTER));
+    set_uniform(DIRECTION, glm::ivec2(0, 1));
+    set_uniform(LAYER, 0);
+    bind_layered_texture(0, opaque_halfway_);
     draw_fullscreen();
 }
 
 void ShadowMaps::filter_sums() {
     if (filtered_targets_.empty()) return;
-    glUseProgram(programs_->get(FULLSCREEN, FILTER));
+    set_draw_state({});
+    use_program(programs_->get(FULLSCREEN, FILTER));
     for (std::size_t layer = 0; layer < filtered_targets_.size(); ++layer) {
-        glBindFramebuffer(GL_FRAMEBUFFER, halfway_target_);
-        glUniform2i(DIRECTION, 1, 0);
-        glUniform1i(LAYER, static_cast<GLint>(layer));
-        glBindTextureUnit(0, sums_);
+        bind_framebuffer(halfway_target_);
+        set_uniform(DIRECTION, glm::ivec2(1, 0));
+        set_uniform(LAYER, static_cast<int>(layer));
+        bind_layered_texture(0, sums_);
         draw_fullscreen();
-        glBindFramebuffer(GL_FRAMEBUFFER, filtered_targets_[layer]);
-        glUniform2i(DIRECTION, 0, 1);
-        glUniform1i(LAYER, 0);
-        glBindTextureUnit(0, halfway_);
+        bind_framebuffer(filtered_targets_[layer]);
+        set_uniform(DIRECTION, glm::ivec2(0, 1));
+        set_uniform(LAYER, 0);
+        bind_layered_texture(0, halfway_);
         draw_fullscreen();
     }
 }
 
 void ShadowMaps::bind(const glm::mat4& eye_view) const {
     write_blocks(eye_view);
-    glBindBufferBase(GL_UNIFORM_BUFFER, LIGHT_BLOCK, light_block_);
-    glBindTextureUnit(OPAQUE_UNIT, settings_->opaque->unfiltered ? nearest_ : opaque_filtered_);
+    bind_uniforms(LIGHT_BLOCK, light_block_);
+    bind_texture(OPAQUE_UNIT, settings_->opaque->unfiltered ? nearest_ : opaque_filtered_);
     if (settings_->deep()) {
-        glBindTextureUnit(TRANSPARENT_UNIT, deep_.lists);
-        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, DEEP_STEPS, deep_.steps);
+        bind_texture(TRANSPARENT_UNIT, deep_.lists);
+        bind_storage(DEEP_STEPS, deep_.steps);
     } else if (settings_->casters) {
-        glBindTextureUnit(TRANSPARENT_UNIT, filtered_);
+        bind_layered_texture(TRANSPARENT_UNIT, filtered_);
     }
 }
 

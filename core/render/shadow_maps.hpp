@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "core/gl/pass_timing.hpp"
 #include "core/gl/program.hpp"
 #include "core/render/deep_shadow_map.hpp"
-#include "core/render/pass_timing.hpp"
 #include "core/render/shader_lighting.hpp"
 #include "core/render/shadow_capture.hpp"
 

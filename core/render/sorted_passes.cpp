@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "core/gl/draw_state.hpp"
+#include "core/gl/framebuffer.hpp"
+#include "core/gl/vertex_array.hpp"
 #include "core/support/error.hpp"
 
 namespace momentscope {
@@ -18,15 +21,14 @@ std::size_t megabytes(std::size_t fragments) {
 
 SortedPasses::SortedPasses(glm::ivec2 size, GLuint depth) : list_(size, LIST_CAPACITY, depth) {}
 
-void SortedPasses::draw_composite(const PassInput& input) {
-    GLint target = 0;
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
+void SortedPasses::draw_composite(const PassInput& input, GLuint target) {
     const GLuint capture_program =
         input.programs.get("passes/scene.vert", "passes/capture.frag", input.lit({}));
     int rows = input.size.y;
     for (int y = 0; y < input.size.y;) {
         rows = std::min(rows, input.size.y - y);
-        const std::size_t count = list_.capture(input, capture_program, {0, y}, {input.size.x, rows});
+        const TexelRect band = {{0, y}, {input.size.x, rows}};
+        const std::size_t count = list_.capture(input, capture_program, band);
         if (count > list_.capacity()) {
             if (rows == 1)
                 throw Error(fmt::format(
@@ -36,14 +38,12 @@ void SortedPasses::draw_composite(const PassInput& input) {
             rows = (rows + 1) / 2;
             continue;
         }
-        glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(target));
-        glEnable(GL_SCISSOR_TEST);
-        glScissor(0, y, input.size.x, rows);
-        glUseProgram(input.programs.get("passes/fullscreen.vert", "passes/sorted.frag"));
-        glBindTextureUnit(0, input.opaque_color);
+        set_draw_state({.scissor = band});
+        bind_framebuffer(target);
+        use_program(input.programs.get("passes/fullscreen.vert", "passes/sorted.frag"));
+        bind_texture(0, input.opaque_color);
         list_.bind();
         draw_fullscreen();
-        glDisable(GL_SCISSOR_TEST);
         y += rows;
     }
 }

@@ -12,7 +12,7 @@ public:
 
     /// Captures and composites the picture in bands of as many rows as the list can hold. So memory is
     /// bounded, whatever the number of fragments.
-    void draw_composite(const PassInput& input) override;
+    void draw_composite(const PassInput& input, GLuint target) override;
 
 private:
     FragmentList list_;

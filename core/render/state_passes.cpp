@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <bit>
+#include <glm/gtc/type_ptr.hpp>
 
-#include "core/gl/texture.hpp"
+#include "core/gl/buffer.hpp"
+#include "core/gl/vertex_array.hpp"
 #include "core/render/geometry_pass.hpp"
 #include "core/support/error.hpp"
 #include "core/techniques/quantisation_glsl.hpp"
@@ -99,34 +101,34 @@ void StatePasses::make_states(const ParameterValues& settings) {
     GLuint depth = depth_;
     if (technique_.pixel_state_kernel().accumulation == Accumulation::nearest)
         depth = nearest_depth_ = make_texture(GL_DEPTH_COMPONENT32F, size_);
-    state_target_ = make_framebuffer(names.data(), static_cast<int>(count), depth);
+    state_target_ = make_framebuffer(names, depth);
 }
 
 void StatePasses::make_samples(int count) {
     if (sample_count_ == count) return;
-    GLint most = 0;
-    glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
+    const int most = most_texture_layers();
     if (count > most)
         throw Error(
             fmt::format("This GL has textures of at most {} layers; choose at most as many samples.", most));
     samples_ = make_layered_texture(GL_R32UI, size_, count);
+    sample_targets_.clear();
+    for (int i = 0; i < count; ++i) sample_targets_.push_back(make_layer_framebuffer(samples_, i, 1));
     sample_count_ = count;
 }
 
 void StatePasses::clear_states() const {
     const PixelState empty = technique_.pixel_state_kernel().empty_state(settings_);
     for (std::size_t i = 0; i < states_.size(); ++i)
-        glClearNamedFramebufferfv(state_target_, GL_COLOR, static_cast<GLint>(i), &empty.f[4 * i]);
-    const GLuint nothing = std::bit_cast<GLuint>(empty.f[1]);
-    if (samples_ != 0) glClearTexImage(samples_, 0, GL_RED_INTEGER, GL_UNSIGNED_INT, &nothing);
-    const float farthest = 1;
-    if (nearest_depth_ != 0) glClearNamedFramebufferfv(state_target_, GL_DEPTH, 0, &farthest);
+        clear_color(state_target_, static_cast<int>(i), glm::make_vec4(&empty.f[4 * i]));
+    for (const GlFramebuffer& target : sample_targets_)
+        clear_color(target, 0, glm::uvec4(std::bit_cast<std::uint32_t>(empty.f[1])));
+    if (nearest_depth_ != 0) clear_depth(state_target_, 1);
 }
 
 void StatePasses::draw_moments(const PassInput& input) {
     make_states(input.parameters.settings);
     clear_states();
-    glUseProgram(
+    use_program(
         input.programs.get("passes/scene.vert", "passes/state.frag",
                            input.lean(input.lit(state_building_variant(technique_, settings_, access_)))));
     draw_states(input);
@@ -134,38 +136,38 @@ void StatePasses::draw_moments(const PassInput& input) {
 
 void StatePasses::draw_states(const PassInput& input) const {
     if (technique_.pixel_state_kernel().accumulation == Accumulation::nearest) {
-        glBindTextureUnit(OPAQUE_DEPTH_UNIT, depth_);
+        bind_texture(OPAQUE_DEPTH_UNIT, depth_);
         draw_nearest(input.scene, state_target_);
         return;
     }
-    if (samples_ != 0) glBindImageTexture(0, samples_, 0, GL_TRUE, 0, GL_READ_WRITE, GL_R32UI);
+    if (samples_ != 0) bind_image(0, samples_, GL_R32UI);
     const bool by_images = access_ == OrderedAccess::interlock;
     for (std::size_t i = 0; by_images && i < states_.size(); ++i)
-        glBindImageTexture(static_cast<GLuint>(i), states_[i], 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+        bind_image(static_cast<GLuint>(i), states_[i], GL_RGBA32F);
     draw_transparent(input.scene, by_images ? depth_target_ : state_target_,
-                     blending_of(technique_.pixel_state_kernel().accumulation));
-    if (by_images || samples_ != 0)
-        glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
-                        GL_TEXTURE_UPDATE_BARRIER_BIT);
+                     {.blending = blending_of(technique_.pixel_state_kernel().accumulation)});
+    if (by_images || samples_ != 0) finish_shader_writes();
 }
 
 void StatePasses::draw_color(const PassInput& input) {
     settings_ = input.parameters.settings;  // parameters may have changed that do not change states
     if (technique_.pixel_state_kernel().holds_colors) return;
     clear_colors(color_target_, exact_absorbance_ != 0 ? 2 : 1);
-    glUseProgram(input.programs.get("passes/scene.vert", "passes/state_color.frag",
-                                    input.lean(input.lit(state_variant(technique_, settings_)))));
+    use_program(input.programs.get("passes/scene.vert", "passes/state_color.frag",
+                                   input.lean(input.lit(state_variant(technique_, settings_)))));
     bind_states();
-    draw_transparent(input.scene, color_target_, Blending::add);
+    draw_transparent(input.scene, color_target_, {.blending = Blending::add});
 }
 
-void StatePasses::draw_composite(const PassInput& input) {
+void StatePasses::draw_composite(const PassInput& input, GLuint target) {
     settings_ = input.parameters.settings;  // parameters may have changed that do not change weights
-    glUseProgram(input.programs.get("passes/fullscreen.vert", "passes/state_composite.frag",
-                                    state_variant(technique_, settings_)));
-    glBindTextureUnit(0, input.opaque_color);
-    glBindTextureUnit(1, weighted_color_);
-    glBindTextureUnit(EXACT_ABSORBANCE_UNIT, exact_absorbance_);
+    set_draw_state({});
+    bind_framebuffer(target);
+    use_program(input.programs.get("passes/fullscreen.vert", "passes/state_composite.frag",
+                                   state_variant(technique_, settings_)));
+    bind_texture(0, input.opaque_color);
+    bind_texture(1, weighted_color_);
+    bind_texture(EXACT_ABSORBANCE_UNIT, exact_absorbance_);
     bind_states();
     draw_fullscreen();
 }
@@ -178,8 +180,8 @@ std::optional<ShaderVariant> StatePasses::bind_for_capture(const ResolvedParamet
 
 void StatePasses::bind_states() const {
     for (std::size_t i = 0; i < states_.size(); ++i)
-        glBindTextureUnit(FIRST_STATE_UNIT + static_cast<GLuint>(i), states_[i]);
-    if (samples_ != 0) glBindTextureUnit(SAMPLES_UNIT, samples_);
+        bind_texture(FIRST_STATE_UNIT + static_cast<GLuint>(i), states_[i]);
+    if (samples_ != 0) bind_layered_texture(SAMPLES_UNIT, samples_);
 }
 
 }  // namespace momentscope

@@ -22,7 +22,7 @@ public:
     StatePasses(const Technique& technique, glm::ivec2 size, GLuint depth, OrderedAccess access);
     void draw_moments(const PassInput& input) override;
     void draw_color(const PassInput& input) override;
-    void draw_composite(const PassInput& input) override;
+    void draw_composite(const PassInput& input, GLuint target) override;
     std::optional<ShaderVariant> bind_for_capture(const ResolvedParameters& parameters) const override;
 
 protected:
@@ -41,9 +41,10 @@ private:
     void draw_states(const PassInput& input) const;
 
     GLuint depth_;
-    OrderedAccess access_;           // none if blending is enough
-    std::vector<GlTexture> states_;  // of four floats each
-    GlTexture samples_;              // depths as bits, one layer per sample
+    OrderedAccess access_;                       // none if blending is enough
+    std::vector<GlTexture> states_;              // of four floats each
+    GlTexture samples_;                          // depths as bits, one layer per sample
+    std::vector<GlFramebuffer> sample_targets_;  // to clear its layers
     int sample_count_ = 0;
     GlTexture nearest_depth_;  // for techniques that keep the nearest fragment
     GlFramebuffer state_target_, depth_target_;

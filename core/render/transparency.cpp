@@ -26,13 +26,4 @@ std::string why_unavailable(const Technique& technique, OrderedAccess access) {
     return needs_order(technique) && access == OrderedAccess::none ? NO_ORDERED_ACCESS : "";
 }
 
-void draw_fullscreen() {
-    // The core profile draws nothing without a vertex array, even if no attribute is read.
-    GLuint name = 0;
-    glCreateVertexArrays(1, &name);
-    const GlVertexArray empty(name);
-    glBindVertexArray(empty);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-}
-
 }  // namespace momentscope

@@ -8,6 +8,7 @@
 #include "core/gl/gl_info.hpp"
 #include "core/gl/handle.hpp"
 #include "core/gl/program.hpp"
+#include "core/gl/texture.hpp"
 #include "core/render/scene_buffers.hpp"
 #include "core/render/shader_lighting.hpp"
 #include "core/techniques/moment_kernel.hpp"
@@ -44,8 +45,8 @@ struct PassInput {
 /// (uncertainty.frag; one channel).
 enum class Diagnosis { failures, uncertainty };
 
-/// The passes of one technique at one picture size. Each function draws one stage. Of the GL state it changes
-/// only bindings. The renderer calls a stage again only if its input has changed.
+/// The passes of one technique at one picture size. Each function draws one stage. The renderer calls a stage
+/// again only if its input has changed.
 class Transparency {
 public:
     virtual ~Transparency() = default;
@@ -56,18 +57,16 @@ public:
     /// Second pass: draws weighted colours.
     virtual void draw_color(const PassInput& input) = 0;
 
-    /// Composites the transparent over the opaque picture, into the bound framebuffer with one RGBA target.
-    virtual void draw_composite(const PassInput& input) = 0;
+    /// Composites the transparent over the opaque picture, into a framebuffer with one RGBA target.
+    virtual void draw_composite(const PassInput& input, GLuint target) = 0;
 
     /// Binds what capture.frag reads with WITH_TRANSMITTANCE, and returns its variant. nullopt if the
     /// technique has no transmittances.
     virtual std::optional<ShaderVariant> bind_for_capture(const ResolvedParameters&) const { return {}; }
 
-    /// What the first pass stored for the pixels of a rectangle, as read through the texture units. Pixels
-    /// count from the lower left. Empty if the technique has no moments.
-    virtual std::vector<MomentVector> read_moments(glm::ivec2 /*corner*/, glm::ivec2 /*extent*/) const {
-        return {};
-    }
+    /// What the first pass stored for the pixels of a rectangle, as read through the texture units. Empty if
+    /// the technique has no moments.
+    virtual std::vector<MomentVector> read_moments(const TexelRect&) const { return {}; }
 
     /// The target of the first pass, if it does not have the resolution of the picture.
     struct LowTarget {
@@ -76,9 +75,9 @@ public:
     };
     virtual std::optional<LowTarget> low_target() const { return {}; }
 
-    /// Sums over the fragments of each pixel into the bound target, by additive blending. False, and nothing
-    /// is drawn, if the technique reconstructs nothing.
-    virtual bool draw_diagnosis(const PassInput&, Diagnosis) { return false; }
+    /// Sums over the fragments of each pixel into a framebuffer, by additive blending. False, and nothing is
+    /// drawn, if the technique reconstructs nothing.
+    virtual bool draw_diagnosis(const PassInput&, Diagnosis, GLuint /*target*/) { return false; }
 };
 
 /// The passes of a technique. depth: the texture that its framebuffers test. Throws Error if the GL lacks
@@ -88,8 +87,5 @@ std::unique_ptr<Transparency> make_transparency(const Technique& technique, glm:
 
 /// Why a GL with this access cannot draw the technique, as a sentence; empty if it can.
 std::string why_unavailable(const Technique& technique, OrderedAccess access);
-
-/// Draws the triangle of fullscreen.vert with the program in use.
-void draw_fullscreen();
 
 }  // namespace momentscope

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/gl_context.hpp"
-#include "core/gl/texture.hpp"
+#include "core/gl/query.hpp"
 #include "core/render/geometry_pass.hpp"
 #include "core/render/renderer.hpp"
 #include "core/scene/scenes.hpp"
@@ -28,32 +28,30 @@ public:
         std::vector<GLuint> colors;
         for (const GlTexture& texture : textures_) colors.push_back(texture);
         depth_ = make_texture(GL_DEPTH_COMPONENT32F, BENCH_SIZE);
-        target_ = make_framebuffer(colors.data(), count_, depth_);
+        target_ = make_framebuffer(colors, depth_);
         opaque_color_ = make_texture(GL_RGBA16F, BENCH_SIZE);
         opaque_target_ = make_framebuffer({opaque_color_}, depth_);
     }
 
     void draw_opaque() {
-        const float far = 1;
-        glClearNamedFramebufferfv(opaque_target_, GL_DEPTH, 0, &far);
-        glBindFramebuffer(GL_FRAMEBUFFER, opaque_target_);
-        glViewport(0, 0, BENCH_SIZE.x, BENCH_SIZE.y);
-        glEnable(GL_DEPTH_TEST);
-        glUseProgram(programs_.get("passes/scene.vert", "passes/opaque.frag"));
+        clear_depth(opaque_target_, 1);
+        set_draw_state({.depth = DepthTest::nearer});
+        bind_framebuffer(opaque_target_);
+        set_viewport(BENCH_SIZE);
+        use_program(programs_.get("passes/scene.vert", "passes/opaque.frag"));
         scene_.draw(Surfaces::opaque);
-        glDisable(GL_DEPTH_TEST);
     }
 
     double milliseconds() {
-        glViewport(0, 0, BENCH_SIZE.x, BENCH_SIZE.y);
-        glFinish();
+        set_viewport(BENCH_SIZE);
+        finish_gl();
         const auto begin = std::chrono::steady_clock::now();
         clear_colors(target_, count_);
         ShaderVariant variant;
         if (!scene_.has_alpha_maps()) variant.defines["NO_ALPHA_MAPS"] = "1";
-        glUseProgram(programs_.get("passes/scene.vert", "tests/blend_only.frag", variant));
-        draw_transparent(scene_, target_, Blending::add);
-        glFinish();
+        use_program(programs_.get("passes/scene.vert", "tests/blend_only.frag", variant));
+        draw_transparent(scene_, target_, {.blending = Blending::add});
+        finish_gl();
         return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     }
 

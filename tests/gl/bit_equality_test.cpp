@@ -6,8 +6,11 @@
 #include <limits>
 #include <random>
 
+#include "core/gl/buffer.hpp"
+#include "core/gl/draw_state.hpp"
+#include "core/gl/framebuffer.hpp"
 #include "core/gl/program.hpp"
-#include "core/gl/texture.hpp"
+#include "core/gl/vertex_array.hpp"
 #include "core/render/moment_passes.hpp"
 #include "tests/gl/gl_fixture.hpp"
 #include "tests/property/moment_rows.hpp"
@@ -94,24 +97,16 @@ protected:
     template <typename Draw>
     std::vector<Result> run(const std::vector<Item>& items, const ResolvedParameters& p, Draw draw) {
         const Header header = {p.beta, basis_parameter(p, *GetParam()), p.alpha, 0, Z_MIN, Z_MAX, {}};
-        GLuint names[2];
-        glCreateBuffers(2, names);
-        const GlBuffer input(names[0]);
-        const GlBuffer output(names[1]);
-        glNamedBufferStorage(input, static_cast<GLsizeiptr>(sizeof(Header) + items.size() * sizeof(Item)),
-                             nullptr, GL_DYNAMIC_STORAGE_BIT);
-        glNamedBufferSubData(input, 0, sizeof(Header), &header);
-        glNamedBufferSubData(input, sizeof(Header), static_cast<GLsizeiptr>(items.size() * sizeof(Item)),
-                             items.data());
+        const GlBuffer input = make_buffer(sizeof(Header) + items.size() * sizeof(Item));
+        write_buffer(input, header);
+        write_buffer(input, sizeof(Header), std::as_bytes(std::span(items)));
         std::vector<Result> results(items.size());
-        glNamedBufferStorage(output, static_cast<GLsizeiptr>(results.size() * sizeof(Result)), results.data(),
-                             0);
-        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, input);
-        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, output);
+        const GlBuffer output = make_buffer_of<Result>(results);
+        bind_storage(0, input);
+        bind_storage(1, output);
         draw();
-        glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-        glGetNamedBufferSubData(output, 0, static_cast<GLsizeiptr>(results.size() * sizeof(Result)),
-                                results.data());
+        finish_shader_writes();
+        read_buffer(output, 0, std::as_writable_bytes(std::span(results)));
         return results;
     }
 
@@ -159,7 +154,7 @@ TEST_P(BitEquality, InComputeShaders) {
     const GlProgram program = link_compute_program("tests/evaluate.comp", moment_variant(*GetParam()));
     expect_same_bits(run(items_, p,
                          [&] {
-                             glUseProgram(program);
+                             use_program(program);
                              glDispatchCompute(COUNT / 64, 1, 1);
                          }),
                      "compute");
@@ -174,9 +169,10 @@ TEST_P(BitEquality, InFragmentShaders) {
     const GlFramebuffer framebuffer = make_framebuffer({target}, 0);
     expect_same_bits(run(items_, p,
                          [&] {
-                             glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-                             glViewport(0, 0, 512, 512);
-                             glUseProgram(program);
+                             set_draw_state({});
+                             bind_framebuffer(framebuffer);
+                             set_viewport({512, 512});
+                             use_program(program);
                              draw_fullscreen();
                          }),
                      "fragment");

@@ -153,10 +153,7 @@ TEST_F(RendererTest, MoreMomentsAreCloserToTheTruth) {
 TEST_F(RendererTest, TheToneMapChangesWhatIsShownAlone) {
     const Scene scene = load_scene("planes", 0.4f);
     const auto shown = [](const Renderer& renderer) {
-        std::vector<unsigned char> bytes(64 * 36 * 4);
-        glGetTextureImage(renderer.display_texture(), 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                          static_cast<GLsizei>(bytes.size()), bytes.data());
-        return bytes;
+        return read_texture_bytes(renderer.display_texture(), {64, 36});
     };
     for (const char* technique : {"power4-32", "sorted", "wboit"}) {
         Renderer renderer(shared_programs());

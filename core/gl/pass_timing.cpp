@@ -1,4 +1,6 @@
-#include "core/render/pass_timing.hpp"
+#include "core/gl/pass_timing.hpp"
+
+#include "core/gl/query.hpp"
 
 namespace momentscope {
 
@@ -12,27 +14,25 @@ const char* timing_text(PassTiming timing) {
 
 PassTimer::PassTimer(PassTiming timing, GLuint query) : timing_(timing), query_(query) {
     if (timing_ == PassTiming::queries) {
-        glBeginQuery(GL_TIME_ELAPSED, query_);
+        begin_time(query_);
     } else {
-        glFinish();
+        finish_gl();
         begin_ = std::chrono::steady_clock::now();
     }
 }
 
 // The query must also end after a failure; otherwise the next picture could not begin one.
 PassTimer::~PassTimer() {
-    if (running_ && timing_ == PassTiming::queries) glEndQuery(GL_TIME_ELAPSED);
+    if (running_ && timing_ == PassTiming::queries) end_time();
 }
 
 double PassTimer::milliseconds() {
     running_ = false;
     if (timing_ == PassTiming::queries) {
-        glEndQuery(GL_TIME_ELAPSED);
-        GLuint64 nanoseconds = 0;
-        glGetQueryObjectui64v(query_, GL_QUERY_RESULT, &nanoseconds);
-        return 1e-6 * static_cast<double>(nanoseconds);
+        end_time();
+        return momentscope::milliseconds(query_);
     }
-    glFinish();
+    finish_gl();
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin_).count();
 }
 

@@ -20,7 +20,7 @@ const char* timing_text(PassTiming timing);
 /// Measures the time from its construction. Only one may exist at a time.
 class PassTimer {
 public:
-    /// query: a query object for GL_TIME_ELAPSED.
+    /// query: of make_query.
     PassTimer(PassTiming timing, GLuint query);
     ~PassTimer();
     PassTimer(const PassTimer&) = delete;
