@@ -51,7 +51,7 @@ ParameterValues values_of(const std::string& text) {
 
 Advice checked(const Evidence& evidence, const AdviceBounds& bounds, HeldOutErrors& held_out) {
     Progress progress("Advice at other views");
-    const auto context = make_gl_context("osmesa", {16, 16});
+    const auto context = make_headless_context({16, 16});
     HeldOutViews views(evidence.scene, evidence.size, evidence.values);
     std::size_t done = 0;
     const auto advice = checked_advice(evidence.rows, bounds, held_out, [&](std::size_t row) {
@@ -93,6 +93,7 @@ public:
         app.add_flag("--order-independent", bounds_.order_independent,
                      "leave out techniques that depend on the order of submission");
         CLI::Option* size = add_size(app, size_);
+        add_gl(app);
         add_techniques(app, techniques_,
                        "ids of techniques, or single configurations such as at:nodes=8 [all]");
         CLI::Option* rounds = add_rounds(app, rounds_);
@@ -196,7 +197,7 @@ private:
         plan.configurations = charted_configurations(techniques_, plan.settings.values);
         Progress progress("Advice");
         Scene scene = load_scene_and_warn(scene_, plan.settings.values, progress);
-        const auto context = make_gl_context("osmesa", {16, 16});
+        const auto context = make_headless_context({16, 16});
         const ChartHooks hooks = {[&](const std::string&) { return scene; }, [](const RunTable&) {},
                                   [&](std::size_t done, std::size_t all) { progress.show(done, all); }};
         const RunTable table =

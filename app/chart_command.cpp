@@ -107,7 +107,7 @@ RunTable measured(ChartPlan plan, const UnfinishedChart& unfinished) {
     std::atomic<std::size_t> rows = 0;
     Progress progress("Chart", [&] { return unfinished.how_to_go_on(rows); });
     plan.contents = contents_of(plan.scenes, opacity, progress);
-    const auto context = make_gl_context("osmesa", {16, 16});
+    const auto context = make_headless_context({16, 16});
     const RunTable kept = unfinished.read(chart_settings(plan, gl_info()));
     rows = kept.rows.size();
     const ChartHooks hooks = {
@@ -129,6 +129,7 @@ public:
                        "ids of scenes or paths of mesh files, separated by commas, or all")
             ->capture_default_str();
         add_size(app, size_);
+        add_gl(app);
         add_techniques(app, techniques_,
                        "ids of techniques, or single configurations such as at:nodes=8 [all]");
         add_rounds(app, rounds_);

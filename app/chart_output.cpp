@@ -35,7 +35,7 @@ void write_chart_picture(const Chart& chart, Metric metric, const std::filesyste
         throw Error(fmt::format("A picture of {} scenes cannot be drawn; write a .svg or .html file instead.",
                                 drawings.size()));
     const glm::ivec2 pixels(size);
-    const auto context = make_gl_context("osmesa", pixels);
+    const auto context = make_headless_context(pixels);
     GuiSession gui(nullptr, CHART_SCALE);
     gui.begin_frame(pixels);
     ImDrawList& list = *ImGui::GetBackgroundDrawList();

@@ -48,7 +48,7 @@ public:
                   Progress& progress)
         : size_(size),
           scene_(load_scene_and_warn(scene, values, progress)),
-          context_(make_gl_context("osmesa", {16, 16})) {
+          context_(make_headless_context({16, 16})) {
         renderer_ = std::make_unique<Renderer>();
         renderer_->set_scene(scene_);
     }
@@ -110,6 +110,7 @@ public:
             ->expected(2);
         add_scene(app, scene_);
         add_size(app, size_);
+        add_gl(app);
         add_parsed<const MetricRow*>(app, "--metric", metric_, "rmse, delta-e or flip [all]",
                                      [](const std::string& key) { return &require_metric(key); });
         app.add_option("--region", region_,

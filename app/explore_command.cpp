@@ -58,7 +58,7 @@ class OpenWindow {
 public:
     explicit OpenWindow(const WindowStart& start)
         : pixel_(start.pixel),
-          context_(make_gl_context("glfw", start.size)),
+          context_(make_window_context(start.size)),
           gui_(context_->window(), start.scale),
           explorer_(renderer_, start.state,
                     {.scale = start.scale,
@@ -149,6 +149,7 @@ public:
     explicit Explore(CLI::App& app) : ParsedCommand(app) {
         CLI::Option* scene = add_scene(app, scene_);
         add_size(app, size_);
+        add_gl(app);
         CLI::Option* pixel =
             app.add_option("--pixel", pixel_.text, "picked pixel of the scene's picture, such as 320,200");
         CLI::Option* ray =
@@ -190,6 +191,8 @@ public:
         if (headless_) return run_headless();
         if (!screenshot_.empty() || !events_.empty())
             throw Error("--screenshot and --events work only with --headless; add it.");
+        if (app().count("--gl") > 0)
+            throw Error("--gl chooses how to draw without a window; add --headless, or leave --gl out.");
         OpenWindow({initial_state(), size_, scale_, pixel_, log_}).run();
     }
 

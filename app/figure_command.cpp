@@ -99,6 +99,7 @@ public:
     explicit FigureCommand(CLI::App& app) : ParsedCommand(app) {
         app.add_option("figure", figure_, "id of a figure (momentscope list figures), or all")->required();
         app.add_option("-o,--output", output_, "folder for the pictures [figures]");
+        add_gl(app);
     }
 
     void run() const override {
@@ -113,7 +114,7 @@ public:
                 "Drawing figures was stopped; {} of {} pictures are in '{}', but the page was not written.",
                 done.load(), chosen.size(), folder.string());
         });
-        const auto context = make_gl_context("osmesa", MAX_FIGURE_SIZE);
+        const auto context = make_headless_context(MAX_FIGURE_SIZE);
         RenderedShots setups;
         GuiSession gui(nullptr, FIGURE_SCALE);
         ui::apply_style(ui::ThemeKind::light, FIGURE_SCALE);

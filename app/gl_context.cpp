@@ -7,20 +7,23 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
-#include <algorithm>
-
-#include "app/osmesa_context.hpp"
 #include "core/support/error.hpp"
 
 namespace momentscope {
 
 namespace {
 
+// The end of a sentence.
+const char* instead_of_a_window() {
+    return headless_gl_keys().empty() ? "start the program on a desktop with OpenGL 4.5."
+                                      : "use --headless --screenshot FILE.png instead.";
+}
+
 class GlfwContext : public GlContext {
 public:
     explicit GlfwContext(glm::ivec2 size) {
         if (glfwInit() == GLFW_FALSE)
-            throw Error(fmt::format("There is no display for a window; {}", INSTEAD_OF_A_WINDOW));
+            throw Error(fmt::format("There is no display for a window; {}", instead_of_a_window()));
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
         glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -28,7 +31,7 @@ public:
         if (window_ == nullptr) {
             glfwTerminate();
             throw Error(fmt::format("This display does not provide OpenGL 4.5; update its driver, or {}",
-                                    INSTEAD_OF_A_WINDOW));
+                                    instead_of_a_window()));
         }
         glfwMakeContextCurrent(window_);
         glfwSwapInterval(1);
@@ -49,10 +52,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<GlContext> make_gl_context(std::string_view name, glm::ivec2 size) {
-    if (name == "osmesa") return make_osmesa_context(size);
-    if (name == "glfw") return std::make_unique<GlfwContext>(size);
-    throw Error(fmt::format("There is no GL context '{}'; use glfw or osmesa.", name));
+std::unique_ptr<GlContext> make_window_context(glm::ivec2 size) {
+    return std::make_unique<GlfwContext>(size);
 }
 
 }  // namespace momentscope

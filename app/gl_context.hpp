@@ -1,9 +1,9 @@
-// gl_context.hpp -- the two kinds of OpenGL contexts, chosen by name.
+// gl_context.hpp -- OpenGL contexts: a window, and the kinds that need no display, chosen by name.
 #pragma once
 #include <glm/glm.hpp>
 #include <memory>
+#include <span>
 #include <string_view>
-#include <vector>
 
 #include "app/crash_sentence.hpp"
 
@@ -26,8 +26,29 @@ private:
         "if nothing helps."};
 };
 
-/// "glfw": a window of this size. "osmesa": software rendering without a display, with a default framebuffer
-/// of this size. Throws Error that says what to do.
-std::unique_ptr<GlContext> make_gl_context(std::string_view name, glm::ivec2 size);
+/// A window of this size. Throws Error that says what to do.
+std::unique_ptr<GlContext> make_window_context(glm::ivec2 size);
+
+/// A kind of context that needs no display.
+struct HeadlessGl {
+    const char* key;  // of --gl
+    const char* help;
+    bool built;  // is it in this build?
+    std::unique_ptr<GlContext> (*make)(glm::ivec2 size);
+};
+
+/// All kinds, the default first.
+std::span<const HeadlessGl> headless_gls();
+
+/// The kinds of this build, such as "osmesa, egl or auto"; "" if there is none.
+std::string headless_gl_keys();
+
+/// Chooses the kind of all contexts that make_headless_context makes from now on. Throws Error, with the
+/// kinds of this build, if this one is not among them.
+void choose_headless_gl(std::string_view key);
+
+/// A context with a default framebuffer of this size. Its kind is the chosen one, or that in the environment
+/// variable MOMENTSCOPE_GL, or the first of this build. Throws Error that says what to do.
+std::unique_ptr<GlContext> make_headless_context(glm::ivec2 size);
 
 }  // namespace momentscope

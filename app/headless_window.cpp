@@ -12,7 +12,7 @@ namespace momentscope {
 
 HeadlessWindow::HeadlessWindow(glm::ivec2 size, const ui::ExplorerState& state,
                                const ui::WindowOptions& options, FrameLog& log)
-    : HeadlessWindow(make_gl_context("osmesa", size), std::make_shared<ProgramCache>(), size, state, options,
+    : HeadlessWindow(make_headless_context(size), std::make_shared<ProgramCache>(), size, state, options,
                      log) {}
 
 HeadlessWindow::HeadlessWindow(std::shared_ptr<GlContext> context, std::shared_ptr<ProgramCache> programs,

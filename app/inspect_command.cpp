@@ -116,6 +116,7 @@ public:
     explicit Inspect(CLI::App& app) : ParsedCommand(app) {
         CLI::Option* scene = add_scene(app, scene_);
         add_size(app, size_);
+        add_gl(app);
         CLI::Option* pixel =
             app.add_option("--pixel", pixel_.text, "pixel of the picture, such as 320,200 [the scene's own]");
         app.add_option("--ray", ray_, "JSON file with a view ray, instead of a pixel of a scene")
@@ -208,7 +209,7 @@ private:
         if (pixel_) pixel = pixel_.within(size_);
         Progress progress("Inspecting");
         const Scene scene = load_scene_and_warn(scene_, configuration.values, progress);
-        const auto context = make_gl_context("osmesa", {16, 16});
+        const auto context = make_headless_context({16, 16});
         Renderer renderer;
         renderer.set_scene(scene);
         ParameterValues values = configuration.values;

@@ -7,6 +7,7 @@
 #include "app/terminal.hpp"
 #include "core/figures/figure.hpp"
 #include "core/report/techniques_page.hpp"
+#include "core/scene/scenes.hpp"
 #include "core/stress/condition.hpp"
 #include "core/support/error.hpp"
 #include "core/support/json_text.hpp"

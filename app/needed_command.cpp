@@ -79,6 +79,7 @@ public:
     explicit NeededCommand(CLI::App& app) : ParsedCommand(app) {
         add_scene(app, scene_);
         add_size(app, size_);
+        add_gl(app);
         app.add_option("--basis", basis_, "power or chebyshev")->capture_default_str();
         add_parsed<bool>(app, "--format", json_, "table or json [table]", [](const std::string& text) {
             if (text != "table" && text != "json")
@@ -176,7 +177,7 @@ private:
     Image capture_rows(const ParameterValues& values, const Use& use) const {
         Progress progress("Moments needed");
         const Scene scene = load_scene_and_warn(scene_, values, progress);
-        const auto context = make_gl_context("osmesa", {16, 16});
+        const auto context = make_headless_context({16, 16});
         Renderer renderer;
         renderer.set_scene(scene);
         renderer.render({scene.camera, size_, &require_technique("sorted"), values});

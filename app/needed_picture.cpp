@@ -98,7 +98,7 @@ void write_needed_picture(const Image& picture, std::span<const PixelNeed> pixel
     const float width = 560;
     const float height = width * static_cast<float>(picture.height) / static_cast<float>(picture.width);
     glm::ivec2 size(static_cast<int>(2 * width) + 60, static_cast<int>(2 * height) + MAX_TEXT_HEIGHT);
-    const auto context = make_gl_context("osmesa", size);
+    const auto context = make_headless_context(size);
     GuiSession gui(nullptr, 1.0f);
     std::array<GlTexture, 4> textures;
     for (std::size_t i = 0; i < maps.size(); ++i) textures[i] = image_texture(maps[i]);

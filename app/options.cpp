@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "app/gl_context.hpp"
 #include "app/progress.hpp"
 #include "app/terminal.hpp"
 #include "core/chart/grid.hpp"
@@ -32,6 +33,15 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 CLI::Option* add_scene(CLI::App& app, std::string& id_or_path) {
     return app.add_option("--scene", id_or_path, "id of a scene, or the path of a mesh file")
         ->capture_default_str();
+}
+
+CLI::Option* add_gl(CLI::App& app) {
+    std::string help;
+    for (const HeadlessGl& row : headless_gls())
+        if (row.built) help += fmt::format("{}{} ({})", help.empty() ? "" : ", ", row.key, row.help);
+    return app.add_option_function<std::string>(
+        "--gl", choose_headless_gl,
+        fmt::format("what draws without a window: {} [MOMENTSCOPE_GL of the environment, or osmesa]", help));
 }
 
 CLI::Option* add_size(CLI::App& app, glm::ivec2& size) {

@@ -13,7 +13,7 @@
 
 namespace momentscope {
 
-const char* const INSTEAD_OF_A_WINDOW = "use --headless --screenshot FILE.png instead.";
+const bool HAS_OSMESA = true;
 
 namespace {
 

@@ -5,11 +5,11 @@
 
 namespace momentscope {
 
+/// False if the program was built without OSMesa.
+extern const bool HAS_OSMESA;
+
 /// A context with a default framebuffer of this size. Throws Error that says what to do; it always does so if
 /// the program was built without OSMesa.
 std::unique_ptr<GlContext> make_osmesa_context(glm::ivec2 size);
-
-/// What to do instead of opening a window, as the end of a sentence.
-extern const char* const INSTEAD_OF_A_WINDOW;
 
 }  // namespace momentscope

@@ -15,6 +15,7 @@ public:
     explicit Render(CLI::App& app) : ParsedCommand(app) {
         add_scene(app, scene_);
         add_size(app, size_);
+        add_gl(app);
         add_techniques(app, techniques_, "id of a technique, or a configuration such as at:nodes=8");
         app.add_option("-o,--output", output_, ".exr (linear floats) or .png")->required();
         parameters_.add_to(app);
@@ -48,7 +49,7 @@ private:
     Image drawn(const Configuration& configuration) const {
         Progress progress("Drawing");
         const Scene scene = load_scene_and_warn(scene_, parameters_.over(), progress);
-        const auto context = make_gl_context("osmesa", {16, 16});
+        const auto context = make_headless_context({16, 16});
         Renderer renderer;
         renderer.set_scene(scene);
         renderer.render({scene.camera, size_, configuration.technique, configuration.values});

@@ -52,7 +52,7 @@ void run_shadow_chart(const ShadowChartOptions& options) {
         throw Error("A chart of shadows is a .csv or .md file; give -o such a name.");
     if (!path.empty()) require_writable(path);
     const std::vector<std::string>& scenes = options.scenes;
-    const auto context = make_gl_context("osmesa", {16, 16});
+    const auto context = make_headless_context({16, 16});
     Progress progress("Chart of shadows");
     std::vector<ShadowRow> rows;
     for (std::size_t i = 0; i < scenes.size(); ++i) {

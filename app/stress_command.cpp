@@ -33,6 +33,7 @@ public:
         add_shard(app, shard_);
         app.add_option("-o,--output", output_, ".csv, .html or .png (a heat map)");
         parameters_.add_to(app);
+        add_gl(app);
     }
 
     void refuse_ignored() const override {

@@ -37,7 +37,7 @@ void draw_scale(const ui::Ui& ui) {
 
 void write_stress_picture(const std::vector<StressCell>& cells, const StressOptions& options,
                           const std::filesystem::path& path) {
-    const auto context = make_gl_context("osmesa", MAX_SIZE);
+    const auto context = make_headless_context(MAX_SIZE);
     GuiSession gui(nullptr, MAP_SCALE);
     ui::apply_style(ui::ThemeKind::light, MAP_SCALE);
     ui::WidgetRects widget_rects;

@@ -92,6 +92,7 @@ public:
     explicit TuneCommand(CLI::App& app) : ParsedCommand(app) {
         CLI::Option* scene = add_scene(app, scene_);
         add_size(app, size_);
+        add_gl(app);
         CLI::Option* ray = app.add_option("--ray", ray_, "JSON file with a view ray, instead of a scene");
         CLI::Option* random = add_parsed<std::optional<int>>(
             app, "--random", random_, "number of random rays with 2 to 5 fragments, instead of a scene",
@@ -165,7 +166,7 @@ private:
     std::vector<ViewRay> scene_rays(const TuneOptions& tuning) const {
         Progress progress("Looking at the scene");
         const Scene scene = load_scene_and_warn(scene_, tuning.values, progress);
-        const auto context = make_gl_context("osmesa", {16, 16});
+        const auto context = make_headless_context({16, 16});
         Renderer renderer;
         renderer.set_scene(scene);
         renderer.render({scene.camera, size_, &require_technique("sorted"), tuning.values});

@@ -86,7 +86,7 @@ Times median_times(const Scene& scene, const Technique& technique, int rounds) {
 }
 
 void run(int rounds, std::string_view only) {
-    const auto context = make_gl_context("osmesa", {16, 16});
+    const auto context = make_headless_context({16, 16});
     fmt::print("{}\nms at {}x{}\n{:<10}{:<12}{:>12}{:>12}{:>8}\n",
                reinterpret_cast<const char*>(glGetString(GL_RENDERER)), BENCH_SIZE.x, BENCH_SIZE.y, "scene",
                "technique", "blending", "first pass", "ratio");

@@ -53,7 +53,7 @@ std::string ratio(double time, double textbook) {
 }
 
 void run(int rounds, std::string_view only) {
-    const auto context = make_gl_context("osmesa", {16, 16});
+    const auto context = make_headless_context({16, 16});
     Renderer renderer;
     fmt::print(
         "{}\nms of the second pass at {}x{}; in brackets as a share of the textbook solver's\n{:<10}{:<12}{:>10}{:>16}{:>16}\n",

@@ -11,7 +11,7 @@
 namespace momentscope::test {
 
 inline GlContext& shared_context() {
-    static const std::unique_ptr<GlContext> context = make_gl_context("osmesa", {64, 64});
+    static const std::unique_ptr<GlContext> context = make_headless_context({64, 64});
     return *context;
 }
 

@@ -15,7 +15,7 @@ namespace momentscope::test {
 /// tests.
 struct SharedGl {
     static constexpr glm::ivec2 SIZE{1280, 800};
-    std::shared_ptr<GlContext> context = make_gl_context("osmesa", SIZE);
+    std::shared_ptr<GlContext> context = make_headless_context(SIZE);
     std::shared_ptr<ProgramCache> programs = std::make_shared<ProgramCache>();
 };
 

@@ -19,6 +19,11 @@ TEST_F(CommandLine, RefusesUnknownScenesTechniquesOptionsAndFormats) {
     expect_refused("render --scene planes", "--help");
 }
 
+TEST_F(CommandLine, RefusesUnknownKindsOfGl) {
+    expect_refused("render --gl vulkan --scene planes -o out/x.png", "use osmesa, egl or auto");
+    expect_refused("explore --gl egl", "add --headless");
+}
+
 TEST_F(CommandLine, RefusesWrongParameters) {
     expect_all_refused("inspect --ray ray.json --beta ", {"1.5", "nan", "x", "auto"}, "--beta");
     expect_refused("inspect --ray ray.json --beta=-0.1 -o out/x", "--beta");

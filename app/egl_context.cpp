@@ -1,0 +1,208 @@
+#include "app/egl_context.hpp"
+
+// glad must come first, because it requires that no other header has included GL.
+#include <glad/gl.h>
+
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "core/support/error.hpp"
+
+namespace momentscope {
+
+const bool HAS_EGL = true;
+
+namespace {
+
+/// The functions of EGL. The library is loaded only when it is asked for.
+struct Egl {
+    decltype(&eglGetProcAddress) get_address;
+    decltype(&eglQueryString) query_string;
+    decltype(&eglGetDisplay) get_display;
+    decltype(&eglInitialize) initialize;
+    decltype(&eglTerminate) terminate;
+    decltype(&eglBindAPI) bind_api;
+    decltype(&eglChooseConfig) choose_config;
+    decltype(&eglCreateContext) create_context;
+    decltype(&eglDestroyContext) destroy_context;
+    decltype(&eglCreatePbufferSurface) create_surface;
+    decltype(&eglDestroySurface) destroy_surface;
+    decltype(&eglMakeCurrent) make_current;
+    PFNEGLGETPLATFORMDISPLAYEXTPROC get_platform_display;  // null: not there
+    PFNEGLQUERYDEVICESEXTPROC query_devices;
+    PFNEGLQUERYDEVICESTRINGEXTPROC query_device_string;
+};
+
+Egl load_egl() {
+    void* const library = ::dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);  // never unloaded
+    const auto load = [&](auto& pointer, const char* name) {
+        void* const found = library != nullptr ? ::dlsym(library, name) : nullptr;
+        if (found == nullptr)
+            throw Error(
+                fmt::format("EGL cannot be loaded ({}); install libegl1, or use --gl osmesa.", ::dlerror()));
+        pointer = reinterpret_cast<std::decay_t<decltype(pointer)>>(found);
+    };
+    Egl egl{};
+    load(egl.get_address, "eglGetProcAddress");
+    load(egl.query_string, "eglQueryString");
+    load(egl.get_display, "eglGetDisplay");
+    load(egl.initialize, "eglInitialize");
+    load(egl.terminate, "eglTerminate");
+    load(egl.bind_api, "eglBindAPI");
+    load(egl.choose_config, "eglChooseConfig");
+    load(egl.create_context, "eglCreateContext");
+    load(egl.destroy_context, "eglDestroyContext");
+    load(egl.create_surface, "eglCreatePbufferSurface");
+    load(egl.destroy_surface, "eglDestroySurface");
+    load(egl.make_current, "eglMakeCurrent");
+    const auto extension = [&](auto& pointer, const char* name) {
+        pointer = reinterpret_cast<std::decay_t<decltype(pointer)>>(egl.get_address(name));
+    };
+    extension(egl.get_platform_display, "eglGetPlatformDisplayEXT");
+    extension(egl.query_devices, "eglQueryDevicesEXT");
+    extension(egl.query_device_string, "eglQueryDeviceStringEXT");
+    return egl;
+}
+
+const Egl& egl() {
+    static const Egl library = load_egl();
+    return library;
+}
+
+bool has_extension(const char* extensions, std::string_view name) {
+    const std::string_view all = extensions == nullptr ? "" : extensions;
+    return all.find(name) != std::string_view::npos;
+}
+
+/// A way to draw without a window.
+struct Place {
+    std::string name;
+    EGLDisplay display;
+};
+
+std::vector<EGLDeviceEXT> devices(bool software) {
+    std::vector<EGLDeviceEXT> found;
+    const char* client = egl().query_string(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+    if (egl().query_devices == nullptr || egl().query_device_string == nullptr ||
+        !has_extension(client, "EGL_EXT_platform_device"))
+        return found;
+    EGLint count = 0;
+    std::array<EGLDeviceEXT, 16> all{};
+    if (egl().query_devices(static_cast<EGLint>(all.size()), all.data(), &count) == EGL_FALSE) return found;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+        const char* extensions = egl().query_device_string(all[i], EGL_EXTENSIONS);
+        if (has_extension(extensions, "EGL_MESA_device_software") == software) found.push_back(all[i]);
+    }
+    return found;
+}
+
+// GPUs first.
+std::vector<Place> places() {
+    std::vector<Place> found;
+    if (egl().get_platform_display != nullptr) {
+        const std::vector<EGLDeviceEXT> gpus = devices(false);
+        for (std::size_t i = 0; i < gpus.size(); ++i)
+            found.push_back({fmt::format("device {}", i),
+                             egl().get_platform_display(EGL_PLATFORM_DEVICE_EXT, gpus[i], nullptr)});
+        if (has_extension(egl().query_string(EGL_NO_DISPLAY, EGL_EXTENSIONS),
+                          "EGL_MESA_platform_surfaceless"))
+            found.push_back(
+                {"Mesa without a surface",
+                 egl().get_platform_display(EGL_PLATFORM_SURFACELESS_MESA,
+                                            reinterpret_cast<void*>(EGL_DEFAULT_DISPLAY), nullptr)});
+    }
+    found.push_back({"the default display", egl().get_display(EGL_DEFAULT_DISPLAY)});
+    return found;
+}
+
+class EglContext : public GlContext {
+public:
+    EglContext(const Place& place, glm::ivec2 size) : display_(place.display) {
+        if (display_ == EGL_NO_DISPLAY || egl().initialize(display_, nullptr, nullptr) == EGL_FALSE)
+            throw Error("does not start");
+        try {
+            begin(size);
+        } catch (...) {
+            end();
+            throw;
+        }
+    }
+    ~EglContext() override { end(); }
+    EglContext(const EglContext&) = delete;
+    EglContext& operator=(const EglContext&) = delete;
+
+private:
+    void begin(glm::ivec2 size) {
+        const EGLint wanted[] = {EGL_SURFACE_TYPE,
+                                 EGL_PBUFFER_BIT,
+                                 EGL_RENDERABLE_TYPE,
+                                 EGL_OPENGL_BIT,
+                                 EGL_RED_SIZE,
+                                 8,
+                                 EGL_GREEN_SIZE,
+                                 8,
+                                 EGL_BLUE_SIZE,
+                                 8,
+                                 EGL_ALPHA_SIZE,
+                                 8,
+                                 EGL_NONE};
+        const EGLint surface[] = {EGL_WIDTH, size.x, EGL_HEIGHT, size.y, EGL_NONE};
+        const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                  4,
+                                  EGL_CONTEXT_MINOR_VERSION,
+                                  5,
+                                  EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                  EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                  EGL_NONE};
+        EGLConfig config = nullptr;
+        EGLint count = 0;
+        if (egl().bind_api(EGL_OPENGL_API) == EGL_FALSE ||
+            egl().choose_config(display_, wanted, &config, 1, &count) == EGL_FALSE || count == 0)
+            throw Error("has no OpenGL");
+        context_ = egl().create_context(display_, config, EGL_NO_CONTEXT, version);
+        surface_ = egl().create_surface(display_, config, surface);
+        if (context_ == EGL_NO_CONTEXT || surface_ == EGL_NO_SURFACE ||
+            egl().make_current(display_, surface_, surface_, context_) == EGL_FALSE)
+            throw Error("has no OpenGL 4.5");
+        if (gladLoadGL(egl().get_address) == 0) throw Error("has no functions of OpenGL");
+    }
+    void end() {
+        egl().make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        if (surface_ != EGL_NO_SURFACE) egl().destroy_surface(display_, surface_);
+        if (context_ != EGL_NO_CONTEXT) egl().destroy_context(display_, context_);
+        egl().terminate(display_);
+    }
+
+    EGLDisplay display_;
+    EGLContext context_ = EGL_NO_CONTEXT;
+    EGLSurface surface_ = EGL_NO_SURFACE;
+};
+
+}  // namespace
+
+bool has_egl_gpu() {
+    return !devices(false).empty();
+}
+
+std::unique_ptr<GlContext> make_egl_context(glm::ivec2 size) {
+    std::string tried;
+    for (const Place& place : places()) {
+        try {
+            return std::make_unique<EglContext>(place, size);
+        } catch (const Error& error) {
+            tried += fmt::format("{}{} {}", tried.empty() ? "" : ", ", place.name, error.what());
+        }
+    }
+    throw Error(fmt::format(
+        "EGL cannot draw: {}. Install libegl-mesa0 or the driver of the GPU, or use --gl osmesa.", tried));
+}
+
+}  // namespace momentscope

@@ -1,0 +1,78 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <vector>
+
+#include "app/egl_context.hpp"
+#include "app/gl_context.hpp"
+#include "app/osmesa_context.hpp"
+#include "core/support/error.hpp"
+
+namespace momentscope {
+
+namespace {
+
+std::unique_ptr<GlContext> make_automatic(glm::ivec2 size) {
+    const bool egl = HAS_EGL && (!HAS_OSMESA || has_egl_gpu());
+    return egl ? make_egl_context(size) : make_osmesa_context(size);
+}
+
+// A function, because constants of other files may not be set yet when constants are.
+std::span<const HeadlessGl> rows() {
+    static const HeadlessGl ROWS[] = {
+        {"osmesa", "in software", HAS_OSMESA, make_osmesa_context},
+        {"egl", "on a GPU, or in software if there is none", HAS_EGL, make_egl_context},
+        {"auto", "a GPU if there is one, else osmesa", HAS_OSMESA || HAS_EGL, make_automatic},
+    };
+    return ROWS;
+}
+
+const HeadlessGl*& chosen() {
+    static const HeadlessGl* row = nullptr;
+    return row;
+}
+
+const HeadlessGl& require_headless_gl(std::string_view key) {
+    const auto found = std::ranges::find_if(rows(), [&](const HeadlessGl& row) { return key == row.key; });
+    if (found == rows().end())
+        throw Error(fmt::format("'{}' is no kind of OpenGL; use {}.", key, headless_gl_keys()));
+    if (!found->built) throw Error(fmt::format("This build has no {}; use {}.", key, headless_gl_keys()));
+    return *found;
+}
+
+const HeadlessGl& default_headless_gl() {
+    const char* const wanted = std::getenv("MOMENTSCOPE_GL");
+    if (wanted != nullptr && *wanted != '\0') return require_headless_gl(wanted);
+    return *std::ranges::find_if(rows(), [](const HeadlessGl& row) { return row.built; });
+}
+
+}  // namespace
+
+std::span<const HeadlessGl> headless_gls() {
+    return rows();
+}
+
+std::string headless_gl_keys() {
+    std::vector<std::string> keys;
+    for (const HeadlessGl& row : rows())
+        if (row.built) keys.emplace_back(row.key);
+    std::string text;
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        text += (i == 0 ? "" : i + 1 == keys.size() ? " or " : ", ") + keys[i];
+    return text;
+}
+
+void choose_headless_gl(std::string_view key) {
+    chosen() = &require_headless_gl(key);
+}
+
+std::unique_ptr<GlContext> make_headless_context(glm::ivec2 size) {
+    if (headless_gl_keys().empty())
+        throw Error(
+            "Pictures cannot be drawn without a window, because this program was built without OSMesa and EGL; build "
+            "it with the CMake option MOMENTSCOPE_OSMESA=ON or MOMENTSCOPE_EGL=ON.");
+    return (chosen() != nullptr ? *chosen() : default_headless_gl()).make(size);
+}
+
+}  // namespace momentscope
