@@ -10,10 +10,12 @@ GlVertexArray make_vertex_array(GLuint vertices, std::size_t vertex_bytes,
     glBindVertexArray(name);
     glBindBuffer(GL_ARRAY_BUFFER, vertices);
     for (const VertexAttribute& attribute : attributes) {
+        // The GL takes the offset as a pointer.
+        const auto* offset =
+            reinterpret_cast<const void*>(attribute.offset);  // NOLINT(performance-no-int-to-ptr)
         glEnableVertexAttribArray(attribute.number);
         glVertexAttribPointer(attribute.number, attribute.floats, GL_FLOAT, GL_FALSE,
-                              static_cast<GLsizei>(vertex_bytes),
-                              reinterpret_cast<const void*>(attribute.offset));
+                              static_cast<GLsizei>(vertex_bytes), offset);
     }
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices);
     glBindVertexArray(0);
