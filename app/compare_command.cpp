@@ -124,7 +124,9 @@ public:
         for (const std::string& name : pictures_)
             if (const Technique* technique = technique_named(name)) drawn.push_back(technique);
         const char* files = "when both pictures are files";
-        refuse_ignored_options(app(), {{"--scene", drawn.empty(), files}, {"--size", drawn.empty(), files}});
+        refuse_ignored_options(app(), {{"--scene", drawn.empty(), files},
+                                       {"--size", drawn.empty(), files},
+                                       {"--gl", drawn.empty(), files}});
         refuse_ignored_parameters(parameters_, {.techniques = drawn,
                                                 .picture = !drawn.empty(),
                                                 .order = !drawn.empty(),

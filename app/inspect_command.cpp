@@ -148,6 +148,7 @@ public:
         const bool ray = !ray_.empty();
         refuse_ignored_options(app(),
                                {{"--size", ray, "together with --ray, because a view ray has no picture"},
+                                {"--gl", ray, "together with --ray, because a view ray has no picture"},
                                 {"--samples", !depths_.empty(), "together with --depths"},
                                 {"--samples", steps_, "together with --steps, which reads --depths"},
                                 {"--format", steps_, "together with --steps, which prints text"},

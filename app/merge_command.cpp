@@ -18,11 +18,13 @@ public:
         add_metric(app, metric_, "error of drawings: rmse, delta-e or flip [rmse]");
         app.add_option("-o,--output", output_, ".csv, or for a chart also .md, .svg, .html or .png")
             ->required();
+        add_gl(app);
     }
 
     void refuse_ignored() const override {
         refuse_ignored_options(
-            app(), {{"--metric", ends_in(output_, ".csv"), "in a .csv, because it has all metrics"}});
+            app(), {{"--metric", ends_in(output_, ".csv"), "in a .csv, because it has all metrics"},
+                    {"--gl", !ends_in(output_, ".png"), "without a .png to draw"}});
     }
 
     FileUse files() const override { return {files_, {{"-o", output_}}}; }

@@ -37,6 +37,7 @@ public:
     }
 
     void refuse_ignored() const override {
+        refuse_ignored_options(app(), {{"--gl", !ends_in(output_, ".png"), "without a .png to draw"}});
         refuse_ignored_parameters(parameters_,
                                   {.techniques = {}, .others = reconstruction_parameters(techniques())});
     }

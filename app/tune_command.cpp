@@ -110,8 +110,9 @@ public:
     }
 
     void refuse_ignored() const override {
-        refuse_ignored_options(
-            app(), {{"--size", !of_scene(), "without a scene"}, {"--seed", !random_, "without --random"}});
+        refuse_ignored_options(app(), {{"--size", !of_scene(), "without a scene"},
+                                       {"--gl", !of_scene(), "without a scene"},
+                                       {"--seed", !random_, "without --random"}});
         refuse_ignored_parameters(
             parameters_, {.techniques = {},
                           .others = reconstruction_parameters(techniques_of(techniques_, "power8-32")),
