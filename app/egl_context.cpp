@@ -189,7 +189,11 @@ private:
 }  // namespace
 
 bool has_egl_gpu() {
-    return !devices(false).empty();
+    try {
+        return !devices(false).empty();
+    } catch (const Error&) {  // there is no EGL
+        return false;
+    }
 }
 
 std::unique_ptr<GlContext> make_egl_context(glm::ivec2 size) {

@@ -13,7 +13,7 @@ extern const bool HAS_EGL;
 /// program was built without EGL.
 std::unique_ptr<GlContext> make_egl_context(glm::ivec2 size);
 
-/// True if EGL knows a device that is no software renderer.
+/// True if EGL can be loaded and lists a GPU.
 bool has_egl_gpu();
 
 }  // namespace momentscope

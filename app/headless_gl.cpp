@@ -35,9 +35,8 @@ const HeadlessGl*& chosen() {
 
 const HeadlessGl& require_headless_gl(std::string_view key) {
     const auto found = std::ranges::find_if(rows(), [&](const HeadlessGl& row) { return key == row.key; });
-    if (found == rows().end())
-        throw Error(fmt::format("'{}' is no kind of OpenGL; use {}.", key, headless_gl_keys()));
-    if (!found->built) throw Error(fmt::format("This build has no {}; use {}.", key, headless_gl_keys()));
+    if (found == rows().end() || !found->built)
+        throw Error(fmt::format("This build does not draw by '{}'; use {}.", key, headless_gl_keys()));
     return *found;
 }
 

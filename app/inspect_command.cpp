@@ -7,7 +7,7 @@
 #include "app/terminal.hpp"
 #include "core/inspect/error_breakdown.hpp"
 #include "core/inspect/sharp_bounds.hpp"
-#include "core/inspect/steps.hpp"
+#include "core/inspect/step_texts.hpp"
 #include "core/ray/ray_json.hpp"
 #include "core/ray/submission_order.hpp"
 #include "core/render/view_from_light.hpp"

@@ -66,11 +66,10 @@ std::size_t texel_count(glm::ivec2 extent) {
     return static_cast<std::size_t>(extent.x) * static_cast<std::size_t>(extent.y);
 }
 
-std::vector<float> read_floats(const TexelRect& rect, int channels) {
-    const auto count = static_cast<std::size_t>(channels);
-    std::vector<float> numbers(texel_count(rect.extent) * count);
-    Reading::read(rect, CHANNELS[count - 1], GL_FLOAT, numbers.data());
-    return numbers;
+std::vector<glm::vec4> read_bound_colors(const TexelRect& rect) {
+    std::vector<glm::vec4> colors(texel_count(rect.extent));
+    Reading::read(rect, GL_RGBA, GL_FLOAT, colors.data());
+    return colors;
 }
 
 }  // namespace
@@ -107,12 +106,20 @@ void interpolate_and_repeat(GLuint texture) {
 
 std::vector<float> read_texture(GLuint texture, const TexelRect& rect, int channels) {
     const Reading reading(texture);
-    return read_floats(rect, channels);
+    const auto count = static_cast<std::size_t>(channels);
+    std::vector<float> numbers(texel_count(rect.extent) * count);
+    Reading::read(rect, CHANNELS[count - 1], GL_FLOAT, numbers.data());
+    return numbers;
 }
 
-std::vector<float> read_texture_layer(GLuint layered, int layer, const TexelRect& rect, int channels) {
+std::vector<glm::vec4> read_colors(GLuint texture, const TexelRect& rect) {
+    const Reading reading(texture);
+    return read_bound_colors(rect);
+}
+
+std::vector<glm::vec4> read_layer_colors(GLuint layered, int layer, const TexelRect& rect) {
     const Reading reading(layered, layer);
-    return read_floats(rect, channels);
+    return read_bound_colors(rect);
 }
 
 std::vector<std::uint16_t> read_texture_pairs(GLuint texture, const TexelRect& rect) {

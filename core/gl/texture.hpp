@@ -37,8 +37,11 @@ struct TexelRect {
 /// the texture.
 std::vector<float> read_texture(GLuint texture, const TexelRect& rect, int channels);
 
+/// All four numbers of each texel of a rectangle, row by row; those that the texture lacks are 0, 0 and 1.
+std::vector<glm::vec4> read_colors(GLuint texture, const TexelRect& rect);
+
 /// The same from one layer.
-std::vector<float> read_texture_layer(GLuint layered, int layer, const TexelRect& rect, int channels);
+std::vector<glm::vec4> read_layer_colors(GLuint layered, int layer, const TexelRect& rect);
 
 /// The two numbers of each texel of a GL_RG16 texture.
 std::vector<std::uint16_t> read_texture_pairs(GLuint texture, const TexelRect& rect);

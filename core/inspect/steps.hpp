@@ -2,7 +2,6 @@
 // shared source.
 #pragma once
 #include <array>
-#include <string>
 #include <vector>
 
 #include "core/inspect/canonical.hpp"
@@ -64,16 +63,5 @@ Steps reconstruction_steps(const Curve& curve, float query, const Fragment* frag
 
 /// The fragment of a ray at this depth; nullptr if there is none. If several lie there, the first.
 const Fragment* fragment_at(const ViewRay& ray, float depth);
-
-/// One step in words for students, with its equation and its numbers.
-struct StepText {
-    std::string title;
-    std::string sentence;
-    std::string numbers;  // lines
-};
-std::vector<StepText> step_texts(const Steps& steps);
-
-/// All steps as text for the terminal.
-std::string steps_to_text(const Steps& steps);
 
 }  // namespace momentscope

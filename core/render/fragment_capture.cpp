@@ -78,11 +78,10 @@ std::vector<PixelCapture> sort_captures(const DrawnPicture& picture, std::vector
         capture.ray.fragments.push_back(fragment_of(node, picture.input.scene));
         if (has_transmittance) capture.transmittance.push_back(node.transmittance);
     }
-    const std::vector<float> behind = read_texture(picture.input.opaque_color, {lower_left, extent}, 4);
+    const std::vector<glm::vec4> behind = read_colors(picture.input.opaque_color, {lower_left, extent});
     for (std::size_t i = 0; i < captures.size(); ++i) {
         const glm::ivec2 at(static_cast<int>(i) % extent.x, static_cast<int>(i) / extent.x);
-        captures[index_of(lower_left.x + at.x, lower_left.y + at.y)].behind = {
-            behind[4 * i], behind[4 * i + 1], behind[4 * i + 2]};
+        captures[index_of(lower_left.x + at.x, lower_left.y + at.y)].behind = glm::vec3(behind[i]);
     }
     const std::vector<MomentVector> stored = picture.transparency.read_moments({lower_left, extent});
     for (std::size_t i = 0; i < stored.size(); ++i) {

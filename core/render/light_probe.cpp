@@ -22,10 +22,10 @@ LightProbe::LightProbe(const DrawnPicture& picture, GLuint depth) : size_(pictur
 }
 
 std::optional<LitSurface> LightProbe::surface(glm::ivec2 pixel) const {
-    const std::vector<float> probe = read_texture(probe_, {{pixel.x, size_.y - 1 - pixel.y}, {1, 1}}, 4);
+    const glm::vec4 probe = read_colors(probe_, {{pixel.x, size_.y - 1 - pixel.y}, {1, 1}}).front();
     check_gl("reading how a surface is lit");
-    if (!(probe[3] > 0)) return std::nullopt;
-    return LitSurface{probe[3], probe[0], probe[1]};
+    if (!(probe.w > 0)) return std::nullopt;
+    return LitSurface{probe.w, probe.x, probe.y};
 }
 
 }  // namespace momentscope

@@ -6,7 +6,6 @@
 #include <bit>
 #include <cassert>
 #include <glm/gtc/matrix_transform.hpp>
-#include <glm/gtc/type_ptr.hpp>
 
 #include "core/gl/buffer.hpp"
 #include "core/gl/query.hpp"
@@ -194,10 +193,11 @@ Image Renderer::read_picture() const {
 
 Image Renderer::read_region(glm::ivec2 corner, glm::ivec2 extent) const {
     const TexelRect rect = {{corner.x, view_.size.y - corner.y - extent.y}, extent};
-    const std::vector<float> numbers = read_texture(picture_, rect, 4);
+    Image image;
+    image.width = extent.x;
+    image.height = extent.y;
+    image.pixels = read_colors(picture_, rect);
     check_gl("reading pixels");
-    Image image(extent.x, extent.y);
-    for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = glm::make_vec4(&numbers[4 * i]);
     image.flip_rows();
     return image;
 }

@@ -49,14 +49,14 @@ void read_filtered(const CaptureInput& in, ShadowFilterSamples& bundle) {
         const glm::ivec2 at = corners.corner + glm::ivec2(static_cast<int>(i) % corners.extent.x,
                                                           static_cast<int>(i) / corners.extent.x);
         const TexelRect texel = {at, {1, 1}};
-        const auto add = [&](const std::vector<float>& values, float* sum) {
-            for (std::size_t k = 0; k < 4; ++k) sum[k] += corners.weights[i] * values[k];
+        const auto add = [&](const glm::vec4& values, float* sum) {
+            for (int k = 0; k < 4; ++k) sum[k] += corners.weights[i] * values[k];
         };
         for (std::size_t layer = 0; layer < in.maps.layers; ++layer)
-            add(read_texture_layer(in.maps.filtered, static_cast<int>(layer), texel, 4),
+            add(read_layer_colors(in.maps.filtered, static_cast<int>(layer), texel).front(),
                 &bundle.sums[4 * layer]);
         if (in.maps.opaque_filtered != 0)
-            add(read_texture(in.maps.opaque_filtered, texel, 4), bundle.texel.data());
+            add(read_colors(in.maps.opaque_filtered, texel).front(), bundle.texel.data());
     }
     if (!bundle.sums.empty())
         bundle.sums.resize(static_cast<std::size_t>(texel_numbers(in.settings.transparent)));

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "core/inspect/fragment_estimates.hpp"
-#include "core/inspect/steps.hpp"
+#include "core/inspect/step_texts.hpp"
 #include "core/ray/ray_json.hpp"
 #include "core/report/stress_report.hpp"
 #include "core/stress/tune.hpp"

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string_view>
 
+#include "core/inspect/step_texts.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/plot/plot_axes.hpp"
 
