@@ -1,6 +1,7 @@
 #include "core/gl/buffer.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 namespace momentscope {
 
@@ -24,8 +25,10 @@ void write_buffer(GLuint buffer, std::size_t offset, std::span<const std::byte> 
 
 void read_buffer(GLuint buffer, std::size_t offset, std::span<std::byte> bytes) {
     glBindBuffer(GL_COPY_READ_BUFFER, buffer);
-    glGetBufferSubData(GL_COPY_READ_BUFFER, static_cast<GLintptr>(offset),
-                       static_cast<GLsizeiptr>(bytes.size()), bytes.data());
+    const void* const mapped = glMapBufferRange(GL_COPY_READ_BUFFER, static_cast<GLintptr>(offset),
+                                                static_cast<GLsizeiptr>(bytes.size()), GL_MAP_READ_BIT);
+    if (mapped != nullptr) std::memcpy(bytes.data(), mapped, bytes.size());
+    glUnmapBuffer(GL_COPY_READ_BUFFER);
 }
 
 void bind_uniforms(GLuint block, GLuint buffer) {

@@ -55,6 +55,11 @@ void set_draw_state(const DrawState& state) {
     if (state.scissor)
         glScissor(state.scissor->corner.x, state.scissor->corner.y, state.scissor->extent.x,
                   state.scissor->extent.y);
+    enable(GL_STENCIL_TEST, state.passing_count.has_value());
+    if (state.passing_count) {
+        glStencilFunc(GL_EQUAL, static_cast<GLint>(*state.passing_count), 0xff);
+        glStencilOp(GL_INCR, GL_INCR, GL_INCR);
+    }
     glDisable(GL_CULL_FACE);
 }
 

@@ -1,5 +1,6 @@
 // draw_state.hpp -- how fragments are tested and written, as one value.
 #pragma once
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
 
@@ -21,6 +22,10 @@ struct DrawState {
     Blending blending = Blending::none;
     std::optional<GLuint> greatest_target = {};  // the target that blends with `greatest` instead; OpenGL 4.0
     std::optional<TexelRect> scissor = {};       // nothing is drawn outside
+
+    /// The stencil counts the fragments of each pixel, and only those pass before which it has counted this
+    /// many.
+    std::optional<std::uint32_t> passing_count = {};
 };
 
 /// Sets the whole state for everything that is drawn afterwards. Clearing sets another.

@@ -15,7 +15,8 @@ namespace {
 
 // Calls attach(attachment, i) for each colour.
 template <typename Attach>
-GlFramebuffer make_framebuffer_of(int count, GLuint depth, const Attach& attach) {
+GlFramebuffer make_framebuffer_of(int count, GLuint depth, const Attach& attach,
+                                  GLenum depth_attachment = GL_DEPTH_ATTACHMENT) {
     GLuint name = 0;
     glGenFramebuffers(1, &name);
     GlFramebuffer framebuffer(name);
@@ -25,14 +26,15 @@ GlFramebuffer make_framebuffer_of(int count, GLuint depth, const Attach& attach)
         attachments[static_cast<std::size_t>(i)] = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
         attach(attachments[static_cast<std::size_t>(i)], i);
     }
-    if (depth != 0) glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth, 0);
+    if (depth != 0) glFramebufferTexture2D(GL_FRAMEBUFFER, depth_attachment, GL_TEXTURE_2D, depth, 0);
     glDrawBuffers(count, attachments.data());
+    if (count == 0) glReadBuffer(GL_NONE);  // some GLs call a framebuffer without it incomplete
     const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
     bind_framebuffer(0);
     if (status != GL_FRAMEBUFFER_COMPLETE)
         throw Error(
             fmt::format("This GL cannot render to the textures that are needed (status 0x{:x}); it must have "
-                        "OpenGL 4.5 with float render targets.",
+                        "OpenGL 3.3 or OpenGL ES 3.0, with float render targets.",
                         status));
     return framebuffer;
 }
@@ -68,6 +70,13 @@ GlFramebuffer make_framebuffer(const std::vector<GLuint>& colors, GLuint depth) 
     return make_framebuffer(colors.data(), colors.size(), depth);
 }
 
+GlFramebuffer make_counting_framebuffer(std::initializer_list<GLuint> colors, GLuint stencil) {
+    const auto attach = [&](GLenum attachment, int i) {
+        glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, colors.begin()[i], 0);
+    };
+    return make_framebuffer_of(static_cast<int>(colors.size()), stencil, attach, GL_DEPTH_STENCIL_ATTACHMENT);
+}
+
 GlFramebuffer make_layer_framebuffer(GLuint layered, int first, int count) {
     return make_framebuffer_of(count, 0, [&](GLenum attachment, int i) {
         glFramebufferTextureLayer(GL_FRAMEBUFFER, attachment, layered, 0, first + i);
@@ -86,6 +95,17 @@ void clear_color(GLuint framebuffer, int color, const glm::vec4& value) {
 void clear_color(GLuint framebuffer, int color, const glm::uvec4& value) {
     bind_for_clear(framebuffer, {});
     glClearBufferuiv(GL_COLOR, color, glm::value_ptr(value));
+}
+
+void clear_color(GLuint framebuffer, int color, const glm::vec4& value, const TexelRect& rect) {
+    bind_for_clear(framebuffer, rect);
+    glClearBufferfv(GL_COLOR, color, glm::value_ptr(value));
+}
+
+void clear_stencil(GLuint framebuffer, const TexelRect& rect) {
+    bind_for_clear(framebuffer, rect);
+    constexpr GLint NOTHING = 0;
+    glClearBufferiv(GL_STENCIL, 0, &NOTHING);
 }
 
 void clear_color(GLuint framebuffer, int color, const glm::uvec4& value, const TexelRect& rect) {

@@ -14,6 +14,9 @@ namespace momentscope {
 GlFramebuffer make_framebuffer(std::initializer_list<GLuint> colors, GLuint depth);
 GlFramebuffer make_framebuffer(const std::vector<GLuint>& colors, GLuint depth);
 
+/// A framebuffer that also counts in the stencil of a GL_DEPTH24_STENCIL8 texture.
+GlFramebuffer make_counting_framebuffer(std::initializer_list<GLuint> colors, GLuint stencil);
+
 /// A framebuffer that draws to `count` layers of an array texture, from `first` on.
 GlFramebuffer make_layer_framebuffer(GLuint layered, int first, int count);
 
@@ -25,7 +28,11 @@ void clear_color(GLuint framebuffer, int color, const glm::vec4& value);
 void clear_color(GLuint framebuffer, int color, const glm::uvec4& value);
 
 /// The same within a rectangle.
+void clear_color(GLuint framebuffer, int color, const glm::vec4& value, const TexelRect& rect);
 void clear_color(GLuint framebuffer, int color, const glm::uvec4& value, const TexelRect& rect);
+
+/// Sets what the stencil counts in a rectangle to 0.
+void clear_stencil(GLuint framebuffer, const TexelRect& rect);
 
 /// Sets the first `count` colours to 0.
 void clear_colors(GLuint framebuffer, int count);

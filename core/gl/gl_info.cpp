@@ -5,8 +5,7 @@
 
 #include <algorithm>
 #include <string_view>
-
-#include "core/support/error.hpp"
+#include <utility>
 
 namespace momentscope {
 
@@ -23,63 +22,59 @@ int gl_number(GLenum name) {
     return number;
 }
 
-bool has_extension(std::string_view wanted) {
+}  // namespace
+
+GlVersion gl_version() {
+    const GLubyte* text = glGetString(GL_VERSION);
+    if (text == nullptr) return {};
+    const bool embedded = std::string_view(reinterpret_cast<const char*>(text)).starts_with("OpenGL ES");
+    return {embedded, gl_number(GL_MAJOR_VERSION), gl_number(GL_MINOR_VERSION)};
+}
+
+bool has_gl_extension(std::string_view name) {
     const int count = gl_number(GL_NUM_EXTENSIONS);
     for (int i = 0; i < count; ++i)
-        if (wanted == reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i))))
+        if (name == reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i))))
             return true;
     return false;
 }
 
-}  // namespace
-
-OrderedAccess ordered_access() {
-    if (has_extension("GL_ARB_fragment_shader_interlock")) return OrderedAccess::interlock;
-    if (has_extension("GL_EXT_shader_framebuffer_fetch")) return OrderedAccess::framebuffer_fetch;
-    return OrderedAccess::none;
-}
-
-GlInfo gl_info() {
+GlInfo gl_info(const Capabilities& can) {
     GlInfo info;
     info.renderer = gl_text(GL_RENDERER);
     info.version = gl_text(GL_VERSION);
+    info.can = can;
     info.software =
-        std::ranges::any_of(std::initializer_list<const char*>{"llvmpipe", "softpipe", "SWR"},
+        std::ranges::any_of(std::initializer_list<const char*>{"llvmpipe", "softpipe", "SWR", "SwiftShader"},
                             [&](const char* name) { return info.renderer.find(name) != std::string::npos; });
-    if (info.software)
-        info.missing.push_back(
-            {"a GPU", "pictures are drawn by the CPU, so times say nothing about graphics hardware"});
-    switch (ordered_access()) {
-        case OrderedAccess::interlock:
-            break;
-        case OrderedAccess::framebuffer_fetch:
-            info.missing.push_back({"fragment shader interlock",
-                                    "framebuffer fetch takes its place: 16-bit variants run, but at other "
-                                    "speeds than with rasterizer ordered views"});
-            break;
-        case OrderedAccess::none:
-            info.missing.push_back({"fragment shader interlock and framebuffer fetch",
-                                    "methods that read, change and write a pixel in order cannot run: all "
-                                    "16-bit variants, and ordered accumulation"});
-    }
-    if (!has_extension("GL_NV_shader_atomic_int64"))
-        info.missing.push_back(
-            {"64-bit atomics in shaders", "methods that sort fragments by atomics cannot run"});
-    const std::size_t block = most_bytes_of_storage();
+    const auto missing = [&](bool is, std::string feature, std::string consequence) {
+        if (is) info.missing.push_back({std::move(feature), std::move(consequence)});
+    };
+    missing(info.software, "a GPU",
+            "pictures are drawn by the CPU, so times say nothing about graphics hardware");
+    missing(!can.storage, "buffers and images that shaders write",
+            "fragments are captured layer by layer, which takes longer, and methods that store samples by "
+            "atomic operations cannot run");
+    missing(
+        can.ordered == OrderedAccess::framebuffer_fetch, "fragment shader interlock",
+        "framebuffer fetch takes its place: 16-bit variants run, but at other speeds than with rasterizer "
+        "ordered views");
+    missing(can.ordered == OrderedAccess::none, "fragment shader interlock and framebuffer fetch",
+            "methods that read, change and write a pixel in order cannot run: all 16-bit variants, and "
+            "ordered accumulation");
+    missing(!can.unorm16, "render targets of 16-bit numbers in [0, 1]",
+            "the ends of a ray take 64 bits of a pixel instead of 32, and 16-bit variants cannot run");
+    missing(!can.timer_queries, "timer queries", "a clock measures the times of passes");
+    missing(can.language.rounding == Rounding::guarded, "the word 'precise' in shaders",
+            "this driver re-associates sums, so each is hidden from it, which takes longer");
+    missing(can.language.rounding == Rounding::lost, "the order of floating-point operations",
+            "this driver re-associates sums, so the window begins with the bias preset robust");
+    const std::size_t block = can.storage_bytes;
     constexpr std::size_t WHOLE_PICTURE = 120'000'000;  // bytes of the list that `sorted` needs
-    if (block < WHOLE_PICTURE)
-        info.missing.push_back({fmt::format("shader buffers beyond {} MB", block / 1'000'000),
-                                "sorted draws large pictures in more bands, which takes longer"});
+    missing(can.storage && block < WHOLE_PICTURE,
+            fmt::format("shader buffers beyond {} MB", block / 1'000'000),
+            "sorted draws large pictures in more bands, which takes longer");
     return info;
-}
-
-void require_supported_gl() {
-    const int major = gl_number(GL_MAJOR_VERSION), minor = gl_number(GL_MINOR_VERSION);
-    if (major * 10 + minor < 45)
-        throw Error(fmt::format(
-            "This GL is version {}.{}, but Momentscope needs OpenGL 4.5; update the driver, or use "
-            "--headless, which renders in software.",
-            major, minor));
 }
 
 int most_texels_of_a_side() {
@@ -88,6 +83,10 @@ int most_texels_of_a_side() {
 
 int most_texture_layers() {
     return gl_number(GL_MAX_ARRAY_TEXTURE_LAYERS);
+}
+
+int most_color_targets() {
+    return std::min(gl_number(GL_MAX_DRAW_BUFFERS), gl_number(GL_MAX_COLOR_ATTACHMENTS));
 }
 
 std::size_t most_bytes_of_storage() {

@@ -5,7 +5,7 @@
 namespace momentscope {
 
 PassTiming reliable_timing(const GlInfo& gl) {
-    return gl.software ? PassTiming::finish : PassTiming::queries;
+    return gl.software || !gl.can.timer_queries ? PassTiming::finish : PassTiming::queries;
 }
 
 const char* timing_text(PassTiming timing) {

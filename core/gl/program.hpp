@@ -1,59 +1,42 @@
 // program.hpp -- makes GL programs from the files of shaders/.
 #pragma once
-#include <compare>
 #include <glm/glm.hpp>
 #include <map>
-#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include "core/gl/capabilities.hpp"
 #include "core/gl/handle.hpp"
+#include "core/gl/shader_text.hpp"
 
 namespace momentscope {
-
-/// A technique in a namespace of its own: what `#include "technique"` means between `#namespace name` and
-/// `#endnamespace`, and #defines that are only seen there.
-struct ShaderNamespace {
-    std::map<std::string, std::string> defines;
-    std::string technique = {};
-    std::string constants = {};
-    friend auto operator<=>(const ShaderNamespace&, const ShaderNamespace&) = default;
-};
-
-/// A variant of a shader: #defines, and what `#include "technique"` means.
-struct ShaderVariant {
-    std::map<std::string, std::string> defines;
-    std::string technique = {};                              // a path in shaders/, or empty
-    std::string constants = {};                              // declarations before the technique
-    std::map<std::string, ShaderNamespace> namespaces = {};  // by name; text in others is left out
-
-    friend auto operator<=>(const ShaderVariant&, const ShaderVariant&) = default;
-};
-
-/// The whole text of a shader: version, defines, prelude, and the file with its #includes joined. #line
-/// directives give each file its number in `files`. Throws Error for an unknown file.
-std::string expand_shader(std::string_view path, const ShaderVariant& variant,
-                          std::vector<std::string>* files = nullptr);
 
 /// Compiles and links, with the loops of shaders written out (loop_writer.hpp). Throws Error with the first
 /// line of the log of the driver. `notes` gets a sentence for each shader that keeps its loops, which says
 /// why.
-GlProgram link_program(std::string_view vertex, std::string_view fragment, const ShaderVariant& variant = {},
-                       std::vector<std::string>* notes = nullptr);
+GlProgram link_program(std::string_view vertex, std::string_view fragment, const ShaderVariant& variant,
+                       ShaderLanguage language = {}, std::vector<std::string>* notes = nullptr);
 GlProgram link_compute_program(std::string_view compute, const ShaderVariant& variant = {});
 
-/// A cache of programs with few files and many variants. Each is linked at first use.
+/// A cache of programs with few files and many variants, for one GL. Each is linked at first use.
 class ProgramCache {
 public:
+    /// gl: what the current context is capable of, or less, to see what is then missing.
+    explicit ProgramCache(const Capabilities& gl = capabilities()) : gl_(gl) {}
+
+    const Capabilities& gl() const { return gl_; }
+
+    /// Throws Error if the driver does not compile it.
     GLuint get(const char* vertex, const char* fragment, const ShaderVariant& variant = {});
 
     /// Returns the notes since the last call, for a log.
     std::vector<std::string> take_notes() { return std::exchange(notes_, {}); }
 
 private:
+    Capabilities gl_;
     std::map<std::tuple<std::string, std::string, ShaderVariant>, GlProgram> programs_;
     std::vector<std::string> notes_;
 };
@@ -61,8 +44,8 @@ private:
 /// Everything is drawn with this program from now on; 0: with none.
 void use_program(GLuint program);
 
-/// Set a uniform of the program in use. location: as in the text of the shader.
-void set_uniform(GLint location, int value);
-void set_uniform(GLint location, glm::ivec2 value);
+/// Set a uniform of the program in use, by its name in the shader.
+void set_uniform(GLuint program, const char* name, int value);
+void set_uniform(GLuint program, const char* name, glm::ivec2 value);
 
 }  // namespace momentscope

@@ -10,7 +10,8 @@ namespace momentscope {
 namespace {
 
 // The words of prelude.glsl, which mean the same in all namespaces.
-const std::set<std::string_view, std::less<>> PRELUDE = {"FN", "IN", "PRECISE", "UNROLL"};
+const std::set<std::string_view, std::less<>> PRELUDE = {"FN",     "IN",          "PRECISE",
+                                                         "UNROLL", "EARLY_TESTS", "INVARIANT_IN"};
 
 bool in_word(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cassert>
+#include <iterator>
+
 #include "core/support/error.hpp"
 
 namespace momentscope {
@@ -22,6 +26,7 @@ void set(GLenum target, GLenum filter, GLenum wrap) {
     glTexParameteri(target, GL_TEXTURE_MAG_FILTER, filtered);
     glTexParameteri(target, GL_TEXTURE_WRAP_S, wrapped);
     glTexParameteri(target, GL_TEXTURE_WRAP_T, wrapped);
+    glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);  // there are no smaller copies
 }
 
 GlTexture new_texture() {
@@ -30,7 +35,33 @@ GlTexture new_texture() {
     return GlTexture(name);
 }
 
-constexpr GLenum CHANNELS[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
+/// What glTexImage2D must be told of a sized format, although it gets no texels.
+struct TexelFormat {
+    GLenum format, channels, type;
+};
+
+constexpr TexelFormat TEXEL_FORMATS[] = {
+    {GL_R8, GL_RED, GL_UNSIGNED_BYTE},
+    {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE},
+    {GL_RG16, GL_RG, GL_UNSIGNED_SHORT},
+    {GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT},
+    {GL_R16F, GL_RED, GL_HALF_FLOAT},
+    {GL_RG16F, GL_RG, GL_HALF_FLOAT},
+    {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT},
+    {GL_R32F, GL_RED, GL_FLOAT},
+    {GL_RG32F, GL_RG, GL_FLOAT},
+    {GL_RGBA32F, GL_RGBA, GL_FLOAT},
+    {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT},
+    {GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT},
+    {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT},
+    {GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8},
+};
+
+const TexelFormat& texel_format(GLenum format) {
+    const auto* found = std::ranges::find(TEXEL_FORMATS, format, &TexelFormat::format);
+    assert(found != std::end(TEXEL_FORMATS) && "an unknown format of textures");
+    return *found;
+}
 
 // A framebuffer to read from.
 class Reading {
@@ -77,7 +108,9 @@ std::vector<glm::vec4> read_bound_colors(const TexelRect& rect) {
 GlTexture make_texture(GLenum format, glm::ivec2 size) {
     GlTexture texture = new_texture();
     edit(GL_TEXTURE_2D, texture);
-    glTexStorage2D(GL_TEXTURE_2D, 1, format, size.x, size.y);
+    const TexelFormat& texel = texel_format(format);
+    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), size.x, size.y, 0, texel.channels, texel.type,
+                 nullptr);
     check_gl(fmt::format("making a texture of {}x{} pixels", size.x, size.y));
     set(GL_TEXTURE_2D, GL_NEAREST, GL_CLAMP_TO_EDGE);
     return texture;
@@ -86,7 +119,9 @@ GlTexture make_texture(GLenum format, glm::ivec2 size) {
 GlTexture make_layered_texture(GLenum format, glm::ivec2 size, int layers) {
     GlTexture texture = new_texture();
     edit(GL_TEXTURE_2D_ARRAY, texture);
-    glTexStorage3D(GL_TEXTURE_2D_ARRAY, 1, format, size.x, size.y, layers);
+    const TexelFormat& texel = texel_format(format);
+    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, static_cast<GLint>(format), size.x, size.y, layers, 0,
+                 texel.channels, texel.type, nullptr);
     check_gl(fmt::format("making {} textures of {}x{} pixels", layers, size.x, size.y));
     set(GL_TEXTURE_2D_ARRAY, GL_NEAREST, GL_CLAMP_TO_EDGE);
     return texture;
@@ -105,10 +140,11 @@ void interpolate_and_repeat(GLuint texture) {
 }
 
 std::vector<float> read_texture(GLuint texture, const TexelRect& rect, int channels) {
-    const Reading reading(texture);
     const auto count = static_cast<std::size_t>(channels);
-    std::vector<float> numbers(texel_count(rect.extent) * count);
-    Reading::read(rect, CHANNELS[count - 1], GL_FLOAT, numbers.data());
+    std::vector<float> numbers;
+    numbers.reserve(texel_count(rect.extent) * count);
+    for (const glm::vec4& color : read_colors(texture, rect))
+        for (int i = 0; i < channels; ++i) numbers.push_back(color[i]);
     return numbers;
 }
 
@@ -120,13 +156,6 @@ std::vector<glm::vec4> read_colors(GLuint texture, const TexelRect& rect) {
 std::vector<glm::vec4> read_layer_colors(GLuint layered, int layer, const TexelRect& rect) {
     const Reading reading(layered, layer);
     return read_bound_colors(rect);
-}
-
-std::vector<std::uint16_t> read_texture_pairs(GLuint texture, const TexelRect& rect) {
-    const Reading reading(texture);
-    std::vector<std::uint16_t> pairs(2 * texel_count(rect.extent));
-    Reading::read(rect, GL_RG, GL_UNSIGNED_SHORT, pairs.data());
-    return pairs;
 }
 
 std::vector<unsigned char> read_texture_bytes(GLuint texture, glm::ivec2 size) {

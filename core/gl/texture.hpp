@@ -4,7 +4,6 @@
 // as OpenGL 4.1 and OpenGL ES 3.0 need it, and promise nothing about what is bound afterwards, except where a
 // name says so.
 #pragma once
-#include <cstdint>
 #include <glm/glm.hpp>
 #include <string>
 #include <vector>
@@ -42,9 +41,6 @@ std::vector<glm::vec4> read_colors(GLuint texture, const TexelRect& rect);
 
 /// The same from one layer.
 std::vector<glm::vec4> read_layer_colors(GLuint layered, int layer, const TexelRect& rect);
-
-/// The two numbers of each texel of a GL_RG16 texture.
-std::vector<std::uint16_t> read_texture_pairs(GLuint texture, const TexelRect& rect);
 
 /// The bytes of a GL_RGBA8 texture.
 std::vector<unsigned char> read_texture_bytes(GLuint texture, glm::ivec2 size);

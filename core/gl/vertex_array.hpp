@@ -18,8 +18,8 @@ struct VertexAttribute {
 GlVertexArray make_vertex_array(GLuint vertices, std::size_t vertex_bytes,
                                 std::initializer_list<VertexAttribute> attributes, GLuint indices);
 
-/// Draws the first triangles of an array, with the program in use.
-void draw_triangles(GLuint vertex_array, std::size_t index_count);
+/// Draws the triangles of some indices of an array, with the program in use.
+void draw_triangles(GLuint vertex_array, std::size_t first_index, std::size_t index_count);
 
 /// Draws the triangle of fullscreen.vert with the program in use.
 void draw_fullscreen();

@@ -18,15 +18,13 @@ CasterTexels::CasterTexels(int size, std::shared_ptr<ProgramCache> programs)
 std::optional<std::vector<FragmentNode>> CasterTexels::capture(const SceneBuffers& scene, GLuint frame_block,
                                                                const TexelRect& rect) {
     constexpr std::size_t CAPACITY = 1'000'000;
-    if (list_ == nullptr) list_ = std::make_unique<FragmentList>(glm::ivec2(size_), CAPACITY, no_depth_);
+    if (source_ == nullptr)
+        source_ = make_fragment_source(glm::ivec2(size_), CAPACITY, no_depth_, programs_->gl());
     set_viewport(glm::ivec2(size_));
     bind_uniforms(0, frame_block);
     static const ResolvedParameters NONE;
     const PassInput input = {*programs_, scene, glm::ivec2(size_), 0, no_depth_, NONE};
-    const GLuint program = programs_->get("passes/scene.vert", "passes/capture.frag");
-    const std::size_t count = list_->capture(input, program, rect);
-    if (count > list_->capacity()) return std::nullopt;
-    return list_->read(count);
+    return source_->capture(input, {}, rect);
 }
 
 }  // namespace momentscope

@@ -21,8 +21,8 @@ public:
 private:
     int size_;
     std::shared_ptr<ProgramCache> programs_;
-    GlTexture no_depth_;                  // far everywhere, so every fragment passes
-    std::unique_ptr<FragmentList> list_;  // made at first use
+    GlTexture no_depth_;                      // far everywhere, so every fragment passes
+    std::unique_ptr<FragmentSource> source_;  // made at first use
 };
 
 }  // namespace momentscope

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/gl/buffer.hpp"
 #include "core/gl/gl_info.hpp"
 #include "core/gl/texture.hpp"
 #include "core/support/error.hpp"
@@ -16,7 +15,8 @@ DeepShadowMap make_deep_shadow_map(CasterTexels& texels, const SceneBuffers& sce
                                    int size) {
     std::vector<glm::uvec2> lists(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
     std::vector<glm::vec2> steps;
-    const std::size_t most_bytes = most_bytes_of_storage();
+    const auto most_steps =
+        static_cast<std::size_t>(DEEP_ROW) * static_cast<std::size_t>(most_texels_of_a_side());
     for (int y = 0, rows = size; y < size; y += rows) {
         rows = std::min(rows, size - y);
         auto nodes = texels.capture(scene, frame_block, {{0, y}, {size, rows}});
@@ -24,7 +24,7 @@ DeepShadowMap make_deep_shadow_map(CasterTexels& texels, const SceneBuffers& sce
             rows = (rows + 1) / 2;
             nodes = texels.capture(scene, frame_block, {{0, y}, {size, rows}});
         }
-        if (!nodes || (steps.size() + nodes->size()) * sizeof(glm::vec2) > most_bytes)
+        if (!nodes || steps.size() + nodes->size() >= most_steps)
             throw Error(fmt::format(
                 "A deep shadow map of {0}x{0} texels has more fragments than this GL can hold; give a smaller "
                 "--shadow-size.",
@@ -49,7 +49,10 @@ DeepShadowMap make_deep_shadow_map(CasterTexels& texels, const SceneBuffers& sce
     DeepShadowMap map;
     map.lists = make_texture(GL_RG32UI, glm::ivec2(size));
     write_texture(map.lists, glm::ivec2(size), GL_RG_INTEGER, GL_UNSIGNED_INT, lists.data());
-    map.steps = make_buffer_of<glm::vec2>(steps);
+    const int rows = static_cast<int>(steps.size()) / DEEP_ROW + 1;
+    steps.resize(static_cast<std::size_t>(rows) * DEEP_ROW);
+    map.steps = make_texture(GL_RG32F, {DEEP_ROW, rows});
+    write_texture(map.steps, {DEEP_ROW, rows}, GL_RG, GL_FLOAT, steps.data());
     return map;
 }
 

@@ -4,9 +4,11 @@
 
 namespace momentscope {
 
+constexpr int DEEP_ROW = 2048;  // light.glsl
+
 struct DeepShadowMap {
     GlTexture lists;  // of each texel: index of its first step, number of steps
-    GlBuffer steps;   // depth and T behind it
+    GlTexture steps;  // depth and T behind it, in rows of DEEP_ROW
 };
 
 /// The map of size x size texels. The CPU sorts the fragments; this is a ground truth and not fast. Throws

@@ -15,39 +15,35 @@ namespace momentscope {
 
 namespace {
 
-struct CaptureProgram {
-    GLuint program;
+struct CaptureVariant {
+    ShaderVariant variant;
     bool has_transmittance;
 };
 
-CaptureProgram capture_program(const DrawnPicture& picture) {
+CaptureVariant capture_variant(const DrawnPicture& picture) {
     std::optional<ShaderVariant> reconstructing =
         picture.transparency.bind_for_capture(picture.input.parameters);
     ShaderVariant variant = reconstructing.value_or(ShaderVariant());
     if (reconstructing) variant.defines["WITH_TRANSMITTANCE"] = "1";
-    return {
-        picture.input.programs.get("passes/scene.vert", "passes/capture.frag", picture.input.lit(variant)),
-        reconstructing.has_value()};
+    return {picture.input.lit(variant), reconstructing.has_value()};
 }
 
 // Captures the fragments of low-resolution pixels, from which low-resolution moments are made.
 void add_shares(std::vector<PixelCapture>& captures, const DrawnPicture& picture,
                 const Transparency::LowTarget& low, glm::ivec2 lower_left, glm::ivec2 extent) {
     const LowFootprint footprint(picture.view.size, low.size, lower_left, extent);
-    FragmentList list(low.size, PIXEL_LIST_CAPACITY, low.depth);
+    const auto source =
+        make_fragment_source(low.size, PIXEL_LIST_CAPACITY, low.depth, picture.input.programs.gl());
     set_viewport(low.size);
-    const GLuint program = picture.input.programs.get("passes/scene.vert", "passes/capture.frag");
     std::vector<std::vector<Fragment>> of_pixel;
     for (int y = 0; y < footprint.extent().y; ++y) {  // row by row, so that the fragments fit in the list
-        const std::size_t count = list.capture(
-            picture.input, program, {footprint.corner() + glm::ivec2(0, y), {footprint.extent().x, 1}});
-        if (count > list.capacity())
+        const auto nodes = source->capture(
+            picture.input, {}, {footprint.corner() + glm::ivec2(0, y), {footprint.extent().x, 1}});
+        if (!nodes)
             throw Error(
-                fmt::format("A row of low-resolution moments has {} fragments, but at most {} can be "
-                            "captured; choose a smaller picture.",
-                            count, list.capacity()));
+                "A row of low-resolution moments has more fragments than can be captured; choose a smaller picture.");
         of_pixel.resize(of_pixel.size() + static_cast<std::size_t>(footprint.extent().x));
-        for (const FragmentNode& node : in_submission_order(list.read(count))) {
+        for (const FragmentNode& node : *nodes) {
             const int x = static_cast<int>(node.pixel & 0xffffU) - footprint.corner().x;
             of_pixel[of_pixel.size() - static_cast<std::size_t>(footprint.extent().x - x)].push_back(
                 fragment_of(node, picture.input.scene));
@@ -62,7 +58,7 @@ void add_shares(std::vector<PixelCapture>& captures, const DrawnPicture& picture
 }
 
 // Distributes fragments to their pixels.
-std::vector<PixelCapture> sort_captures(const DrawnPicture& picture, std::vector<FragmentNode> nodes,
+std::vector<PixelCapture> sort_captures(const DrawnPicture& picture, const std::vector<FragmentNode>& nodes,
                                         glm::ivec2 lower_left, glm::ivec2 extent, bool has_transmittance) {
     PixelCapture empty;
     empty.ray.warp = picture.warp;
@@ -72,7 +68,7 @@ std::vector<PixelCapture> sort_captures(const DrawnPicture& picture, std::vector
     const auto index_of = [&](int x, int y) {  // of a GL pixel
         return static_cast<std::size_t>((extent.y - 1 - (y - lower_left.y)) * extent.x + x - lower_left.x);
     };
-    for (const FragmentNode& node : in_submission_order(std::move(nodes))) {
+    for (const FragmentNode& node : nodes) {
         PixelCapture& capture =
             captures[index_of(static_cast<int>(node.pixel & 0xffffU), static_cast<int>(node.pixel >> 16))];
         capture.ray.fragments.push_back(fragment_of(node, picture.input.scene));
@@ -93,15 +89,21 @@ std::vector<PixelCapture> sort_captures(const DrawnPicture& picture, std::vector
 
 }  // namespace
 
-FragmentCapture::FragmentCapture(glm::ivec2 size, GLuint depth) : list_(size, PIXEL_LIST_CAPACITY, depth) {}
+FragmentCapture::FragmentCapture(glm::ivec2 size, GLuint depth, const Capabilities& gl)
+    : size_(size), depth_(depth), gl_(gl) {}
+
+FragmentSource& FragmentCapture::source() {
+    if (source_ == nullptr) source_ = make_fragment_source(size_, PIXEL_LIST_CAPACITY, depth_, gl_);
+    return *source_;
+}
 
 std::vector<PixelCapture> FragmentCapture::region(const DrawnPicture& picture, glm::ivec2 corner,
                                                   glm::ivec2 extent) {
-    const auto [program, has_transmittance] = capture_program(picture);
+    const auto [variant, has_transmittance] = capture_variant(picture);
     picture.bind();
     const glm::ivec2 lower_left(corner.x, picture.view.size.y - corner.y - extent.y);
-    const std::size_t count = list_.capture(picture.input, program, {lower_left, extent});
-    if (count > list_.capacity() && extent.x * extent.y > 1) {  // then capture two halves
+    const auto nodes = source().capture(picture.input, variant, {lower_left, extent});
+    if (!nodes && extent.x * extent.y > 1) {  // then capture two halves
         const bool rows = extent.y > 1;
         const glm::ivec2 half = rows ? glm::ivec2(extent.x, extent.y / 2) : glm::ivec2(extent.x / 2, 1);
         const glm::ivec2 step = rows ? glm::ivec2(0, half.y) : glm::ivec2(half.x, 0);
@@ -109,8 +111,10 @@ std::vector<PixelCapture> FragmentCapture::region(const DrawnPicture& picture, g
         std::ranges::move(region(picture, corner + step, extent - step), std::back_inserter(captures));
         return captures;
     }
+    if (!nodes)
+        throw Error("A pixel has more transparent fragments than can be captured; simplify the scene.");
     std::vector<PixelCapture> captures =
-        sort_captures(picture, list_.read(count), lower_left, extent, has_transmittance);
+        sort_captures(picture, *nodes, lower_left, extent, has_transmittance);
     if (const auto low = picture.transparency.low_target())
         add_shares(captures, picture, *low, lower_left, extent);
     leave_nothing_bound();
@@ -124,10 +128,10 @@ std::vector<float> FragmentCapture::lights(const DrawnPicture& picture, glm::ive
     variant.defines["WITH_LIGHT"] = "1";
     picture.bind();
     const glm::ivec2 lower_left(pixel.x, picture.view.size.y - 1 - pixel.y);
-    const GLuint program = picture.input.programs.get("passes/scene.vert", "passes/capture.frag", variant);
-    const std::size_t count = list_.capture(picture.input, program, {lower_left, {1, 1}});
-    const std::vector<PixelCapture> captures =
-        sort_captures(picture, list_.read(count), lower_left, {1, 1}, true);
+    const auto nodes = source().capture(picture.input, variant, {lower_left, {1, 1}});
+    if (!nodes)
+        throw Error("A pixel has more transparent fragments than can be captured; simplify the scene.");
+    const std::vector<PixelCapture> captures = sort_captures(picture, *nodes, lower_left, {1, 1}, true);
     leave_nothing_bound();
     check_gl("reading how fragments are lit");
     return captures.front().transmittance;

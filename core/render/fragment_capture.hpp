@@ -11,7 +11,7 @@ namespace momentscope {
 class FragmentCapture {
 public:
     /// size: of the picture. depth: the texture of its opaque depths.
-    FragmentCapture(glm::ivec2 size, GLuint depth);
+    FragmentCapture(glm::ivec2 size, GLuint depth, const Capabilities& gl);
 
     /// The fragments of a rectangle, row by row. corner: its upper left. Throws Error if a low-resolution
     /// technique mixes more fragments than can be captured.
@@ -21,7 +21,12 @@ public:
     std::vector<float> lights(const DrawnPicture& picture, glm::ivec2 pixel);
 
 private:
-    FragmentList list_;
+    FragmentSource& source();
+
+    glm::ivec2 size_;
+    GLuint depth_;
+    Capabilities gl_;
+    std::unique_ptr<FragmentSource> source_;  // made at first use
 };
 
 }  // namespace momentscope

@@ -1,5 +1,6 @@
 // fragment_list.hpp -- captures all transparent fragments of a region of the picture.
 #pragma once
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -26,28 +27,45 @@ static_assert(sizeof(FragmentNode) == 48);
 
 constexpr std::size_t PIXEL_LIST_CAPACITY = 65'536;  // fragments in a captured region
 
-/// The nodes, sorted by draw call and triangle. The append order is nondeterministic.
-std::vector<FragmentNode> in_submission_order(std::vector<FragmentNode> nodes);
-
 /// The fragment that a node holds, with its random seed.
 Fragment fragment_of(const FragmentNode& node, const SceneBuffers& scene);
 
-/// A bounded list of fragments on the GPU, with one list head per pixel.
-class FragmentList {
+/// A way to capture fragments.
+class FragmentSource {
 public:
-    /// capacity: the number of fragments that fit, limited to what this GL allows in one buffer. depth: the
-    /// texture that fragments are tested against.
-    FragmentList(glm::ivec2 size, std::size_t capacity, GLuint depth);
+    virtual ~FragmentSource() = default;
 
-    /// Captures the fragments of a rectangle, in GL pixels, with `program` (capture.frag). Returns how many
-    /// fragments there are; only the first capacity() of them are stored.
-    std::size_t capture(const PassInput& input, GLuint program, const TexelRect& rect);
+    /// The fragments of a rectangle, in GL pixels, those of each pixel in submission order; nullopt if there
+    /// are more than this source captures at a time. variant: of capture.frag.
+    virtual std::optional<std::vector<FragmentNode>> capture(const PassInput& input,
+                                                             const ShaderVariant& variant,
+                                                             const TexelRect& rect) = 0;
+};
+
+/// The way of this GL: lists, or layers if shaders cannot write lists. capacity: the number of fragments for
+/// which memory is taken. depth: the texture that fragments are tested against.
+std::unique_ptr<FragmentSource> make_fragment_source(glm::ivec2 size, std::size_t capacity, GLuint depth,
+                                                     const Capabilities& gl);
+
+/// A bounded list of fragments on the GPU, with one list head per pixel. Needs storage.
+class FragmentList : public FragmentSource {
+public:
+    /// capacity: limited to what this GL allows in one buffer.
+    FragmentList(glm::ivec2 size, std::size_t capacity, GLuint depth, const Capabilities& gl);
+
+    std::optional<std::vector<FragmentNode>> capture(const PassInput& input, const ShaderVariant& variant,
+                                                     const TexelRect& rect) override;
+
+    /// Appends the fragments of a rectangle to empty lists. Returns how many fragments there are; only the
+    /// first capacity() of them are stored.
+    std::size_t append(const PassInput& input, const ShaderVariant& variant, const TexelRect& rect);
 
     void bind() const;
     std::size_t capacity() const { return capacity_; }
-    std::vector<FragmentNode> read(std::size_t count) const;
 
 private:
+    std::vector<FragmentNode> read(std::size_t count) const;
+
     std::size_t capacity_;
     GlTexture heads_;
     GlBuffer nodes_;

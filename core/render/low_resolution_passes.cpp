@@ -14,8 +14,8 @@ constexpr int TEXELS = 2 * SET_TEXELS;
 }  // namespace
 
 LowResolutionPasses::LowResolutionPasses(const Technique& technique, glm::ivec2 size, GLuint depth,
-                                         OrderedAccess access)
-    : StatePasses(technique, size, depth, access), full_depth_(depth) {}
+                                         const Capabilities& gl)
+    : StatePasses(technique, size, depth, gl), full_depth_(depth) {}
 
 void LowResolutionPasses::make_targets(int divisor) {
     const glm::ivec2 low_size = low_size_of(size_, divisor);
@@ -42,8 +42,9 @@ void LowResolutionPasses::make_targets(int divisor) {
 void LowResolutionPasses::draw_low_depth(const PassInput& input) {
     set_draw_state({.depth = DepthTest::always});
     bind_framebuffer(depth_target_);
-    use_program(input.programs.get("passes/fullscreen.vert", "passes/farthest_depth.frag"));
-    set_uniform(0, low_size_);
+    const GLuint program = input.programs.get("passes/fullscreen.vert", "passes/farthest_depth.frag");
+    use_program(program);
+    set_uniform(program, "low_size", low_size_);
     bind_texture(0, full_depth_);
     draw_fullscreen();
 }

@@ -7,7 +7,7 @@ namespace momentscope {
 
 class LowResolutionPasses : public StatePasses {
 public:
-    LowResolutionPasses(const Technique& technique, glm::ivec2 size, GLuint depth, OrderedAccess access);
+    LowResolutionPasses(const Technique& technique, glm::ivec2 size, GLuint depth, const Capabilities& gl);
     void draw_moments(const PassInput& input) override;
     std::optional<LowTarget> low_target() const override;
 

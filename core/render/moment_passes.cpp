@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "core/gl/buffer.hpp"
 #include "core/gl/vertex_array.hpp"
 #include "core/render/geometry_pass.hpp"
@@ -20,6 +22,8 @@ constexpr const char* FACTOR = "passes/factor.frag";
 constexpr const char* COLOR = "passes/color.frag";
 constexpr const char* FAILURES = "passes/failures.frag";
 constexpr const char* UNCERTAINTY = "passes/uncertainty.frag";
+
+constexpr float END_STEPS = 65535;  // shared/ends.glsl
 
 // Texture units, as in shaders/passes.
 constexpr GLuint FIRST_FACTOR_UNIT = 3;  // to 7
@@ -41,9 +45,11 @@ void define_ends(ShaderVariant& variant, const ResolvedParameters& parameters) {
     if (parameters.in_own_interval()) variant.defines["OWN_INTERVAL"] = "1";
 }
 
-// The ends are stored by the first pass itself, unless a pass before it needs them.
-bool ends_with_moments(const ResolvedParameters& parameters) {
-    return parameters.knows_ends() && !parameters.in_own_interval();
+// The ends are stored by the first pass itself, unless it needs them, or cannot blend them in another way
+// than the moments.
+bool ends_with_moments(const ResolvedParameters& parameters, const Capabilities& gl) {
+    return parameters.knows_ends() && !parameters.in_own_interval() &&
+           (parameters.ordered || gl.blending_per_target);
 }
 
 }  // namespace
@@ -76,16 +82,16 @@ ShaderVariant factor_variant(const Technique& technique, const ResolvedParameter
 }
 
 ShaderVariant accumulation_variant(const Technique& technique, const ResolvedParameters& parameters,
-                                   OrderedAccess access) {
+                                   const Capabilities& gl) {
     ShaderVariant variant = moment_variant(technique);
-    define_access(variant, parameters.ordered ? access : OrderedAccess::none);
-    define_ends(variant, parameters);
+    define_access(variant, parameters.ordered ? gl.ordered : OrderedAccess::none);
+    if (parameters.in_own_interval() || ends_with_moments(parameters, gl)) define_ends(variant, parameters);
     return variant;
 }
 
-MomentPasses::MomentPasses(const Technique& technique, glm::ivec2 size, GLuint depth, OrderedAccess access)
-    : technique_(technique), access_(access), depth_(depth), size_(size) {
-    if (const std::string why = why_unavailable(technique, access); !why.empty())
+MomentPasses::MomentPasses(const Technique& technique, glm::ivec2 size, GLuint depth, const Capabilities& gl)
+    : technique_(technique), gl_(gl), depth_(depth), size_(size) {
+    if (const std::string why = why_unavailable(technique, gl); !why.empty())
         throw Error(
             fmt::format("{} cannot be drawn here. {} Choose a variant of 32 bits.", technique.name, why));
     const int floats = technique.moment_kernel().moment_floats;
@@ -105,7 +111,7 @@ MomentPasses::MomentPasses(const Technique& technique, glm::ivec2 size, GLuint d
 // The targets that only some parameters need.
 void MomentPasses::make_optional_targets(const ResolvedParameters& parameters) {
     if (parameters.knows_ends() && ends_ == 0) {
-        ends_ = make_texture(GL_RG16, size_);
+        ends_ = make_texture(ends_format(), size_);
         ends_target_ = make_framebuffer({ends_}, depth_);
         std::vector<GLuint> targets = {total_absorbance_, moments_1_to_4_};
         if (moments_5_to_8_ != 0) targets.push_back(moments_5_to_8_);
@@ -127,14 +133,14 @@ void MomentPasses::draw_ends(const PassInput& input) {
 void MomentPasses::draw_moments(const PassInput& input) {
     make_optional_targets(input.parameters);
     has_ends_ = input.parameters.knows_ends();
-    if (input.parameters.in_own_interval()) draw_ends(input);
-    const bool with_ends = ends_with_moments(input.parameters);
+    const bool with_ends = ends_with_moments(input.parameters, gl_);
+    if (has_ends_ && !with_ends) draw_ends(input);
     const GLuint target = with_ends ? moments_and_ends_target_ : moment_target_;
     const GLuint colors = moments_5_to_8_ != 0 ? 3 : 2;  // of moments
     const bool ordered = input.parameters.ordered;
-    if (ordered && access_ == OrderedAccess::none)
+    if (ordered && gl_.ordered == OrderedAccess::none)
         throw Error(fmt::format("{} Set --accumulation to blending.", NO_ORDERED_ACCESS));
-    const bool by_images = ordered && access_ == OrderedAccess::interlock;
+    const bool by_images = ordered && gl_.ordered == OrderedAccess::interlock;
     factored_bias_.reset();
     clear_colors(target, static_cast<int>(colors) + (with_ends ? 1 : 0));
     if (by_images) {
@@ -146,25 +152,27 @@ void MomentPasses::draw_moments(const PassInput& input) {
             bind_image(2, moments_5_to_8_, two ? formats.two_moments : formats.four_moments);
         if (with_ends) bind_image(3, ends_, GL_RG16);
     }
-    bind_texture(ENDS_UNIT, ends_);
+    if (input.parameters.in_own_interval()) bind_texture(ENDS_UNIT, ends_);  // else they are drawn
     use_program(input.programs.get(SCENE, MOMENTS,
-                                   input.lean(accumulation_variant(technique_, input.parameters, access_))));
+                                   input.lean(accumulation_variant(technique_, input.parameters, gl_))));
     DrawState state = {.blending = ordered ? Blending::none : Blending::add};
-    if (with_ends) state.greatest_target = colors;
+    if (with_ends && !ordered) state.greatest_target = colors;
     draw_transparent(input.scene, by_images ? depth_target_ : target, state);
     if (by_images) finish_shader_writes();
+}
+
+// Floats hold the same numbers where 16-bit numbers cannot be drawn.
+GLenum MomentPasses::ends_format() const {
+    return gl_.unorm16 ? GL_RG16 : GL_RG32F;
 }
 
 void MomentPasses::make_factors(int floats) {
     if (floats == factor_floats_) return;
     factor_floats_ = floats;
     factors_.clear();
-    std::vector<GLuint> targets;
-    for (int left = floats; left > 0; left -= 4) {
+    for (int left = floats; left > 0; left -= 4)
         factors_.push_back(make_texture(left == 1 ? GL_R32F : left == 2 ? GL_RG32F : GL_RGBA32F, size_));
-        targets.push_back(factors_.back());
-    }
-    factor_target_ = make_framebuffer(targets, 0);
+    factor_targets_ = make_group_framebuffers(factors_, 0, gl_.color_targets);
 }
 
 // Factors depend on alpha, but not on beta or theta.
@@ -174,10 +182,13 @@ void MomentPasses::draw_factors(const PassInput& input) {
     make_factors(pixel_factor_floats(technique_, input.parameters) - (input.parameters.knows_ends() ? 0 : 1));
     bind_stored();
     set_draw_state({});
-    bind_framebuffer(factor_target_);
-    use_program(
-        input.programs.get("passes/fullscreen.vert", FACTOR, factor_variant(technique_, input.parameters)));
-    draw_fullscreen();
+    for (std::size_t i = 0; i < factor_targets_.size(); ++i) {
+        ShaderVariant variant = factor_variant(technique_, input.parameters);
+        define_group(variant, i, factors_.size(), gl_.color_targets);
+        bind_framebuffer(factor_targets_[i]);
+        use_program(input.programs.get("passes/fullscreen.vert", FACTOR, variant));
+        draw_fullscreen();
+    }
     factored_bias_ = input.parameters.alpha;
 }
 
@@ -235,8 +246,7 @@ std::vector<MomentVector> MomentPasses::read_moments(const TexelRect& rect) cons
     const std::vector<float> first = read_texture(moments_1_to_4_, rect, 4);
     const std::vector<float> second =
         floats > 4 ? read_texture(moments_5_to_8_, rect, floats - 4) : std::vector<float>();
-    const std::vector<std::uint16_t> ends =
-        has_ends_ ? read_texture_pairs(ends_, rect) : std::vector<std::uint16_t>();
+    const std::vector<float> ends = has_ends_ ? read_texture(ends_, rect, 2) : std::vector<float>();
     check_gl("reading moments");
     const std::size_t count = absorbances.size(), per_pixel = static_cast<std::size_t>(floats);
     std::vector<MomentVector> moments(count);
@@ -245,8 +255,8 @@ std::vector<MomentVector> MomentPasses::read_moments(const TexelRect& rect) cons
         for (std::size_t k = 0; k < per_pixel; ++k)
             moments[i].b[k] = k < 4 ? first[4 * i + k] : second[(per_pixel - 4) * i + k - 4];
         if (has_ends_) {
-            moments[i].near_step = ends[2 * i];
-            moments[i].far_step = ends[2 * i + 1];
+            moments[i].near_step = std::round(ends[2 * i] * END_STEPS);
+            moments[i].far_step = std::round(ends[2 * i + 1] * END_STEPS);
         }
     }
     return moments;

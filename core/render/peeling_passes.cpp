@@ -18,31 +18,48 @@ constexpr int MAX_LAYERS = 4096;
 
 }  // namespace
 
-PeelingPasses::PeelingPasses(glm::ivec2 size, GLuint depth)
-    : layer_(make_texture(GL_RGBA32F, size)),
+PeelingPasses::PeelingPasses(glm::ivec2 size, GLuint depth, Ties ties)
+    : ties_(ties),
+      layer_(make_texture(GL_RGBA32F, size)),
       sum_(make_texture(GL_RGBA32F, size)),
       sum_target_(make_framebuffer({sum_}, 0)),
       opaque_depth_(make_framebuffer({}, depth)),
+      opaque_texture_(depth),
       any_fragment_(make_query()) {
     for (int i = 0; i < 2; ++i) {
         depths_[i] = make_texture(GL_DEPTH_COMPONENT32F, size);
+        depth_targets_[i] = make_framebuffer({}, depths_[i]);
         layer_targets_[i] = make_framebuffer({layer_}, depths_[i]);
     }
 }
 
 bool PeelingPasses::draw_layer(const PassInput& input, int layer) {
     const int now = layer % 2;
-    if (layer == 0) clear_depth(layer_targets_[1], 0);  // nothing lies before the first
-    copy_depth(opaque_depth_, layer_targets_[now], input.size);
+    if (layer == 0) clear_depth(depth_targets_[1], 0);  // nothing lies before the first
+    copy_depth(opaque_depth_, depth_targets_[now], input.size);
     clear_color(layer_targets_[now], 0, glm::vec4(0));
     set_draw_state({.depth = DepthTest::nearer});
-    bind_framebuffer(layer_targets_[now]);
-    use_program(input.programs.get("passes/scene.vert", "passes/peel.frag", input.lit({})));
+    const bool keep = ties_ == Ties::kept;
+    bind_framebuffer(keep ? depth_targets_[now] : layer_targets_[now]);
+    use_program(keep ? input.programs.get("passes/scene.vert", "passes/peel_depth.frag")
+                     : input.programs.get("passes/scene.vert", "passes/peel.frag", input.lit({})));
     bind_texture(0, depths_[1 - now]);
     begin_any_fragment(any_fragment_);
     input.scene.draw(Surfaces::transparent);
     end_any_fragment();
-    return any_fragment(any_fragment_);
+    if (!any_fragment(any_fragment_)) return false;
+    if (keep) draw_ties(input, layer_targets_[now]);
+    return true;
+}
+
+// The opaque depth, which stays where a pixel has no layer, is also equal to that of fragments in an opaque
+// surface; the shader drops these.
+void PeelingPasses::draw_ties(const PassInput& input, GLuint target) {
+    set_draw_state({.depth = DepthTest::equal, .writes_depth = false, .blending = Blending::over});
+    bind_framebuffer(target);
+    use_program(input.programs.get("passes/scene.vert", "passes/peel_ties.frag", input.lit({})));
+    bind_texture(0, opaque_texture_);
+    input.scene.draw(Surfaces::transparent);
 }
 
 // sum += T layer and T *= 1 - opacity, where T is the alpha channel of the target.
@@ -58,8 +75,8 @@ void PeelingPasses::draw_color(const PassInput& input) {
     clear_color(sum_target_, 0, glm::vec4(0, 0, 0, 1));
     for (int layer = 0; draw_layer(input, layer); ++layer) {
         if (layer == MAX_LAYERS)
-            throw Error(fmt::format(
-                "The picture has more than {} layers of transparent surfaces; use sorted.", MAX_LAYERS));
+            throw Error(fmt::format("The picture has more than {} layers of transparent surfaces; {}.",
+                                    MAX_LAYERS, ties_ == Ties::lost ? "use sorted" : "simplify the scene"));
         add_layer(input);
     }
 }

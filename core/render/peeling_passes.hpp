@@ -1,13 +1,18 @@
-// peeling_passes.hpp -- a second ground truth: depth peeling (Everitt 2001).
+// peeling_passes.hpp -- a second ground truth: depth peeling (Everitt 2001). It is also what `sorted` draws
+// on a GL whose shaders cannot write lists.
 #pragma once
 #include "core/gl/program.hpp"
 #include "core/render/transparency.hpp"
 
 namespace momentscope {
 
+/// What becomes of fragments that have one depth in the depth buffer: only the first that was submitted is
+/// drawn, as published; or all are drawn, the later on top, which takes a second geometry pass.
+enum class Ties { lost, kept };
+
 class PeelingPasses : public Transparency {
 public:
-    PeelingPasses(glm::ivec2 size, GLuint depth);
+    PeelingPasses(glm::ivec2 size, GLuint depth, Ties ties);
     void draw_moments(const PassInput&) override {}
 
     /// Peels one layer after another until one is empty everywhere. Each layer lies strictly behind the
@@ -17,11 +22,14 @@ public:
 
 private:
     bool draw_layer(const PassInput& input, int layer);  // false if the layer is empty
+    void draw_ties(const PassInput& input, GLuint target);
     void add_layer(const PassInput& input);
 
+    Ties ties_;
     GlTexture depths_[2];  // of this layer and of the previous one, in turn
     GlTexture layer_, sum_;
-    GlFramebuffer layer_targets_[2], sum_target_, opaque_depth_;
+    GlFramebuffer depth_targets_[2], layer_targets_[2], sum_target_, opaque_depth_;
+    GLuint opaque_texture_;
     GlQuery any_fragment_;
 };
 

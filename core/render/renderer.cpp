@@ -19,17 +19,12 @@ namespace momentscope {
 
 namespace {
 
-constexpr GLint TONE_MAP_LOCATION = 0;  // display.frag
+constexpr const char* TONE_MAP = "tone_map";  // display.frag
 
 }  // namespace
 
-Renderer::Renderer(std::shared_ptr<ProgramCache> programs)
-    : Renderer(momentscope::ordered_access(), std::move(programs)) {}
-
-Renderer::Renderer(OrderedAccess access, std::shared_ptr<ProgramCache> programs)
-    : access_(access), programs_(std::move(programs)) {
-    require_supported_gl();
-    timing_ = reliable_timing(gl_info());
+Renderer::Renderer(std::shared_ptr<ProgramCache> programs) : programs_(std::move(programs)) {
+    timing_ = reliable_timing(gl_info(gl()));
     frame_block_ = make_buffer(sizeof(FrameBlock));
     timer_ = make_query();
 }
@@ -58,7 +53,7 @@ void Renderer::render(const View& view) {
     const bool technique_changed = transparency_of_ != view.technique;
     if (technique_changed || transparency_ == nullptr) {
         transparency_.reset();  // frees its memory before the next one takes more
-        transparency_ = make_transparency(*view.technique, view.size, depth_, access_);
+        transparency_ = make_transparency(*view.technique, view.size, depth_, gl());
         transparency_of_ = view.technique;
     }
     view_ = view;
@@ -76,9 +71,10 @@ void Renderer::render(const View& view) {
 }
 
 void Renderer::resize(glm::ivec2 size) {
-    if (std::min(size.x, size.y) < 1 || std::max(size.x, size.y) > MAX_PICTURE_SIDE)
+    const int most = std::min(MAX_PICTURE_SIDE, most_texels_of_a_side());
+    if (std::min(size.x, size.y) < 1 || std::max(size.x, size.y) > most)
         throw Error(fmt::format("A picture of {}x{} pixels cannot be drawn; give a size from 1x1 to {}x{}.",
-                                size.x, size.y, MAX_PICTURE_SIDE, MAX_PICTURE_SIDE));
+                                size.x, size.y, most, most));
     transparency_.reset();
     capture_.reset();
     failures_.reset();
@@ -91,7 +87,7 @@ void Renderer::resize(glm::ivec2 size) {
     opaque_target_ = make_framebuffer({opaque_color_}, depth_);
     picture_target_ = make_framebuffer({picture_}, 0);
     display_target_ = make_framebuffer({display_color_}, 0);
-    capture_ = std::make_unique<FragmentCapture>(size, depth_);
+    capture_ = std::make_unique<FragmentCapture>(size, depth_, gl());
     check_gl(fmt::format("making textures of {}x{} pixels", size.x, size.y));
 }
 
@@ -180,8 +176,9 @@ void Renderer::run_from(Stage stage) {
     }
     set_draw_state({});
     bind_framebuffer(display_target_);
-    use_program(programs_->get("passes/fullscreen.vert", "passes/display.frag"));
-    set_uniform(TONE_MAP_LOCATION, static_cast<int>(tone_map_of(view_.parameters)));
+    const GLuint display = programs_->get("passes/fullscreen.vert", "passes/display.frag");
+    use_program(display);
+    set_uniform(display, TONE_MAP, static_cast<int>(tone_map_of(view_.parameters)));
     bind_texture(0, picture_);
     draw_fullscreen();
     leave_nothing_bound();

@@ -27,18 +27,14 @@ struct PassTimes {
     double opaque = 0, moments = 0, color = 0, composite = 0;
 };
 
-/// Draws pictures into its own textures. Needs a current OpenGL 4.5 context during its whole life. Pixels
+/// Draws pictures into its own textures. Needs a current context during its whole life. Pixels
 /// count from the upper left corner.
 class Renderer {
 public:
-    /// Renderers of one GL context may share their programs, because linking takes seconds. Throws Error if
-    /// the GL is older than 4.5.
+    /// Renderers of one GL context may share their programs, because linking takes seconds. The renderer uses
+    /// no more than the capabilities that the programs were made for. Throws Error if the GL cannot draw
+    /// pictures.
     explicit Renderer(std::shared_ptr<ProgramCache> programs = std::make_shared<ProgramCache>());
-
-    /// The same, but the renderer behaves as if the GL had this kind of ordered access. Tests use it to see
-    /// the message for a GL that has none.
-    explicit Renderer(OrderedAccess access,
-                      std::shared_ptr<ProgramCache> programs = std::make_shared<ProgramCache>());
     ~Renderer();
 
     void set_scene(const Scene& scene);
@@ -100,7 +96,7 @@ public:
     std::vector<float> uncertainty();
 
     const std::shared_ptr<ProgramCache>& programs() const { return programs_; }
-    OrderedAccess ordered_access() const { return access_; }
+    const Capabilities& gl() const { return programs_->gl(); }
     const PassCounts& pass_counts() const { return counts_; }
     const PassTimes& pass_times() const { return times_; }
     PassTiming pass_timing() const { return timing_; }
@@ -124,7 +120,6 @@ private:
     std::unique_ptr<SceneBuffers> buffers_;
     View view_;
     ResolvedParameters parameters_;
-    OrderedAccess access_;
     DepthWarp warp_;
     PassCounts counts_;
     PassTimes times_;

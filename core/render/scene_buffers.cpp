@@ -1,14 +1,18 @@
 #include "core/render/scene_buffers.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
 
 #include "core/gl/buffer.hpp"
+#include "core/gl/gl_info.hpp"
 #include "core/gl/texture.hpp"
 #include "core/gl/vertex_array.hpp"
 #include "core/ray/view_ray.hpp"
 #include "core/render/scene_size.hpp"
+#include "core/support/error.hpp"
 
 namespace momentscope {
 
@@ -20,6 +24,10 @@ constexpr GLuint ALPHA_MAP_UNIT = 15;
 constexpr GLuint OBJECT_BLOCK = 1;  // blocks.glsl
 
 GlTexture make_alpha_map(const AlphaMap& map) {
+    if (const int most = most_texels_of_a_side(); std::max(map.width, map.height) > most)
+        throw Error(
+            fmt::format("An opacity texture has {}x{} texels, but this GL takes at most {} on a side.",
+                        map.width, map.height, most));
     GlTexture texture = make_texture(GL_R8, {map.width, map.height});
     write_texture(texture, {map.width, map.height}, GL_RED, GL_UNSIGNED_BYTE, map.bytes.data());
     interpolate_and_repeat(texture);
@@ -82,15 +90,32 @@ SceneBuffers::MeshBuffers SceneBuffers::upload(const Mesh& mesh) {
     return buffers;
 }
 
-void SceneBuffers::draw(Surfaces surfaces) const {
+bool SceneBuffers::belongs(std::size_t object, Surfaces surfaces) const {
+    if (surfaces == Surfaces::transparent) return !objects_[object].opaque();
+    return objects_[object].opaque() && (surfaces == Surfaces::opaque || objects_[object].casts_shadow);
+}
+
+std::size_t SceneBuffers::triangle_count(Surfaces surfaces) const {
+    std::size_t count = 0;
+    for (const std::size_t i : sequence_)
+        if (belongs(i, surfaces)) count += meshes_[objects_[i].mesh].submitted.size() / 3;
+    return count;
+}
+
+void SceneBuffers::draw(Surfaces surfaces, TriangleRange triangles) const {
     for (const std::size_t i : sequence_) {
-        if (objects_[i].opaque() == (surfaces == Surfaces::transparent)) continue;
-        if (surfaces == Surfaces::opaque_casters && !objects_[i].casts_shadow) continue;
+        if (!belongs(i, surfaces)) continue;
         const MeshBuffers& mesh = meshes_[objects_[i].mesh];
+        const std::size_t all = mesh.submitted.size() / 3;
+        const std::size_t skipped = std::min(triangles.first, all);
+        const std::size_t drawn = std::min(triangles.count, all - skipped);
+        triangles.first -= skipped;
+        triangles.count -= drawn;
+        if (drawn == 0) continue;
         bind_uniforms(OBJECT_BLOCK, object_blocks_, i * sizeof(ObjectBlock), sizeof(ObjectBlock));
         bind_texture(ALPHA_MAP_UNIT,
                      objects_[i].alpha_map ? alpha_maps_[*objects_[i].alpha_map] : no_alpha_map_);
-        draw_triangles(mesh.array, mesh.submitted.size());
+        draw_triangles(mesh.array, 3 * skipped, 3 * drawn);
     }
 }
 

@@ -1,5 +1,6 @@
 // scene_buffers.hpp -- a scene on the GPU.
 #pragma once
+#include <limits>
 #include <vector>
 
 #include "core/gl/handle.hpp"
@@ -10,6 +11,12 @@
 namespace momentscope {
 
 enum class Surfaces { opaque, transparent, opaque_casters };
+
+/// Some of the triangles of surfaces, counted in submission order.
+struct TriangleRange {
+    std::size_t first = 0;
+    std::size_t count = std::numeric_limits<std::size_t>::max();  // or as many as there are
+};
 
 /// Vertex, index and uniform buffers and alpha maps of one scene. Only the order of submission can change.
 class SceneBuffers {
@@ -26,8 +33,10 @@ public:
     bool has_alpha_maps() const { return !alpha_maps_.empty(); }
 
     /// Draws the opaque objects, the transparent objects, or those opaque objects that cast shadows, in
-    /// submission order with the program in use.
-    void draw(Surfaces surfaces) const;
+    /// submission order with the program in use, or some of their triangles.
+    void draw(Surfaces surfaces, TriangleRange triangles = {}) const;
+
+    std::size_t triangle_count(Surfaces surfaces) const;
 
 private:
     struct MeshBuffers {
@@ -35,6 +44,7 @@ private:
         GlVertexArray array;
         std::vector<std::uint32_t> submitted;  // indices in the order of the scene
     };
+    bool belongs(std::size_t object, Surfaces surfaces) const;
     static MeshBuffers upload(const Mesh& mesh);
     std::vector<ObjectBlock> object_blocks() const;
 

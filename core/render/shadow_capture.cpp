@@ -30,7 +30,7 @@ void capture_region(const CaptureInput& in, ShadowFilterSamples& bundle) {
         throw Error(
             "Too many fragments lie between this receiver and the light; choose a smaller --shadow-radius or a greater "
             "--shadow-size.");
-    for (const FragmentNode& node : in_submission_order(std::move(*nodes))) {
+    for (const FragmentNode& node : *nodes) {
         const glm::ivec2 at =
             glm::ivec2(static_cast<int>(node.pixel & 0xffffU), static_cast<int>(node.pixel >> 16U)) -
             region.corner;

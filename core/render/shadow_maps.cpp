@@ -23,12 +23,13 @@ constexpr const char* CASTERS = "passes/scene.vert";
 constexpr const char* FULLSCREEN = "passes/fullscreen.vert";
 constexpr const char* FILTER = "passes/shadow_filter.frag";
 constexpr GLuint LIGHT_BLOCK = 2;  // passes/light_block.glsl, light.glsl
-constexpr GLuint OPAQUE_UNIT = 12, TRANSPARENT_UNIT = 13, DEEP_STEPS = 1;
-constexpr GLint DIRECTION = 0, LAYER = 1;  // shadow_filter.frag
+constexpr GLuint OPAQUE_UNIT = 12, TRANSPARENT_UNIT = 13, DEEP_STEPS_UNIT = 14;
+constexpr const char *DIRECTION = "direction", *LAYER = "layer";  // shadow_filter.frag
 constexpr std::size_t MAX_BYTES = std::size_t{1} << 30;
 
-GLenum opaque_format(const OpaqueShadow& row) {
-    if (row.bits == 16) return GL_RGBA16;
+// Where 16-bit numbers cannot be drawn, floats hold what is rounded elsewhere.
+GLenum opaque_format(const OpaqueShadow& row, const Capabilities& gl) {
+    if (row.bits == 16 && gl.unorm16) return GL_RGBA16;
     return row.numbers == 2 ? GL_RG32F : GL_RGBA32F;
 }
 
@@ -41,7 +42,7 @@ void require_fitting(const ShadowSettings& settings) {
             "smaller --shadow-size.",
             settings.size, most));
     const auto texels = static_cast<std::size_t>(settings.size) * static_cast<std::size_t>(settings.size);
-    const std::size_t bytes = texels * (64 + 32 * static_cast<std::size_t>(caster_layers(settings)));
+    const std::size_t bytes = texels * (116 + 32 * static_cast<std::size_t>(caster_layers(settings)));
     if (bytes > MAX_BYTES)
         throw Error(fmt::format(
             "Shadow maps of {0}x{0} texels take {1} MB, more than the limit of {2} MB; give a smaller "
@@ -127,7 +128,7 @@ void ShadowMaps::make_opaque() {
     opaque_filtered_ = {};
     opaque_halfway_ = {};
     if (settings_->opaque->unfiltered) return;
-    opaque_filtered_ = make_texture(opaque_format(*settings_->opaque), size);
+    opaque_filtered_ = make_texture(opaque_format(*settings_->opaque, programs_->gl()), size);
     opaque_target_ = make_framebuffer({opaque_filtered_}, 0);
     opaque_halfway_ = make_layered_texture(GL_RGBA32F, size, 1);
     opaque_halfway_target_ = make_layer_framebuffer(opaque_halfway_, 0, 1);
@@ -209,14 +210,16 @@ void ShadowMaps::filter_opaque() {
     of_depths.defines["OPAQUE_DEPTHS"] = "1";
     set_draw_state({});
     bind_framebuffer(opaque_halfway_target_);
-    use_program(programs_->get(FULLSCREEN, FILTER, of_depths));
-    set_uniform(DIRECTION, glm::ivec2(1, 0));
+    const GLuint depth_filter = programs_->get(FULLSCREEN, FILTER, of_depths);
+    use_program(depth_filter);
+    set_uniform(depth_filter, DIRECTION, glm::ivec2(1, 0));
     bind_texture(0, nearest_);
     draw_fullscreen();
     bind_framebuffer(opaque_target_);
-    use_program(programs_->get(FULLSCREEN, FILTER));
-    set_uniform(DIRECTION, glm::ivec2(0, 1));
-    set_uniform(LAYER, 0);
+    const GLuint filter = programs_->get(FULLSCREEN, FILTER);
+    use_program(filter);
+    set_uniform(filter, DIRECTION, glm::ivec2(0, 1));
+    set_uniform(filter, LAYER, 0);
     bind_layered_texture(0, opaque_halfway_);
     draw_fullscreen();
 }
@@ -224,16 +227,17 @@ void ShadowMaps::filter_opaque() {
 void ShadowMaps::filter_sums() {
     if (filtered_targets_.empty()) return;
     set_draw_state({});
-    use_program(programs_->get(FULLSCREEN, FILTER));
+    const GLuint filter = programs_->get(FULLSCREEN, FILTER);
+    use_program(filter);
     for (std::size_t layer = 0; layer < filtered_targets_.size(); ++layer) {
         bind_framebuffer(halfway_target_);
-        set_uniform(DIRECTION, glm::ivec2(1, 0));
-        set_uniform(LAYER, static_cast<int>(layer));
+        set_uniform(filter, DIRECTION, glm::ivec2(1, 0));
+        set_uniform(filter, LAYER, static_cast<int>(layer));
         bind_layered_texture(0, sums_);
         draw_fullscreen();
         bind_framebuffer(filtered_targets_[layer]);
-        set_uniform(DIRECTION, glm::ivec2(0, 1));
-        set_uniform(LAYER, 0);
+        set_uniform(filter, DIRECTION, glm::ivec2(0, 1));
+        set_uniform(filter, LAYER, 0);
         bind_layered_texture(0, halfway_);
         draw_fullscreen();
     }
@@ -245,7 +249,7 @@ void ShadowMaps::bind(const glm::mat4& eye_view) const {
     bind_texture(OPAQUE_UNIT, settings_->opaque->unfiltered ? nearest_ : opaque_filtered_);
     if (settings_->deep()) {
         bind_texture(TRANSPARENT_UNIT, deep_.lists);
-        bind_storage(DEEP_STEPS, deep_.steps);
+        bind_texture(DEEP_STEPS_UNIT, deep_.steps);
     } else if (settings_->casters) {
         bind_layered_texture(TRANSPARENT_UNIT, filtered_);
     }

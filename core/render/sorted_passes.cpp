@@ -19,16 +19,15 @@ std::size_t megabytes(std::size_t fragments) {
 
 }  // namespace
 
-SortedPasses::SortedPasses(glm::ivec2 size, GLuint depth) : list_(size, LIST_CAPACITY, depth) {}
+SortedPasses::SortedPasses(glm::ivec2 size, GLuint depth, const Capabilities& gl)
+    : list_(size, LIST_CAPACITY, depth, gl) {}
 
 void SortedPasses::draw_composite(const PassInput& input, GLuint target) {
-    const GLuint capture_program =
-        input.programs.get("passes/scene.vert", "passes/capture.frag", input.lit({}));
     int rows = input.size.y;
     for (int y = 0; y < input.size.y;) {
         rows = std::min(rows, input.size.y - y);
         const TexelRect band = {{0, y}, {input.size.x, rows}};
-        const std::size_t count = list_.capture(input, capture_program, band);
+        const std::size_t count = list_.append(input, input.lit({}), band);
         if (count > list_.capacity()) {
             if (rows == 1)
                 throw Error(fmt::format(

@@ -6,7 +6,8 @@ namespace momentscope {
 
 class SortedPasses : public Transparency {
 public:
-    SortedPasses(glm::ivec2 size, GLuint depth);
+    /// The GL must have storage.
+    SortedPasses(glm::ivec2 size, GLuint depth, const Capabilities& gl);
     void draw_moments(const PassInput&) override {}
     void draw_color(const PassInput&) override {}
 

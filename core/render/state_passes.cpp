@@ -67,12 +67,13 @@ ShaderVariant state_building_variant(const Technique& technique, const Parameter
     return variant;
 }
 
-StatePasses::StatePasses(const Technique& technique, glm::ivec2 size, GLuint depth, OrderedAccess access)
+StatePasses::StatePasses(const Technique& technique, glm::ivec2 size, GLuint depth, const Capabilities& gl)
     : technique_(technique),
       size_(size),
       depth_(depth),
-      access_(needs_order(technique) ? access : OrderedAccess::none) {
-    if (const std::string why = why_unavailable(technique, access); !why.empty())
+      most_targets_(gl.color_targets),
+      access_(needs_order(technique) ? gl.ordered : OrderedAccess::none) {
+    if (const std::string why = why_unavailable(technique, gl); !why.empty())
         throw Error(fmt::format("{} cannot be drawn here. {}", technique.name, why));
     depth_target_ = make_framebuffer({}, depth);
     if (technique.pixel_state_kernel().holds_colors) return;
@@ -92,16 +93,16 @@ void StatePasses::make_states(const ParameterValues& settings) {
     if (technique_.pixel_state_kernel().accumulation == Accumulation::samples)
         make_samples(sample_count(technique_, settings));
     if (states_.size() == count) return;
+    if (access_ == OrderedAccess::framebuffer_fetch && count > static_cast<std::size_t>(most_targets_))
+        throw Error(fmt::format(
+            "{} reads and writes {} colour targets at once here, but this GL has {}; set --layers lower.",
+            technique_.name, count, most_targets_));
     states_.clear();
-    std::vector<GLuint> names;
-    for (std::size_t i = 0; i < count; ++i) {
-        states_.push_back(make_texture(GL_RGBA32F, size_));
-        names.push_back(states_.back());
-    }
+    for (std::size_t i = 0; i < count; ++i) states_.push_back(make_texture(GL_RGBA32F, size_));
     GLuint depth = depth_;
     if (technique_.pixel_state_kernel().accumulation == Accumulation::nearest)
         depth = nearest_depth_ = make_texture(GL_DEPTH_COMPONENT32F, size_);
-    state_target_ = make_framebuffer(names, depth);
+    state_targets_ = make_group_framebuffers(states_, depth, most_targets_);
 }
 
 void StatePasses::make_samples(int count) {
@@ -118,33 +119,38 @@ void StatePasses::make_samples(int count) {
 
 void StatePasses::clear_states() const {
     const PixelState empty = technique_.pixel_state_kernel().empty_state(settings_);
+    const auto group = static_cast<std::size_t>(most_targets_);
     for (std::size_t i = 0; i < states_.size(); ++i)
-        clear_color(state_target_, static_cast<int>(i), glm::make_vec4(&empty.f[4 * i]));
+        clear_color(state_targets_[i / group], static_cast<int>(i % group), glm::make_vec4(&empty.f[4 * i]));
     for (const GlFramebuffer& target : sample_targets_)
         clear_color(target, 0, glm::uvec4(std::bit_cast<std::uint32_t>(empty.f[1])));
-    if (nearest_depth_ != 0) clear_depth(state_target_, 1);
+    if (nearest_depth_ != 0) clear_depth(state_targets_.front(), 1);
 }
 
 void StatePasses::draw_moments(const PassInput& input) {
     make_states(input.parameters.settings);
     clear_states();
-    use_program(
-        input.programs.get("passes/scene.vert", "passes/state.frag",
-                           input.lean(input.lit(state_building_variant(technique_, settings_, access_)))));
-    draw_states(input);
+    // Images need no groups: all states are changed in one pass.
+    const bool by_images = access_ == OrderedAccess::interlock;
+    for (std::size_t i = 0; i < (by_images ? 1 : state_targets_.size()); ++i) {
+        ShaderVariant variant = input.lean(input.lit(state_building_variant(technique_, settings_, access_)));
+        if (!by_images) define_group(variant, i, states_.size(), most_targets_);
+        use_program(input.programs.get("passes/scene.vert", "passes/state.frag", variant));
+        draw_states(input, state_targets_[i]);
+    }
 }
 
-void StatePasses::draw_states(const PassInput& input) const {
+void StatePasses::draw_states(const PassInput& input, GLuint target) const {
     if (technique_.pixel_state_kernel().accumulation == Accumulation::nearest) {
         bind_texture(OPAQUE_DEPTH_UNIT, depth_);
-        draw_nearest(input.scene, state_target_);
+        draw_nearest(input.scene, target);
         return;
     }
     if (samples_ != 0) bind_image(0, samples_, GL_R32UI);
     const bool by_images = access_ == OrderedAccess::interlock;
     for (std::size_t i = 0; by_images && i < states_.size(); ++i)
         bind_image(static_cast<GLuint>(i), states_[i], GL_RGBA32F);
-    draw_transparent(input.scene, by_images ? depth_target_ : state_target_,
+    draw_transparent(input.scene, by_images ? depth_target_ : target,
                      {.blending = blending_of(technique_.pixel_state_kernel().accumulation)});
     if (by_images || samples_ != 0) finish_shader_writes();
 }

@@ -18,8 +18,8 @@ int texel_count(const Technique& technique, const ParameterValues& settings);
 
 class StatePasses : public Transparency {
 public:
-    /// Throws Error if the technique needs ordered access and there is none.
-    StatePasses(const Technique& technique, glm::ivec2 size, GLuint depth, OrderedAccess access);
+    /// Throws Error if the GL lacks what the technique needs.
+    StatePasses(const Technique& technique, glm::ivec2 size, GLuint depth, const Capabilities& gl);
     void draw_moments(const PassInput& input) override;
     void draw_color(const PassInput& input) override;
     void draw_composite(const PassInput& input, GLuint target) override;
@@ -38,16 +38,18 @@ private:
     void make_states(const ParameterValues& settings);
     void make_samples(int count);
     void clear_states() const;
-    void draw_states(const PassInput& input) const;
+    void draw_states(const PassInput& input, GLuint target) const;
 
     GLuint depth_;
+    int most_targets_;
     OrderedAccess access_;                       // none if blending is enough
     std::vector<GlTexture> states_;              // of four floats each
     GlTexture samples_;                          // depths as bits, one layer per sample
     std::vector<GlFramebuffer> sample_targets_;  // to clear its layers
     int sample_count_ = 0;
-    GlTexture nearest_depth_;  // for techniques that keep the nearest fragment
-    GlFramebuffer state_target_, depth_target_;
+    GlTexture nearest_depth_;                   // for techniques that keep the nearest fragment
+    std::vector<GlFramebuffer> state_targets_;  // several if a pass cannot draw to all states at once
+    GlFramebuffer depth_target_;
     GlTexture weighted_color_, exact_absorbance_;
     GlFramebuffer color_target_;
 };

@@ -10,20 +10,26 @@
 namespace momentscope {
 
 std::unique_ptr<Transparency> make_transparency(const Technique& technique, glm::ivec2 size, GLuint depth,
-                                                OrderedAccess access) {
-    if (technique.has_moments()) return std::make_unique<MomentPasses>(technique, size, depth, access);
+                                                const Capabilities& gl) {
+    if (technique.has_moments()) return std::make_unique<MomentPasses>(technique, size, depth, gl);
     if (technique.is_truth()) {
-        if (technique.truth().way == GroundTruth::Way::sorting)
-            return std::make_unique<SortedPasses>(size, depth);
-        return std::make_unique<PeelingPasses>(size, depth);
+        const bool sorts = technique.truth().way == GroundTruth::Way::sorting;
+        if (sorts && gl.storage) return std::make_unique<SortedPasses>(size, depth, gl);
+        return std::make_unique<PeelingPasses>(size, depth, sorts ? Ties::kept : Ties::lost);
     }
     if (technique.pixel_state_kernel().accumulate_second_pass != nullptr)
-        return std::make_unique<LowResolutionPasses>(technique, size, depth, access);
-    return std::make_unique<StatePasses>(technique, size, depth, access);
+        return std::make_unique<LowResolutionPasses>(technique, size, depth, gl);
+    return std::make_unique<StatePasses>(technique, size, depth, gl);
 }
 
-std::string why_unavailable(const Technique& technique, OrderedAccess access) {
-    return needs_order(technique) && access == OrderedAccess::none ? NO_ORDERED_ACCESS : "";
+std::string why_unavailable(const Technique& technique, const Capabilities& gl) {
+    if (needs_order(technique) && gl.ordered == OrderedAccess::none) return NO_ORDERED_ACCESS;
+    if (technique.has_moments() && technique.moment_kernel().bits == 16 && !gl.unorm16)
+        return "This GL cannot draw to 16-bit numbers, so moments of 16 bits cannot be stored.";
+    if (technique.has_pixel_states() &&
+        technique.pixel_state_kernel().accumulation == Accumulation::samples && !gl.storage)
+        return "The shaders of this GL cannot change images, so the nearest of several depths cannot be kept.";
+    return "";
 }
 
 }  // namespace momentscope

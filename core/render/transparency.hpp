@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/gl/gl_info.hpp"
+#include "core/gl/capabilities.hpp"
 #include "core/gl/handle.hpp"
 #include "core/gl/program.hpp"
 #include "core/gl/texture.hpp"
@@ -83,9 +83,14 @@ public:
 /// The passes of a technique. depth: the texture that its framebuffers test. Throws Error if the GL lacks
 /// something that the technique needs.
 std::unique_ptr<Transparency> make_transparency(const Technique& technique, glm::ivec2 size, GLuint depth,
-                                                OrderedAccess access);
+                                                const Capabilities& gl);
 
-/// Why a GL with this access cannot draw the technique, as a sentence; empty if it can.
-std::string why_unavailable(const Technique& technique, OrderedAccess access);
+/// A sentence that says why techniques which need ordered access are not available.
+constexpr const char* NO_ORDERED_ACCESS =
+    "This GL has neither GL_ARB_fragment_shader_interlock nor GL_EXT_shader_framebuffer_fetch, so fragments cannot be added "
+    "in order.";
+
+/// Why this GL cannot draw the technique, as a sentence; empty if it can.
+std::string why_unavailable(const Technique& technique, const Capabilities& gl);
 
 }  // namespace momentscope

@@ -1,7 +1,7 @@
 // glsl.hpp -- the words and built-in functions with which shaders/shared/*.glsl compiles as C++.
 //
-// A shared file is GLSL 4.50 within the limits of docs/glsl-subset.md, plus four words. shaders/prelude.glsl
-// defines them for GLSL:
+// A shared file is GLSL within the limits of docs/glsl-subset.md, plus four words. shaders/prelude.glsl and
+// core/gl/dialect.cpp define them for GLSL:
 //   FN       before every function; always inlined in C++, so that it is compiled for the instruction set of
 //            the loop that calls it
 //   IN(T)    a parameter that is only read

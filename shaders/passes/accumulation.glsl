@@ -46,8 +46,10 @@ layout(location = 1) ATTACHMENT vec4 moments_1_to_4;
 #if SECOND_MOMENTS
 layout(location = 2) ATTACHMENT vec4 moments_5_to_8;
 #endif
-#ifdef ACCUMULATES_ENDS
-layout(location = 2 + SECOND_MOMENTS) ATTACHMENT vec4 pixel_ends;
+#if defined(ACCUMULATES_ENDS) && SECOND_MOMENTS
+layout(location = 3) ATTACHMENT vec4 pixel_ends;
+#elif defined(ACCUMULATES_ENDS)
+layout(location = 2) ATTACHMENT vec4 pixel_ends;
 #endif
 #endif
 

@@ -6,7 +6,7 @@
 #include "technique"
 #include "passes/stored_moments.glsl"
 
-layout(early_fragment_tests) in;
+EARLY_TESTS
 
 layout(location = 0) out vec4 weighted_color;
 #ifdef UNCERTAIN
@@ -18,7 +18,7 @@ void main()
     FragmentEstimate estimate = fragment_estimate();
     float opacity = fragment_opacity();
     vec3 color = shaded(object.color_opacity.rgb);
-    precise float transmittance = estimate.transmittance;
+    PRECISE float transmittance = estimate.transmittance;
     float weight = opacity * transmittance;
     weighted_color = vec4(color * weight, weight);
 #ifdef UNCERTAIN

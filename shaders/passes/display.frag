@@ -1,7 +1,7 @@
 // display.frag -- applies the tone map to the linear picture and converts it to sRGB for the screen.
 #include "shared/tone_map.glsl"
 
-layout(location = 0) uniform int tone_map;
+uniform int tone_map;
 layout(binding = 0) uniform sampler2D picture;
 
 layout(location = 0) out vec4 color;

@@ -1,10 +1,11 @@
-// ends.frag -- the pass before the first one, for moments in the pixel's own interval: the ends of each ray, by MAX blending.
+// ends.frag -- the ends of each ray, by MAX blending. It comes before the first pass if that pass needs the ends, or cannot blend
+// them in another way than the moments.
 #include "passes/blocks.glsl"
-in vec3 eye_position;
+INVARIANT_IN vec3 eye_position;
 #include "passes/transparent_fragment.glsl"
 #include "passes/pixel_ends.glsl"
 
-layout(early_fragment_tests) in;
+EARLY_TESTS
 
 layout(location = 0) out vec4 pixel_ends;
 

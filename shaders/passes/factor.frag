@@ -10,7 +10,11 @@
 #include "shared/fragment_estimate.glsl"
 #include "passes/factor_texels.glsl"
 
-layout(location = 0) out vec4 factor_texels[PIXEL_FACTOR_TEXELS];
+#ifndef FIRST_TEXEL   // a GL may have fewer targets than there are texels
+#define FIRST_TEXEL 0
+#define WRITTEN_TEXELS PIXEL_FACTOR_TEXELS
+#endif
+layout(location = 0) out vec4 factor_texels[WRITTEN_TEXELS];
 
 void main()
 {
@@ -24,5 +28,5 @@ void main()
         for (int i = 0; i < PIXEL_FACTOR_TEXELS; ++i) texels.texel[i] = vec4(0.0);
     else texels = packed_pixel(factored(stored_moments(pixel), stored_ends(pixel), frame.parameters.y));
     UNROLL
-    for (int i = 0; i < PIXEL_FACTOR_TEXELS; ++i) factor_texels[i] = texels.texel[i];
+    for (int i = 0; i < WRITTEN_TEXELS; ++i) factor_texels[i] = texels.texel[FIRST_TEXEL + i];
 }

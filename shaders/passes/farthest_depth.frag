@@ -1,7 +1,7 @@
 // farthest_depth.frag -- the window depth at a lower resolution. A pixel gets the greatest depth of all pixels that it covers, so
 // that no transparent fragment is lost at an edge (Sharpe 2018, Section 4.1).
 layout(binding = 0) uniform sampler2D depth_texture;
-layout(location = 0) uniform ivec2 low_size;
+uniform ivec2 low_size;
 
 void main()
 {

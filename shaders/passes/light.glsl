@@ -7,7 +7,7 @@ layout(binding = 12) uniform sampler2D opaque_map;             // filtered texel
 #if defined(NO_TRANSPARENT_CASTERS)
 #elif defined(DEEP_SHADOWS)
 layout(binding = 13) uniform usampler2D deep_map;              // of each texel: index of its first step, number of steps
-layout(std430, binding = 1) readonly buffer DeepSteps { vec2 deep_steps[]; };   // depth, T behind it; ascending within a texel
+layout(binding = 14) uniform sampler2D deep_steps;             // depth, T behind it, in rows of 2048; ascending within a texel
 #else
 layout(binding = 13) uniform sampler2DArray transparent_map;   // filtered sums
 #endif
@@ -108,6 +108,11 @@ float opaque_shadow(ShadowMapPosition place)
 }
 
 #ifdef DEEP_SHADOWS
+vec2 deep_step(uint i)
+{
+    return texelFetch(deep_steps, ivec2(int(i & 2047u), int(i >> 11)), 0).xy;
+}
+
 /// T in front of a depth: that of the last step before it. Found by bisection.
 float deep_transmittance(uvec2 list, float depth)
 {
@@ -116,10 +121,10 @@ float deep_transmittance(uvec2 list, float depth)
     while (in_front < end)
     {
         uint middle = (in_front + end) / 2u;
-        if (deep_steps[list.x + middle].x < depth) in_front = middle + 1u;
+        if (deep_step(list.x + middle).x < depth) in_front = middle + 1u;
         else end = middle;
     }
-    return in_front > 0u ? deep_steps[list.x + in_front - 1u].y : 1.0;
+    return in_front > 0u ? deep_step(list.x + in_front - 1u).y : 1.0;
 }
 #endif
 

@@ -6,7 +6,7 @@ layout(binding = 9) uniform sampler2D ends_texture;
 
 Ends ends_of_texel(vec2 texel)
 {
-    precise vec2 steps = floor(texel * END_STEPS + 0.5);
+    PRECISE vec2 steps = floor(texel * END_STEPS + 0.5);
     return make_ends(steps.x, steps.y);
 }
 

@@ -1,8 +1,8 @@
 // shading.glsl -- two-sided Blinn-Phong shading with one light, which is enough to show form and colour. The light stands beside
 // the camera or, with SHADOWS, in the scene.
 
-in vec3 eye_position;
-in vec3 eye_normal;
+INVARIANT_IN vec3 eye_position;
+INVARIANT_IN vec3 eye_normal;
 #ifdef SHADOWS
 #include "passes/light.glsl"
 

@@ -2,7 +2,7 @@
 // opaque casters and converts them to texels first.
 #include "passes/light_block.glsl"
 
-layout(location = 0) uniform ivec2 direction;   // (1, 0) or (0, 1)
+uniform ivec2 direction;   // (1, 0) or (0, 1)
 #ifdef OPAQUE_DEPTHS
 layout(binding = 0) uniform sampler2D depths;
 #namespace opaque
@@ -10,7 +10,7 @@ layout(binding = 0) uniform sampler2D depths;
 #include "technique"
 #endnamespace
 #else
-layout(location = 1) uniform int layer;
+uniform int layer;
 layout(binding = 0) uniform sampler2DArray sums;
 #endif
 

@@ -1,11 +1,6 @@
 // state.frag -- the first pass of techniques without moments: changes the state of a pixel by one fragment. With INTERLOCK or
 // FRAMEBUFFER_FETCH this happens in submission order, otherwise by blending, and for samples by atomic operations. With SECOND_PASS
 // it is the second pass that stores states, of techniques that have one.
-#if defined(INTERLOCK)
-#extension GL_ARB_fragment_shader_interlock : require
-#elif defined(FRAMEBUFFER_FETCH)
-#extension GL_EXT_shader_framebuffer_fetch : require
-#endif
 #include "passes/blocks.glsl"
 #include "passes/shading.glsl"
 #include "passes/transparent_fragment.glsl"
@@ -20,7 +15,7 @@
 #ifdef STATE_NEAREST
 layout(binding = 11) uniform sampler2D opaque_depth_texture;   // the depth test is used to keep the least f[3]
 #else
-layout(early_fragment_tests) in;
+EARLY_TESTS
 #endif
 
 void main()

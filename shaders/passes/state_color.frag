@@ -6,7 +6,7 @@
 #include "technique"
 #include "passes/stored_state.glsl"
 
-layout(early_fragment_tests) in;
+EARLY_TESTS
 
 layout(location = 0) out vec4 weighted_color;
 #ifdef EXACT_ABSORBANCE_SLOT

@@ -11,6 +11,7 @@ layout(location = 0) out vec4 converted_texels[STATE_TEXELS];
 void main()
 {
     PixelState state = converted(state_at(ivec2(gl_FragCoord.xy)), pixel_state_settings());
+    UNROLL
     for (int i = 0; i < STATE_TEXELS; ++i)
         converted_texels[i] = vec4(state.f[4 * i], state.f[4 * i + 1], state.f[4 * i + 2], state.f[4 * i + 3]);
 }

@@ -22,6 +22,7 @@ layout(binding = 0, r32ui) uniform coherent uimage2DArray sample_images;
 PixelState read_state()
 {
     PixelState state = empty_state(pixel_state_settings());
+    UNROLL
     for (int i = 0; i < STATE_TEXELS; ++i)
     {
 #ifdef INTERLOCK
@@ -37,6 +38,7 @@ PixelState read_state()
 
 void write_state(PixelState state)
 {
+    UNROLL
     for (int i = 0; i < WRITTEN_TEXELS; ++i)
     {
         int at = 4 * (FIRST_TEXEL + i);

@@ -36,7 +36,7 @@ QueryMasses fragment_masses(PixelFactor pixel)
 QueryMasses fragment_masses(Moments moments, Ends ends)
 {
 #ifdef TEXTBOOK_SOLVER
-    precise float fraction =
+    PRECISE float fraction =
         textbook_fraction(moments, fragment_depth(), frame.parameters.y, frame.parameters.x, frame_basis());
     return make_masses(fraction, 0.0);
 #else
@@ -71,6 +71,6 @@ FragmentEstimate fragment_estimate()
 /// T for the current fragment.
 float fragment_transmittance()
 {
-    precise float transmittance = fragment_estimate().transmittance;
+    PRECISE float transmittance = fragment_estimate().transmittance;
     return transmittance;
 }

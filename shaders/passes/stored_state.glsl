@@ -10,6 +10,7 @@ layout(binding = 3) uniform usampler2DArray sample_depths;
 PixelState state_at(ivec2 texel)
 {
     PixelState state = empty_state(pixel_state_settings());
+    UNROLL
     for (int i = 0; i < STATE_TEXELS; ++i) state = with_texel(state, i, texelFetch(state_textures[i], texel, 0));
 #ifdef STATE_SAMPLES
     for (int s = 0; s < SAMPLE_COUNT; ++s) state.f[1 + s] = uintBitsToFloat(texelFetch(sample_depths, ivec3(texel, s), 0).x);

@@ -5,9 +5,9 @@
 #include "shared/random_bits.glsl"
 #include "shared/alpha_threshold.glsl"
 
-in vec3 object_position;
+INVARIANT_IN vec3 object_position;
 
-in vec2 texture_coordinate;
+INVARIANT_IN vec2 texture_coordinate;
 
 #ifndef NO_ALPHA_MAPS
 layout(binding = 15) uniform sampler2D alpha_map;   // white if the object has none
@@ -58,7 +58,7 @@ uint fragment_random_seed()
 /// The threshold of hashed alpha testing. Takes derivatives, so call it where all lanes of a quad are active.
 float fragment_threshold()
 {
-    precise float width = max(length(dFdx(object_position)), length(dFdy(object_position)));
+    PRECISE float width = max(length(dFdx(object_position)), length(dFdy(object_position)));
     return alpha_threshold(object_position.x, object_position.y, object_position.z, width);
 }
 

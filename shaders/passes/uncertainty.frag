@@ -6,7 +6,7 @@
 #include "technique"
 #include "passes/stored_moments.glsl"
 
-layout(early_fragment_tests) in;
+EARLY_TESTS
 
 layout(location = 0) out float open_luminance;
 

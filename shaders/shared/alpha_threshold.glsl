@@ -15,7 +15,8 @@ FN float hashing_sine(float angle)
 {
     PRECISE float turns = angle / TWO_PI;
     PRECISE float within = min(max(angle - TWO_PI * floor(turns), 0.0f), TWO_PI);
-    return within > PI ? -portable_sincos(within - PI).sine : portable_sincos(within).sine;
+    PRECISE float beyond = within - PI;
+    return within > PI ? -portable_sincos(beyond).sine : portable_sincos(within).sine;
 }
 
 /// A hash of x and y, in [0, 1).

@@ -4,7 +4,7 @@
 #include "passes/shading.glsl"
 #include "passes/transparent_fragment.glsl"
 
-layout(early_fragment_tests) in;
+EARLY_TESTS
 
 layout(location = 0) out vec4 total_absorbance;
 layout(location = 1) out vec4 moments_1_to_4;

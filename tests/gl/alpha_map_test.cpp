@@ -94,7 +94,7 @@ TEST_F(AlphaMapTest, OpacityZeroChangesNoTechnique) {
     for (const Technique& technique : techniques()) {
         SCOPED_TRACE(technique.id);
         Renderer with_sheet(shared_programs()), bare(shared_programs());
-        if (!why_unavailable(technique, bare.ordered_access()).empty()) continue;
+        if (!why_unavailable(technique, bare.gl()).empty()) continue;
         with_sheet.set_scene(scene);
         bare.set_scene(without);
         with_sheet.render(view_of(scene, technique.id, ALPHA_MAP_SIZE));

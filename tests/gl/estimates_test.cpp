@@ -41,6 +41,8 @@ std::vector<ParameterValues> steps_of(const Technique& technique) {
 class Estimates : public GlTest<testing::TestWithParam<const Technique*>> {};
 
 TEST_P(Estimates, AreThoseOfANewRenderer) {
+    if (const std::string why = why_unavailable(*GetParam(), shared_programs()->gl()); !why.empty())
+        GTEST_SKIP() << why;
     const Scene scene = load_scene("spheres", 0.4f);
     Renderer kept(shared_programs());
     kept.set_scene(scene);

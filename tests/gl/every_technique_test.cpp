@@ -65,8 +65,7 @@ protected:
 TEST_P(EveryTechniqueTest, DrawsEveryScene) {
     const Technique& technique = *GetParam();
     Renderer renderer(shared_programs());
-    if (const std::string why = why_unavailable(technique, renderer.ordered_access()); !why.empty())
-        GTEST_SKIP() << why;
+    if (const std::string why = why_unavailable(technique, renderer.gl()); !why.empty()) GTEST_SKIP() << why;
     std::vector<ParameterValues> choices = few_choices_of(technique);
     std::size_t next = 0;
     const std::size_t scenes = scene_entries().size();

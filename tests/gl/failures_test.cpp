@@ -27,6 +27,8 @@ protected:
 
 TEST_P(Failures, AreNextToNoneOnTheScenesWithTheRobustBias) {
     const Technique& technique = *GetParam();
+    if (const std::string why = why_unavailable(technique, shared_programs()->gl()); !why.empty())
+        GTEST_SKIP() << why;
     ParameterValues values;
     values.set(BiasPreset::robust);
     const ResolvedParameters parameters = resolve(values, technique);

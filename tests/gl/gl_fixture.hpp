@@ -1,4 +1,4 @@
-// gl_fixture.hpp -- one OSMesa context for all tests of a program.
+// gl_fixture.hpp -- one headless context for all tests of a program.
 #pragma once
 #include <gtest/gtest.h>
 

@@ -20,8 +20,7 @@ TEST_P(OrderTest, MattersWhereItIsSaid) {
     const Scene scene = load_scene("cloud", 0.4f);
     Renderer renderer(shared_programs());
     renderer.set_scene(scene);
-    if (const std::string why = why_unavailable(technique, renderer.ordered_access()); !why.empty())
-        GTEST_SKIP() << why;
+    if (const std::string why = why_unavailable(technique, renderer.gl()); !why.empty()) GTEST_SKIP() << why;
     View view = view_of(scene, technique.id, {96, 54});
     renderer.render(view);
     const Image submitted = renderer.read_picture();

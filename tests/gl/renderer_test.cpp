@@ -245,6 +245,7 @@ TEST_F(RendererTest, RefusesRowsThatSortedCannotHold) {
     scene.meshes = {make_rectangle(20'000.0f, 20.0f, 1, 1)};
     scene.objects.resize(320, {0, glm::mat4(1), glm::vec3(1), 0.01f});
     Renderer renderer(shared_programs());
+    if (!renderer.gl().storage) GTEST_SKIP() << "sorted peels here, and needs no rows";
     renderer.set_scene(scene);
     EXPECT_EQ(
         refusal([&] {

@@ -19,6 +19,8 @@ class SecondPass : public GlTest<testing::TestWithParam<std::tuple<const Techniq
 // C++ computes from the captured fragments.
 TEST_P(SecondPass, ComputesTheBitsOfCpp) {
     const auto [technique, scene_id] = GetParam();
+    if (const std::string why = why_unavailable(*technique, shared_programs()->gl()); !why.empty())
+        GTEST_SKIP() << why;
     const Scene scene = load_scene(scene_id, 0.4f);
     const glm::ivec2 size(320, 180);
     Renderer renderer(shared_programs());

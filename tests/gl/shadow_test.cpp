@@ -209,7 +209,7 @@ TEST_F(ShadowTest, EveryTechniqueReceivesThem) {
     show("spheres", values_with({}), "sorted");
     const double unlit = mean_difference(truth, renderer_->read_picture(), Metric::rmse);
     for (const Technique& technique : techniques()) {
-        if (!why_unavailable(technique, renderer_->ordered_access()).empty()) continue;
+        if (!why_unavailable(technique, renderer_->gl()).empty()) continue;
         show("spheres", values_with({}), technique.id);
         const Image before = renderer_->read_picture();
         show("spheres", shadows_with(), technique.id);

@@ -119,7 +119,7 @@ TEST_P(StatesTest, EveryPixelIsWhatCppComposes) {
         Renderer renderer(shared_programs());
         renderer.set_scene(scene);
         View view = view_of(scene, technique.id, STATES_SIZE);
-        if (const std::string why = why_unavailable(technique, renderer.ordered_access()); !why.empty())
+        if (const std::string why = why_unavailable(technique, renderer.gl()); !why.empty())
             GTEST_SKIP() << why;
         const std::vector<ParameterValues> choices =
             has_every_choice(entry.id) ? choices_of(technique) : std::vector(1, ParameterValues());
@@ -168,7 +168,7 @@ TEST_P(WithMomentsTest, EveryPixelIsWhatCppComposes) {
         Renderer renderer(shared_programs());
         renderer.set_scene(scene);
         const View view = view_of(scene, technique.id, STATES_SIZE);
-        if (const std::string why = why_unavailable(technique, renderer.ordered_access()); !why.empty())
+        if (const std::string why = why_unavailable(technique, renderer.gl()); !why.empty())
             GTEST_SKIP() << why;
         renderer.render(view);
         const auto captures = renderer.capture_region({0, 0}, STATES_SIZE);

@@ -275,5 +275,17 @@ TEST_F(TinyWindow, SurvivesAnySize) {
     EXPECT_TRUE(message().empty());
 }
 
+// A driver that re-associates makes reconstruction noisy, which more bias hides.
+TEST_F(ExplorerTest, BeginsWithMoreBiasWhereRoundingIsLost) {
+    Capabilities lost = shared_gl().programs->gl();
+    lost.language.rounding = Rounding::lost;
+    Renderer renderer(std::make_shared<ProgramCache>(lost));
+    const ui::Workspace window(renderer, {}, {});
+    EXPECT_EQ(window.state.parameters.get<BiasPreset>(), BiasPreset::robust);
+    EXPECT_TRUE(std::ranges::any_of(window.gl.missing, [](const MissingFeature& missing) {
+        return missing.feature == "the order of floating-point operations";
+    }));
+}
+
 }  // namespace
 }  // namespace momentscope::test

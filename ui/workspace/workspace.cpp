@@ -6,9 +6,20 @@
 
 namespace momentscope::ui {
 
+namespace {
+
+// Where rounding errors are lost, moments need more bias.
+ExplorerState started_on(ExplorerState state, const Capabilities& gl) {
+    if (gl.language.rounding == Rounding::lost) state.parameters.set(BiasPreset::robust);
+    return state;
+}
+
+}  // namespace
+
 Workspace::Workspace(Renderer& renderer, ExplorerState start, WindowOptions window_options)
     : options(std::move(window_options)),
-      state(std::move(start)),
+      gl(gl_info(renderer.gl())),
+      state(started_on(std::move(start), renderer.gl())),
       shown(state),
       history(state),
       picture(renderer, options.most_milliseconds) {}

@@ -53,7 +53,7 @@ struct Workspace {
     Workspace(Renderer& renderer, ExplorerState start, WindowOptions window_options);
 
     WindowOptions options;
-    GlInfo gl = gl_info();
+    GlInfo gl;
 
     ExplorerState state;  // what the user wants
     ExplorerState shown;  // what the window shows: everything below was computed for this state
