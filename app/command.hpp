@@ -41,7 +41,7 @@ private:
 
 /// One row: a command and its purpose.
 struct Command {
-    const char* name;
+    std::string name;
     const char* help;  // a phrase, not a sentence
     std::unique_ptr<ParsedCommand> (*add)(CLI::App& app);
     std::vector<const char*> examples;  // the words after "momentscope"

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <new>
@@ -23,10 +24,15 @@ namespace {
 
 constexpr const char* ABOUT = "Momentscope: an oscilloscope for moment-based order-independent transparency.";
 
+std::string typed_name(std::string name) {
+    std::ranges::replace(name, '_', '-');
+    return name;
+}
+
 const std::vector<Command> COMMANDS = {
 #define EXAMPLES(...) \
     { __VA_ARGS__ }
-#define COMMAND(name, help, examples) {#name, help, add_##name, examples},
+#define COMMAND(name, help, examples) {typed_name(#name), help, add_##name, examples},
 #include "app/commands.def"
 #undef COMMAND
 #undef EXAMPLES

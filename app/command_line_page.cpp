@@ -24,6 +24,7 @@ constexpr const char* INTRODUCTION =
     "- An option that would change nothing is refused. So is an output file that the command also reads.\n"
     "- If anything goes wrong, the program says so in one sentence, ends with exit code 1 and leaves existing files as they "
     "were.\n"
+    "- `check-gpu` also ends with exit code 1 if it reports a difference.\n"
     "- Ctrl+C stops a command cleanly and says how much of its work is kept.\n";
 
 bool is_parameter(const CLI::Option& option) {

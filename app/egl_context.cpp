@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -123,13 +124,26 @@ std::vector<Place> places() {
     return found;
 }
 
+/// OpenGL or OpenGL ES, as EGL and its loader know it.
+struct EglApi {
+    const char* name;
+    EGLenum api;
+    EGLint renderable;
+    std::span<const WantedGl> versions;
+    int (*load)(GLADloadfunc);
+};
+
+constexpr WantedGl WANTED_ES[] = {{3, 0}};
+constexpr EglApi OPENGL = {"OpenGL", EGL_OPENGL_API, EGL_OPENGL_BIT, WANTED_GLS, gladLoadGL};
+constexpr EglApi OPENGL_ES = {"OpenGL ES", EGL_OPENGL_ES_API, EGL_OPENGL_ES3_BIT, WANTED_ES, gladLoadGLES2};
+
 class EglContext : public GlContext {
 public:
-    EglContext(const Place& place, glm::ivec2 size) : display_(place.display) {
+    EglContext(const Place& place, glm::ivec2 size, const EglApi& api) : display_(place.display) {
         if (display_ == EGL_NO_DISPLAY || egl().initialize(display_, nullptr, nullptr) == EGL_FALSE)
             throw Error("does not start");
         try {
-            begin(size);
+            begin(size, api);
         } catch (...) {
             end();
             throw;
@@ -140,11 +154,11 @@ public:
     EglContext& operator=(const EglContext&) = delete;
 
 private:
-    void begin(glm::ivec2 size) {
+    void begin(glm::ivec2 size, const EglApi& api) {
         const EGLint wanted[] = {EGL_SURFACE_TYPE,
                                  EGL_PBUFFER_BIT,
                                  EGL_RENDERABLE_TYPE,
-                                 EGL_OPENGL_BIT,
+                                 api.renderable,
                                  EGL_RED_SIZE,
                                  8,
                                  EGL_GREEN_SIZE,
@@ -155,25 +169,36 @@ private:
                                  8,
                                  EGL_NONE};
         const EGLint surface[] = {EGL_WIDTH, size.x, EGL_HEIGHT, size.y, EGL_NONE};
-        const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                  4,
-                                  EGL_CONTEXT_MINOR_VERSION,
-                                  5,
-                                  EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                  EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                  EGL_NONE};
         EGLConfig config = nullptr;
         EGLint count = 0;
-        if (egl().bind_api(EGL_OPENGL_API) == EGL_FALSE ||
+        if (egl().bind_api(api.api) == EGL_FALSE ||
             egl().choose_config(display_, wanted, &config, 1, &count) == EGL_FALSE || count == 0)
-            throw Error("has no OpenGL");
-        context_ = egl().create_context(display_, config, EGL_NO_CONTEXT, version);
+            throw Error(fmt::format("has no {}", api.name));
+        for (const WantedGl& version : api.versions) {
+            context_ =
+                egl().create_context(display_, config, EGL_NO_CONTEXT, attributes(api, version).data());
+            if (context_ != EGL_NO_CONTEXT) break;
+        }
         surface_ = egl().create_surface(display_, config, surface);
         if (context_ == EGL_NO_CONTEXT || surface_ == EGL_NO_SURFACE ||
             egl().make_current(display_, surface_, surface_, context_) == EGL_FALSE)
-            throw Error("has no OpenGL 4.5");
-        if (gladLoadGL(egl().get_address) == 0) throw Error("has no functions of OpenGL");
+            throw Error(fmt::format("has no {} {}.{}", api.name, api.versions.back().major,
+                                    api.versions.back().minor));
+        if (api.load(egl().get_address) == 0) throw Error(fmt::format("has no functions of {}", api.name));
     }
+
+    // OpenGL ES has no profiles.
+    static std::array<EGLint, 7> attributes(const EglApi& api, const WantedGl& version) {
+        const bool profiles = api.api == EGL_OPENGL_API;
+        return {EGL_CONTEXT_MAJOR_VERSION,
+                version.major,
+                EGL_CONTEXT_MINOR_VERSION,
+                version.minor,
+                profiles ? EGL_CONTEXT_OPENGL_PROFILE_MASK : EGL_NONE,
+                EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                EGL_NONE};
+    }
+
     void end() {
         egl().make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         if (surface_ != EGL_NO_SURFACE) egl().destroy_surface(display_, surface_);
@@ -186,6 +211,19 @@ private:
     EGLSurface surface_ = EGL_NO_SURFACE;
 };
 
+std::unique_ptr<GlContext> make_context(glm::ivec2 size, const EglApi& api) {
+    std::string tried;
+    for (const Place& place : places()) {
+        try {
+            return std::make_unique<EglContext>(place, size, api);
+        } catch (const Error& error) {
+            tried += fmt::format("{}{} {}", tried.empty() ? "" : ", ", place.name, error.what());
+        }
+    }
+    throw Error(fmt::format(
+        "EGL cannot draw: {}. Install libegl-mesa0 or the driver of the GPU, or use --gl osmesa.", tried));
+}
+
 }  // namespace
 
 bool has_egl_gpu() {
@@ -197,16 +235,11 @@ bool has_egl_gpu() {
 }
 
 std::unique_ptr<GlContext> make_egl_context(glm::ivec2 size) {
-    std::string tried;
-    for (const Place& place : places()) {
-        try {
-            return std::make_unique<EglContext>(place, size);
-        } catch (const Error& error) {
-            tried += fmt::format("{}{} {}", tried.empty() ? "" : ", ", place.name, error.what());
-        }
-    }
-    throw Error(fmt::format(
-        "EGL cannot draw: {}. Install libegl-mesa0 or the driver of the GPU, or use --gl osmesa.", tried));
+    return make_context(size, OPENGL);
+}
+
+std::unique_ptr<GlContext> make_egl_es_context(glm::ivec2 size) {
+    return make_context(size, OPENGL_ES);
 }
 
 }  // namespace momentscope

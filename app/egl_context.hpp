@@ -13,6 +13,9 @@ extern const bool HAS_EGL;
 /// program was built without EGL.
 std::unique_ptr<GlContext> make_egl_context(glm::ivec2 size);
 
+/// The same with OpenGL ES 3.0.
+std::unique_ptr<GlContext> make_egl_es_context(glm::ivec2 size);
+
 /// True if EGL can be loaded and lists a GPU.
 bool has_egl_gpu();
 

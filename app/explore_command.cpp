@@ -200,6 +200,9 @@ private:
     void run_headless() const {
         if (screenshot_.empty() && events_.empty())
             throw Error("--headless has no window to show; add --screenshot FILE.png, or --events FILE.");
+        if (headless_gl_key() == "window")  // what a hidden window shows is undefined
+            throw Error(
+                "--gl window draws pictures, not the window; leave out --headless, or use another --gl.");
         if (!screenshot_.empty()) {
             require_writable(screenshot_);
             if (!ends_in(screenshot_, ".png"))

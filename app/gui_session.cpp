@@ -8,13 +8,30 @@
 #include <imgui_impl_glfw.h>
 #include <imgui_impl_opengl3.h>
 
+#include <string>
+
+#include "core/gl/capabilities.hpp"
 #include "core/gl/framebuffer.hpp"
+#include "core/support/error.hpp"
 #include "ui/widgets/shortcut.hpp"
 #include "ui/widgets/theme.hpp"
 
 namespace momentscope {
 
+namespace {
+
+// Dear ImGui's backend calls functions of OpenGL that OpenGL ES does not have, unless it is built for it.
+std::string shader_version() {
+    const DialectRow& dialect = row_of(current_dialect());
+    if (dialect.dialect == Dialect::essl_300)
+        throw Error("This build draws its window by OpenGL, not by OpenGL ES; use another --gl.");
+    return dialect.version;
+}
+
+}  // namespace
+
 GuiSession::GuiSession(GLFWwindow* window, float ui_scale) : window_(window) {
+    const std::string version = shader_version();
     ImGui::CreateContext();
     ui::load_fonts(ui_scale);
     if (window_ != nullptr) {
@@ -23,7 +40,7 @@ GuiSession::GuiSession(GLFWwindow* window, float ui_scale) : window_(window) {
     } else {
         ui::use_key_numbers();
     }
-    ImGui_ImplOpenGL3_Init("#version 450 core");
+    ImGui_ImplOpenGL3_Init(version.c_str());
 }
 
 GuiSession::~GuiSession() {

@@ -12,8 +12,7 @@ namespace momentscope {
 
 HeadlessWindow::HeadlessWindow(glm::ivec2 size, const ui::ExplorerState& state,
                                const ui::WindowOptions& options, FrameLog& log)
-    : HeadlessWindow(make_headless_context(size), std::make_shared<ProgramCache>(), size, state, options,
-                     log) {}
+    : HeadlessWindow(make_headless_context(size), nullptr, size, state, options, log) {}
 
 HeadlessWindow::HeadlessWindow(std::shared_ptr<GlContext> context, std::shared_ptr<ProgramCache> programs,
                                glm::ivec2 size, const ui::ExplorerState& state,
@@ -21,7 +20,7 @@ HeadlessWindow::HeadlessWindow(std::shared_ptr<GlContext> context, std::shared_p
     : size_(size),
       most_(size),
       context_(std::move(context)),
-      renderer_(std::move(programs)),
+      renderer_(programs != nullptr ? std::move(programs) : std::make_shared<ProgramCache>()),
       gui_(nullptr, options.scale),
       explorer_(renderer_, state, options),
       log_(log) {}

@@ -4,8 +4,12 @@
 
 #include "app/command.hpp"
 #include "app/command_line_page.hpp"
+#include "app/gl_context.hpp"
+#include "app/ignored_options.hpp"
+#include "app/options.hpp"
 #include "app/terminal.hpp"
 #include "core/figures/figure.hpp"
+#include "core/render/transparency.hpp"
 #include "core/report/techniques_page.hpp"
 #include "core/scene/scenes.hpp"
 #include "core/stress/condition.hpp"
@@ -169,6 +173,17 @@ Listing list_options(const CLI::App& line) {
     return {rows, {"command", "option", "help"}};
 }
 
+// Asks the chosen GL. The sentences of techniques that it cannot draw stand in a column of their own.
+void add_availability(Listing& listing) {
+    const auto context = make_headless_context({16, 16});
+    const Capabilities gl = capabilities();
+    for (json& row : listing.rows) {
+        const std::string why = why_unavailable(require_technique(row["id"].get<std::string>()), gl);
+        row["on this GL"] = why.empty() ? "runs" : why;
+    }
+    listing.columns = {"id", "name", "on this GL"};
+}
+
 class ListCommand : public ParsedCommand {
 public:
     explicit ListCommand(CLI::App& app) : ParsedCommand(app) {
@@ -177,6 +192,12 @@ public:
                "techniques, scenes, parameters, conditions, figures, options or commands (of the window)")
             ->required();
         app.add_option("--format", format_, "table, json or markdown [table]");
+        add_gl(app)->description(
+            fmt::format("for techniques: also say which of them a GL draws: {}", headless_gl_keys()));
+    }
+
+    void refuse_ignored() const override {
+        refuse_ignored_options(app(), {{"--gl", what_ != "techniques", "with this list"}});
     }
 
     void run() const override {
@@ -184,7 +205,8 @@ public:
         if (format_ == "markdown" && what_ == "options") return print(command_line_page(*app().get_parent()));
         if (format_ != "table" && format_ != "json" && format_ != "markdown")
             throw Error(fmt::format("There is no format '{}'; use table, json or markdown.", format_));
-        const Listing listing = what_ == "options" ? list_options(*app().get_parent()) : listing_of(what_);
+        Listing listing = what_ == "options" ? list_options(*app().get_parent()) : listing_of(what_);
+        if (app().count("--gl") > 0) add_availability(listing);
         if (format_ == "json")
             print(json_text(listing.rows, 2) + "\n");
         else if (format_ == "markdown")

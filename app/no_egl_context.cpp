@@ -13,4 +13,8 @@ std::unique_ptr<GlContext> make_egl_context(glm::ivec2 /*size*/) {
     throw Error("This program was built without EGL; build it with the CMake option MOMENTSCOPE_EGL=ON.");
 }
 
+std::unique_ptr<GlContext> make_egl_es_context(glm::ivec2 size) {
+    return make_egl_context(size);
+}
+
 }  // namespace momentscope

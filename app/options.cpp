@@ -35,13 +35,14 @@ CLI::Option* add_scene(CLI::App& app, std::string& id_or_path) {
         ->capture_default_str();
 }
 
-CLI::Option* add_gl(CLI::App& app) {
+CLI::Option* add_gl(CLI::App& app, const char* otherwise) {
     std::string help;
     for (const HeadlessGl& row : headless_gls())
         if (row.built) help += fmt::format("{}{} ({})", help.empty() ? "" : ", ", row.key, row.help);
     return app.add_option_function<std::string>(
         "--gl", choose_headless_gl,
-        fmt::format("what draws without a window: {} [MOMENTSCOPE_GL of the environment, or osmesa]", help));
+        fmt::format("what draws without a window: {} [MOMENTSCOPE_GL of the environment, or {}]", help,
+                    otherwise));
 }
 
 CLI::Option* add_size(CLI::App& app, glm::ivec2& size) {

@@ -56,7 +56,7 @@ CLI::Option* add_count(CLI::App& app, const char* name, int& value, const std::s
 int parse_count(const std::string& text, const char* what, int least, int most);
 
 /// "--gl": the kind of OpenGL that draws without a window.
-CLI::Option* add_gl(CLI::App& app);
+CLI::Option* add_gl(CLI::App& app, const char* otherwise = "osmesa");
 
 CLI::Option* add_seed(CLI::App& app, std::uint32_t& seed);
 CLI::Option* add_rounds(CLI::App& app, int& rounds);

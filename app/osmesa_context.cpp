@@ -57,23 +57,26 @@ class OsMesaContext : public GlContext {
 public:
     explicit OsMesaContext(glm::ivec2 size)
         : pixels_(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * 4) {
-        const int attributes[] = {OSMESA_FORMAT,
-                                  OSMESA_RGBA,
-                                  OSMESA_DEPTH_BITS,
-                                  24,
-                                  OSMESA_PROFILE,
-                                  OSMESA_CORE_PROFILE,
-                                  OSMESA_CONTEXT_MAJOR_VERSION,
-                                  4,
-                                  OSMESA_CONTEXT_MINOR_VERSION,
-                                  5,
-                                  0};
-        context_ = osmesa().create_context(attributes, nullptr);
+        for (const WantedGl& wanted : WANTED_GLS) {
+            const int attributes[] = {OSMESA_FORMAT,
+                                      OSMESA_RGBA,
+                                      OSMESA_DEPTH_BITS,
+                                      24,
+                                      OSMESA_PROFILE,
+                                      OSMESA_CORE_PROFILE,
+                                      OSMESA_CONTEXT_MAJOR_VERSION,
+                                      wanted.major,
+                                      OSMESA_CONTEXT_MINOR_VERSION,
+                                      wanted.minor,
+                                      0};
+            context_ = osmesa().create_context(attributes, nullptr);
+            if (context_ != nullptr) break;
+        }
         if (context_ == nullptr ||
             osmesa().make_current(context_, pixels_.data(), GL_UNSIGNED_BYTE, size.x, size.y) == GL_FALSE ||
             gladLoadGL(osmesa().get_address) == 0)
             throw Error(
-                "OSMesa does not provide OpenGL 4.5; install libosmesa6 22 or newer, or give the program more memory.");
+                "OSMesa does not provide OpenGL 3.3; install libosmesa6 22 or newer, or give the program more memory.");
     }
     ~OsMesaContext() override { osmesa().destroy_context(context_); }
     OsMesaContext(const OsMesaContext&) = delete;

@@ -31,6 +31,7 @@ SMALLER = {
     "render": ["--size 96x54"],
     "stress": ["--rays 2"],
     "needed": ["--size 32x18"],
+    "check-gpu": ["--seconds 1"],
 }
 
 
@@ -56,7 +57,7 @@ def headless(command):
 
 
 def smaller(command):
-    name = re.search(r"momentscope (\w+)", command)
+    name = re.search(r"momentscope ([\w-]+)", command)
     options = list(SMALLER.get(name[1], [])) if name else []
     if "--shadows" in command:
         options = [o for o in options if not o.startswith("--technique")] + ["--shadow-size 64"]
@@ -65,7 +66,7 @@ def smaller(command):
     for option in options:
         key, value = option.split()
         command = re.sub(rf" {key} \S+", "", command)   # each time that it stands there
-        command = re.sub(r"(momentscope \w+)", rf"\1 {key} {value}", command, count=1)
+        command = re.sub(r"(momentscope [\w-]+)", rf"\1 {key} {value}", command, count=1)
     command = re.sub(r"--random \d+", "--random 50", command)
     command = re.sub(r" --shard \S+", "", command)   # tests/shards runs shards
     return re.sub(r"figure \w+ -o \S+", "figure fig4 -o figures", command)

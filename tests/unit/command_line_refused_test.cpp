@@ -20,7 +20,8 @@ TEST_F(CommandLine, RefusesUnknownScenesTechniquesOptionsAndFormats) {
 }
 
 TEST_F(CommandLine, RefusesUnknownKindsOfGl) {
-    expect_refused("render --gl vulkan --scene planes -o out/x.png", "use osmesa, egl or auto");
+    expect_refused("render --gl vulkan --scene planes -o out/x.png",
+                   "use osmesa, egl, egl-es, window or auto");
     expect_refused("explore --gl egl", "add --headless");
     ::setenv("MOMENTSCOPE_GL", "metal", 1);
     expect_refused("render --scene planes --size 8x8 -o out/x.png", "'metal'");
