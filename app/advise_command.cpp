@@ -201,7 +201,7 @@ private:
         const ChartHooks hooks = {[&](const std::string&) { return scene; }, [](const RunTable&) {},
                                   [&](std::size_t done, std::size_t all) { progress.show(done, all); }};
         const RunTable table =
-            run_chart(plan, {chart_settings(plan, gl_info()), {}, {}}, progress.stop(), hooks);
+            run_chart(plan, {chart_settings(plan, gl_info(capabilities())), {}, {}}, progress.stop(), hooks);
         progress.require_finished();
         return {chart_of(table, "the chart").rows, plan.settings.size, plan.settings.values,
                 std::move(scene)};

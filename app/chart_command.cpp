@@ -108,7 +108,7 @@ RunTable measured(ChartPlan plan, const UnfinishedChart& unfinished) {
     Progress progress("Chart", [&] { return unfinished.how_to_go_on(rows); });
     plan.contents = contents_of(plan.scenes, opacity, progress);
     const auto context = make_headless_context({16, 16});
-    const RunTable kept = unfinished.read(chart_settings(plan, gl_info()));
+    const RunTable kept = unfinished.read(chart_settings(plan, gl_info(capabilities())));
     rows = kept.rows.size();
     const ChartHooks hooks = {
         [&](const std::string& id) { return planned_scene(plan, id, opacity, progress); },

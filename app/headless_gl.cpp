@@ -25,7 +25,7 @@ std::span<const HeadlessGl> rows() {
     static const HeadlessGl ROWS[] = {
         {"osmesa", "in software", HAS_OSMESA, make_osmesa_context},
         {"egl", "on a GPU, or in software if there is none", HAS_EGL, make_egl_context},
-        {"egl-es", "OpenGL ES 3.0, as browsers have it", HAS_EGL, make_egl_es_context},
+        {"egl-es", "the same as OpenGL ES 3.0", HAS_EGL, make_egl_es_context},
         {"window", "what a window of this display would use", true, make_hidden_context},
         {"auto", "a GPU if there is one, else osmesa", true, make_automatic},
     };

@@ -34,8 +34,10 @@ struct GpuCheck {
     std::vector<TechniqueCheck> techniques;
     double seconds = 0;
 
-    /// What all techniques that were checked have together, and how many they are.
+    /// The sums and the greatest errors of all techniques that were checked.
     TechniqueCheck sum() const;
+
+    /// How many techniques are in this state.
     long count(CheckState state) const;
 
     /// True if T has the bits of C++ everywhere.
@@ -51,7 +53,8 @@ struct GpuCheckPlan {
     std::chrono::seconds limit{55};
 };
 
-/// A picture may be this far from the composition of C++: colours are summed in half floats.
+/// A picture may be this far from the composition of C++, because colours are summed in half floats
+/// (docs/tolerances.md).
 constexpr double PICTURE_TOLERANCE = 0.01;
 
 /// Checks on the scene teapots with these programs, whose capabilities decide what runs. `step` is called

@@ -89,6 +89,7 @@ std::string gpu_check_verdict(const GpuCheck& check) {
         text += fmt::format(" {} failed; please report the messages.", failed);
     if (const long left = check.count(CheckState::not_reached); left > 0)
         text += fmt::format(" {} were not checked.", left);
+    if (check.count(CheckState::checked) == 0) return text;
     if (check.has_same_bits())
         text += fmt::format(" All {} values of T have the bits of C++.", all.fragments);
     else
@@ -104,8 +105,8 @@ std::string gpu_check_verdict(const GpuCheck& check) {
 }
 
 std::string gpu_check_text(const GpuCheck& check, const std::string& kind) {
-    std::string text =
-        fmt::format("GL        {}, by {}\nversion   {}\n", check.gl.renderer, kind, check.gl.version);
+    std::string text = fmt::format("{:<20}{}, by {}\n{:<20}{}\n", "GL", check.gl.renderer, kind, "version",
+                                   check.gl.version);
     for (const auto& [name, value] : capability_rows(check.gl.can))
         text += fmt::format("{:<20}{}\n", name, text_of(value));
     for (const MissingFeature& missing : check.gl.missing)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/gl/framebuffer.hpp"
 #include "core/gl/gl_info.hpp"
 #include "core/gl/rounding_check.hpp"
 #include "core/support/error.hpp"
@@ -56,7 +57,7 @@ Capabilities capabilities() {
     gl.blending_per_target = !version.embedded && version.number() >= 40;
     gl.timer_queries = !version.embedded;
     gl.primitive_ids = !version.embedded;
-    gl.color_targets = std::min(most_color_targets(), 8);
+    gl.color_targets = std::min(most_color_targets(), MOST_COLOR_TARGETS);
     gl.storage_bytes = gl.storage ? most_bytes_of_storage() : 0;
     gl.language.rounding = kept_rounding(gl.language.dialect);
     return gl;

@@ -25,9 +25,8 @@ struct Capabilities {
 /// The dialect of the current context.
 Dialect current_dialect();
 
-/// The capabilities of the current context. If its shaders lack `precise`, this draws a few texels to see
-/// what the driver does with rounding. Throws Error, with what to do, if the context cannot draw pictures at
-/// all.
+/// The capabilities of the current context. Draws a few texels to see what the driver does with rounding.
+/// Throws Error, with what to do, if the context cannot draw pictures at all.
 Capabilities capabilities();
 
 }  // namespace momentscope

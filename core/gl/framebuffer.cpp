@@ -21,7 +21,7 @@ GlFramebuffer make_framebuffer_of(int count, GLuint depth, const Attach& attach,
     glGenFramebuffers(1, &name);
     GlFramebuffer framebuffer(name);
     bind_framebuffer(name);
-    std::array<GLenum, 8> attachments{};
+    std::array<GLenum, MOST_COLOR_TARGETS> attachments{};
     for (int i = 0; i < count; ++i) {
         attachments[static_cast<std::size_t>(i)] = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
         attach(attachments[static_cast<std::size_t>(i)], i);

@@ -9,6 +9,8 @@
 
 namespace momentscope {
 
+constexpr int MOST_COLOR_TARGETS = 8;  // of a framebuffer; a GL may have fewer
+
 /// A framebuffer that draws to the colour textures in this order, and tests depth if depth != 0. Throws Error
 /// if this GL cannot render to them.
 GlFramebuffer make_framebuffer(std::initializer_list<GLuint> colors, GLuint depth);

@@ -55,18 +55,17 @@ GlInfo gl_info(const Capabilities& can) {
     missing(!can.storage, "buffers and images that shaders write",
             "fragments are captured layer by layer, which takes longer, and methods that store samples by "
             "atomic operations cannot run");
-    missing(
-        can.ordered == OrderedAccess::framebuffer_fetch, "fragment shader interlock",
-        "framebuffer fetch takes its place: 16-bit variants run, but at other speeds than with rasterizer "
-        "ordered views");
+    missing(can.ordered == OrderedAccess::framebuffer_fetch, "fragment shader interlock",
+            "framebuffer fetch takes its place, at other speeds than those of rasterizer ordered views");
     missing(can.ordered == OrderedAccess::none, "fragment shader interlock and framebuffer fetch",
             "methods that read, change and write a pixel in order cannot run: all 16-bit variants, and "
             "ordered accumulation");
     missing(!can.unorm16, "render targets of 16-bit numbers in [0, 1]",
             "the ends of a ray take 64 bits of a pixel instead of 32, and 16-bit variants cannot run");
     missing(!can.timer_queries, "timer queries", "a clock measures the times of passes");
-    missing(can.language.rounding == Rounding::guarded, "the word 'precise' in shaders",
-            "this driver re-associates sums, so each is hidden from it, which takes longer");
+    missing(can.language.rounding == Rounding::guarded,
+            "a word that keeps the order of operations in shaders",
+            "the results of operations are hidden from the driver instead, which takes longer");
     missing(can.language.rounding == Rounding::lost, "the order of floating-point operations",
             "this driver re-associates sums, so the window begins with the bias preset robust");
     const std::size_t block = can.storage_bytes;

@@ -32,7 +32,7 @@ struct GlInfo {
 };
 
 /// The information about the current context, which has these capabilities.
-GlInfo gl_info(const Capabilities& can = capabilities());
+GlInfo gl_info(const Capabilities& can);
 
 /// What the current context can hold.
 int most_texels_of_a_side();

@@ -23,6 +23,8 @@ public:
             if (token(at_) == "layout" && write_layout()) continue;
             if (guards_rounding_ && write_guarded()) continue;
             if (token(at_) == "{" && begins_array(at_) && write_array()) continue;
+            depth_ += token(at_) == "{" ? 1 : token(at_) == "}" ? -1 : 0;
+            if (depth_ == 0) precise_.clear();  // a function ends
             result_.text += token(at_++);
         }
         return std::move(result_);
@@ -84,8 +86,6 @@ private:
 
     // PRECISE float x = ...; and x = ...; behind it in the same function
     bool write_guarded() {
-        depth_ += token(at_) == "{" ? 1 : token(at_) == "}" ? -1 : 0;
-        if (depth_ == 0) precise_.clear();
         const bool declares = token(at_) == "PRECISE" && token(next(at_)) == "float";
         const std::size_t name = declares ? next(next(at_)) : at_, equals = next(name);
         if (declares) precise_.insert(token(name));
@@ -122,7 +122,6 @@ private:
         copy(close);
         result_.text += ")";
         ++at_;
-        depth_ -= guards_rounding_ ? 1 : 0;  // the brace was counted
         return true;
     }
 

@@ -1,16 +1,16 @@
-// rounding_check.hpp -- asks a driver without `precise` what it does with sums whose rounding errors matter.
+// rounding_check.hpp -- finds out whether a driver re-associates sums whose rounding errors matter.
 #pragma once
 #include "core/gl/dialect.hpp"
 
 namespace momentscope {
 
-/// Draws the rounding errors of sums and products of known numbers (shared/float_pair.glsl), and compares
-/// them with exact arithmetic: precise or unguarded, as the dialect has it, if they are right; guarded if
-/// they does so once it cannot foresee them, else lost. Needs a current context whose shaders are of this
-/// dialect.
+/// How this driver must be kept from re-associating. precise or unguarded, as the dialect has it, if the
+/// rounding errors are right then; else guarded if they are right with guards; else lost. Needs a current
+/// context whose shaders may be of this dialect.
 Rounding kept_rounding(Dialect dialect);
 
-/// True if the errors are right with this rounding.
+/// Draws the rounding errors of sums and products of known numbers (shared/float_pair.glsl). True if they are
+/// those of exact arithmetic.
 bool keeps_rounding_errors(ShaderLanguage language);
 
 }  // namespace momentscope

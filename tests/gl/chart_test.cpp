@@ -32,7 +32,7 @@ ChartHooks quiet_hooks() {
 }
 
 RunTable nothing_of(const ChartPlan& plan) {
-    return {chart_settings(plan, gl_info()), {}, {}};
+    return {chart_settings(plan, gl_info(shared_programs()->gl())), {}, {}};
 }
 
 RunTable run(const ChartPlan& plan) {
@@ -170,7 +170,7 @@ TEST_F(ChartTest, SoftwareIsTimedByTheClock) {
     EXPECT_EQ(reliable_timing(gl), PassTiming::finish) << "there are no timer queries";
     gl.can.timer_queries = true;
     EXPECT_EQ(reliable_timing(gl), PassTiming::queries);
-    EXPECT_EQ(Renderer().pass_timing(), reliable_timing(gl_info()));
+    EXPECT_EQ(Renderer().pass_timing(), reliable_timing(gl_info(shared_programs()->gl())));
 }
 
 TEST(CameraPath, TurnsEvenlyAboutTheCamera) {

@@ -128,14 +128,14 @@ TEST_F(ChartPanelTest, MeasuresBetweenFramesAndCanBeEnded) {
 TEST_F(ChartPanelTest, FilesAreThoseOfTheCommandLine) {
     open_planes();
     measure();
-    panel().write(folder_ / "chart.csv");
+    panel().write(folder_ / "chart.csv", workspace().gl);
     const Chart chart = chart_of(read_run_table(folder_ / "chart.csv"), "the test");
     ASSERT_EQ(chart.rows.size(), rows().size());
     EXPECT_EQ(setting(chart.settings, "size"), "160x90");
     for (std::size_t i = 0; i < rows().size(); ++i)
         EXPECT_EQ(chart.rows[i].configuration, rows()[i].configuration);
     for (const char* name : {"chart.html", "chart.svg", "chart.md"}) {
-        panel().write(folder_ / name);
+        panel().write(folder_ / name, workspace().gl);
         EXPECT_GT(std::filesystem::file_size(folder_ / name), 1000U) << name;
     }
 }

@@ -252,7 +252,7 @@ bool TechniqueChart::draw(const Ui& ui, const Scene& scene, ExplorerState& state
     return asked;
 }
 
-void TechniqueChart::write(const std::filesystem::path& path) const {
+void TechniqueChart::write(const std::filesystem::path& path, const GlInfo& gl) const {
     ChartPlan plan;
     plan.scenes = {measurement_.scene()};
     plan.settings = measurement_.settings();
@@ -263,7 +263,7 @@ void TechniqueChart::write(const std::filesystem::path& path) const {
         plan.configurations.push_back(measurement_.configuration(i));
         table.rows.push_back(chart_line(measurement_.rows()[i]));
     }
-    table.settings = chart_settings(plan, gl_info());
+    table.settings = chart_settings(plan, gl);
     const std::string kind = path.extension().string();
     if (kind == ".csv") return write_file(run_table_text(table), path);
     const Chart chart = chart_of(table, path.string());

@@ -30,7 +30,7 @@ public:
     bool draw(const Ui& ui, const Scene& scene, ExplorerState& state, Status& status);
 
     /// Writes a .csv, .html, .svg or .md file. Throws Error.
-    void write(const std::filesystem::path& path) const;
+    void write(const std::filesystem::path& path, const GlInfo& gl) const;
 
     const ChartMeasurement& measurement() const { return measurement_; }
     const std::optional<Advice>& advice() const { return advice_; }

@@ -103,7 +103,7 @@ void Files::use(const FileDialog::Choice& choice, Workspace& w) {
             write_export(choice, w);
             break;
         case Purpose::save_chart:
-            w.chart.write(choice.path);
+            w.chart.write(choice.path, w.gl);
             w.status.say(fmt::format("Written to {}.", choice.path.string()));
             break;
     }
