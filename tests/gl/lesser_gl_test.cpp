@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstdlib>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <set>
 #include <string>
@@ -227,6 +228,26 @@ TEST_F(LesserGl, TheCheckSaysWhatOtherBitsMean) {
               std::string::npos);
     EXPECT_EQ(check.techniques[2].state, CheckState::unavailable) << "stochastic needs storage";
     EXPECT_NE(gpu_check_json(check, "this").find("\"same_bits\": false"), std::string::npos);
+}
+
+// What a check found without drawing anything: each fault alone must end it with exit code 1.
+TEST(GpuCheckResult, PassesOnlyWithoutAnyFault) {
+    GpuCheck check;
+    check.techniques.resize(2);  // both were checked, and nothing differs
+    EXPECT_TRUE(check.passed());
+    GpuCheck wrong = check;
+    wrong.techniques[1].picture_error = 2 * PICTURE_TOLERANCE;
+    EXPECT_FALSE(wrong.passed());
+    EXPECT_NE(gpu_check_verdict(wrong).find("which rounding does not explain"), std::string::npos);
+    wrong.techniques[1].picture_error = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(wrong.passed()) << "a picture with NaN";
+    wrong = check;
+    wrong.techniques[0].state = CheckState::failed;
+    EXPECT_FALSE(wrong.passed());
+    EXPECT_NE(gpu_check_verdict(wrong).find("1 failed"), std::string::npos);
+    wrong = check;
+    wrong.techniques[0].state = wrong.techniques[1].state = CheckState::unavailable;
+    EXPECT_EQ(gpu_check_verdict(wrong), "0 of 2 techniques run here.");
 }
 
 TEST_F(LesserGl, AStopEndsTheCheck) {
