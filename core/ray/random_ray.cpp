@@ -40,8 +40,10 @@ ViewRay thin_ray(RandomNumbers& random, int count) {
 ViewRay layered_ray(RandomNumbers& random, int count) {
     ViewRay ray = thin_ray(random, count);
     const float layers[] = {random.uniform(-0.99f, 0.0f), random.uniform(0.0f, 0.99f)};
-    for (Fragment& fragment : ray.fragments)
-        fragment.depth = fragment.view_depth = layers[random.whole(0, 1)] + random.uniform(-0.01f, 0.01f);
+    for (Fragment& fragment : ray.fragments) {
+        const float layer = layers[random.whole(0, 1)];
+        fragment.depth = fragment.view_depth = layer + random.uniform(-0.01f, 0.01f);
+    }
     return ray;
 }
 

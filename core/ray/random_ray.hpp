@@ -9,6 +9,8 @@ namespace momentscope {
 
 /// Uniform random numbers from a Mersenne twister. They are made by exact arithmetic, because the standard
 /// does not define the results of its distributions.
+/// Draw only one in an expression: compilers evaluate the parts of an expression in different orders, and the
+/// numbers would be others.
 class RandomNumbers {
 public:
     explicit RandomNumbers(std::uint32_t seed) : engine_(seed) {}
@@ -17,6 +19,13 @@ public:
     float uniform(float least, float most) {
         const float unit = static_cast<float>(engine_() >> 8) * 0x1p-24f;
         return least + (most - least) * unit;
+    }
+
+    /// A point in a box: its z is drawn first, then y, then x.
+    glm::vec3 point(const glm::vec3& least, const glm::vec3& most) {
+        glm::vec3 point;
+        for (int i = 2; i >= 0; --i) point[i] = uniform(least[i], most[i]);
+        return point;
     }
 
     /// A whole number in [least, most].

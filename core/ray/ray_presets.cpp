@@ -21,7 +21,8 @@ ViewRay cloud_and_surfaces() {
     ViewRay ray = ray_of({{-0.75f, 0.35f}, {0.15f, 0.5f}, {0.8f, 0.6f}});
     RandomNumbers random(2);
     for (int i = 0; i < 40; ++i) {
-        const float depth = -0.35f + 0.28f * (random.uniform(-1, 1) + random.uniform(-1, 1)) * 0.5f;
+        const float first = random.uniform(-1, 1);
+        const float depth = -0.35f + 0.28f * (first + random.uniform(-1, 1)) * 0.5f;
         Fragment fragment = plain_fragment(depth, 0.04f, 0);
         fragment.color = glm::vec3(0.7f);
         ray.fragments.push_back(fragment);

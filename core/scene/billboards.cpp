@@ -53,7 +53,7 @@ void add_billboard(Mesh& mesh, const Billboard& billboard, int corners) {
 
 glm::vec3 in_unit_ball(RandomNumbers& random) {
     while (true) {
-        const glm::vec3 point(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+        const glm::vec3 point = random.point(glm::vec3(-1), glm::vec3(1));
         if (glm::length(point) < 1) return point;
     }
 }

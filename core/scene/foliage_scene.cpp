@@ -41,9 +41,9 @@ struct Hedge {
 };
 
 void add_stem(Hedge& hedge, RandomNumbers& random) {
-    const glm::vec3 root(random.uniform(-4.6f, 4.6f), 0.0f, random.uniform(-3.6f, -1.5f));
-    const glm::vec3 top = root + glm::vec3(random.uniform(-0.7f, 0.7f), random.uniform(1.9f, 3.3f),
-                                           random.uniform(-0.3f, 0.5f));
+    const float behind = random.uniform(-3.6f, -1.5f);
+    const glm::vec3 root(random.uniform(-4.6f, 4.6f), 0.0f, behind);
+    const glm::vec3 top = root + random.point({-0.7f, 1.9f, -0.3f}, {0.7f, 3.3f, 0.5f});
     add_tube(hedge.stems, root, top, 0.035f, 0.01f, 6);
     for (int i = 0; i < LEAVES_PER_STEM; ++i) {
         const float height = std::pow(random.uniform(0.02f, 1.0f), 0.7f);  // fewer near the ground

@@ -252,7 +252,8 @@ void add_fog(Parts& parts, const Camera& camera) {
     }
     const glm::vec3 aside = glm::normalize(glm::cross(back, glm::vec3(0, 1, 0)));
     for (int i = 0; i < FAR_PUFFS; ++i) {
-        const glm::vec3 center = random.uniform(7.0f, 13.0f) * back + random.uniform(-15.0f, 15.0f) * aside;
+        const float sideways = random.uniform(-15.0f, 15.0f);
+        const glm::vec3 center = random.uniform(7.0f, 13.0f) * back + sideways * aside;
         const float radius = random.uniform(2.2f, 3.8f);
         add_billboard(parts.fog, make_puff_at(glm::vec3(center.x, 1.0f, center.z), radius, camera, random),
                       8);

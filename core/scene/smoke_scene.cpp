@@ -67,7 +67,8 @@ void add_liquid(Mesh& mesh, const Bottle& bottle) {
 }
 
 void add_blade(Mesh& mesh, RandomNumbers& random) {
-    const glm::vec3 root(random.uniform(-3.4f, 3.4f), 0.0f, random.uniform(-2.6f, 1.7f));
+    const float away = random.uniform(-2.6f, 1.7f);
+    const glm::vec3 root(random.uniform(-3.4f, 3.4f), 0.0f, away);
     const float height = random.uniform(0.25f, 0.8f), width = random.uniform(0.018f, 0.035f);
     const float heading = random.uniform(0.0f, glm::two_pi<float>());
     const glm::vec3 ahead(std::cos(heading), 0.0f, std::sin(heading));
