@@ -1,7 +1,5 @@
 // oiio_codec.cpp -- the codec by OpenImageIO.
 #include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imagebuf.h>
-#include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
 
 #include <memory>
@@ -104,19 +102,10 @@ const char* reason() {
     return last_reason.c_str();
 }
 
-void magma(const float* numbers, std::size_t count, float* srgb) {
-    const auto width = static_cast<int>(count);
-    OIIO::ImageBuf source(OIIO::ImageSpec(width, 1, 1, OIIO::TypeDesc::FLOAT));
-    const OIIO::ROI all(0, width, 0, 1, 0, 1);
-    source.set_pixels(all, OIIO::TypeDesc::FLOAT, numbers);
-    const OIIO::ImageBuf colored = OIIO::ImageBufAlgo::color_map(source, 0, "magma");
-    colored.get_pixels(OIIO::ROI(0, width, 0, 1, 0, 1, 0, 3), OIIO::TypeDesc::FLOAT, srgb);
-}
-
 }  // namespace
 
 extern "C" [[gnu::visibility("default")]] const PictureCodec* momentscope_picture_codec() {
-    static constexpr PictureCodec CODEC = {.open = open, .encode = encode, .reason = reason, .magma = magma};
+    static constexpr PictureCodec CODEC = {.open = open, .encode = encode, .reason = reason};
     return &CODEC;
 }
 

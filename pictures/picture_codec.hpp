@@ -58,10 +58,6 @@ struct PictureCodec {
 
     /// Why the last call in this thread failed. Valid until the next call.
     const char* (*reason)();
-
-    /// The colour map magma: sRGB, three floats for each number, from 0 to 1; what is beyond has the
-    /// brightest colour.
-    void (*magma)(const float* numbers, std::size_t count, float* srgb);
 };
 
 /// The only name that the module exports: a function that returns the codec.
