@@ -5,15 +5,38 @@
 
 namespace momentscope {
 
+namespace {
+
 // GL does not accept empty storage, and a scene without objects has buffers, too.
+constexpr std::size_t LEAST_BYTES = 4;
+
+}  // namespace
+
 GlBuffer make_buffer(std::size_t bytes) {
-    constexpr std::size_t LEAST = 4;
     GLuint name = 0;
     glGenBuffers(1, &name);
     GlBuffer buffer(name);
     glBindBuffer(GL_COPY_WRITE_BUFFER, name);
-    glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(std::max(bytes, LEAST)), nullptr,
+    glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(std::max(bytes, LEAST_BYTES)), nullptr,
                  GL_DYNAMIC_DRAW);
+    return buffer;
+}
+
+// This kind of buffer is bound to a vertex array.
+GlBuffer make_index_buffer(std::span<const std::uint32_t> indices) {
+    GLuint names[2] = {};
+    glGenVertexArrays(1, &names[0]);
+    glGenBuffers(1, &names[1]);
+    const GlVertexArray array(names[0]);
+    GlBuffer buffer(names[1]);
+    glBindVertexArray(array);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER,
+                 static_cast<GLsizeiptr>(std::max(indices.size_bytes(), LEAST_BYTES)), nullptr,
+                 GL_DYNAMIC_DRAW);
+    glBufferSubData(GL_ELEMENT_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(indices.size_bytes()),
+                    indices.data());
+    glBindVertexArray(0);
     return buffer;
 }
 

@@ -1,6 +1,7 @@
 // buffer.hpp -- buffers: making, writing, reading, binding to blocks of shaders.
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "core/gl/handle.hpp"
@@ -13,6 +14,9 @@ GlBuffer make_buffer(std::size_t bytes);
 /// A buffer that holds these values.
 template <typename T>
 GlBuffer make_buffer_of(std::span<const T> values);
+
+/// A buffer with the indices of triangles. Browsers want to know what they are for when they are made.
+GlBuffer make_index_buffer(std::span<const std::uint32_t> indices);
 
 /// Replaces the bytes from `offset` on.
 void write_buffer(GLuint buffer, std::size_t offset, std::span<const std::byte> bytes);

@@ -13,6 +13,12 @@ namespace momentscope {
 
 namespace {
 
+#ifdef __EMSCRIPTEN__
+constexpr bool IN_BROWSER = true;
+#else
+constexpr bool IN_BROWSER = false;
+#endif
+
 Dialect dialect_of(const GlVersion& version) {
     if (version.embedded) return Dialect::essl_300;
     if (version.number() >= 45) return Dialect::glsl_450;
@@ -56,6 +62,7 @@ Capabilities capabilities() {
     gl.unorm16 = !version.embedded;
     gl.blending_per_target = !version.embedded && version.number() >= 40;
     gl.timer_queries = !version.embedded;
+    gl.answers_at_once = !IN_BROWSER;
     gl.primitive_ids = !version.embedded;
     gl.color_targets = std::min(most_color_targets(), MOST_COLOR_TARGETS);
     gl.storage_bytes = gl.storage ? most_bytes_of_storage() : 0;

@@ -17,6 +17,7 @@ struct Capabilities {
     bool unorm16 = false;                         // renders to 16-bit numbers in [0, 1]
     bool blending_per_target = false;             // an equation of its own for each colour target
     bool timer_queries = false;
+    bool answers_at_once = false;   // queries can be read while the frame is drawn, which browsers refuse
     bool primitive_ids = false;     // fragment shaders know the number of their triangle
     int color_targets = 4;          // of one pass
     std::size_t storage_bytes = 0;  // of one buffer that shaders may write

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/gl/draw_state.hpp"
 #include "core/gl/framebuffer.hpp"
 #include "core/gl/query.hpp"
@@ -18,12 +20,14 @@ constexpr int MAX_LAYERS = 4096;
 
 }  // namespace
 
-PeelingPasses::PeelingPasses(glm::ivec2 size, GLuint depth, Ties ties)
+PeelingPasses::PeelingPasses(glm::ivec2 size, GLuint depth, Ties ties, const Capabilities& gl)
     : ties_(ties),
+      answers_at_once_(gl.answers_at_once),
       layer_(make_texture(GL_RGBA32F, size)),
       sum_(make_texture(GL_RGBA32F, size)),
       sum_target_(make_framebuffer({sum_}, 0)),
       opaque_depth_(make_framebuffer({}, depth)),
+      count_target_(make_framebuffer({layer_}, depth)),
       opaque_texture_(depth),
       any_fragment_(make_query()) {
     for (int i = 0; i < 2; ++i) {
@@ -31,6 +35,17 @@ PeelingPasses::PeelingPasses(glm::ivec2 size, GLuint depth, Ties ties)
         depth_targets_[i] = make_framebuffer({}, depths_[i]);
         layer_targets_[i] = make_framebuffer({layer_}, depths_[i]);
     }
+}
+
+int PeelingPasses::most_fragments(const PassInput& input) {
+    clear_color(count_target_, 0, glm::vec4(0));
+    set_draw_state({.depth = DepthTest::nearer, .writes_depth = false, .blending = Blending::add});
+    bind_framebuffer(count_target_);
+    use_program(input.programs.get("passes/scene.vert", "passes/count.frag"));
+    input.scene.draw(Surfaces::transparent);
+    float most = 0;
+    for (const glm::vec4& texel : read_colors(layer_, {{0, 0}, input.size})) most = std::max(most, texel.r);
+    return static_cast<int>(most);
 }
 
 bool PeelingPasses::draw_layer(const PassInput& input, int layer) {
@@ -44,10 +59,12 @@ bool PeelingPasses::draw_layer(const PassInput& input, int layer) {
     use_program(keep ? input.programs.get("passes/scene.vert", "passes/peel_depth.frag")
                      : input.programs.get("passes/scene.vert", "passes/peel.frag", input.lit({})));
     bind_texture(0, depths_[1 - now]);
-    begin_any_fragment(any_fragment_);
+    if (answers_at_once_) begin_any_fragment(any_fragment_);
     input.scene.draw(Surfaces::transparent);
-    end_any_fragment();
-    if (!any_fragment(any_fragment_)) return false;
+    if (answers_at_once_) {
+        end_any_fragment();
+        if (!any_fragment(any_fragment_)) return false;
+    }
     if (keep) draw_ties(input, layer_targets_[now]);
     return true;
 }
@@ -72,8 +89,9 @@ void PeelingPasses::add_layer(const PassInput& input) {
 }
 
 void PeelingPasses::draw_color(const PassInput& input) {
+    const int enough = answers_at_once_ ? MAX_LAYERS + 1 : most_fragments(input);
     clear_color(sum_target_, 0, glm::vec4(0, 0, 0, 1));
-    for (int layer = 0; draw_layer(input, layer); ++layer) {
+    for (int layer = 0; layer < enough && draw_layer(input, layer); ++layer) {
         if (layer == MAX_LAYERS)
             throw Error(fmt::format("The picture has more than {} layers of transparent surfaces; {}.",
                                     MAX_LAYERS, ties_ == Ties::lost ? "use sorted" : "simplify the scene"));

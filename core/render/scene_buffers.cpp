@@ -80,7 +80,7 @@ SceneBuffers::MeshBuffers SceneBuffers::upload(const Mesh& mesh) {
                             mesh.texture_coordinates.empty() ? glm::vec2(0) : mesh.texture_coordinates[i]});
     MeshBuffers buffers;
     buffers.vertices = make_buffer_of<Vertex>(vertices);
-    buffers.indices = make_buffer_of<std::uint32_t>(mesh.indices);
+    buffers.indices = make_index_buffer(mesh.indices);
     buffers.submitted = mesh.indices;
     buffers.array = make_vertex_array(buffers.vertices, sizeof(Vertex),
                                       {{0, 3, offsetof(Vertex, position)},

@@ -15,15 +15,15 @@ namespace {
 
 constexpr std::size_t MAX_INDICES = std::numeric_limits<int>::max();  // GLsizei is an int
 
-double gib(std::size_t bytes) {
+double gib(std::uintmax_t bytes) {
     return static_cast<double>(bytes) / static_cast<double>(std::size_t{1} << 30);
 }
 
 }  // namespace
 
-std::size_t SceneSize::bytes() const {
-    return vertices * sizeof(Vertex) + indices * sizeof(std::uint32_t) + objects * sizeof(ObjectBlock) +
-           texels;
+std::uintmax_t SceneSize::bytes() const {
+    return std::uintmax_t{vertices} * sizeof(Vertex) + std::uintmax_t{indices} * sizeof(std::uint32_t) +
+           std::uintmax_t{objects} * sizeof(ObjectBlock) + texels;
 }
 
 SceneSize size_of(const Scene& scene) {

@@ -15,7 +15,7 @@ std::unique_ptr<Transparency> make_transparency(const Technique& technique, glm:
     if (technique.is_truth()) {
         const bool sorts = technique.truth().way == GroundTruth::Way::sorting;
         if (sorts && gl.storage) return std::make_unique<SortedPasses>(size, depth, gl);
-        return std::make_unique<PeelingPasses>(size, depth, sorts ? Ties::kept : Ties::lost);
+        return std::make_unique<PeelingPasses>(size, depth, sorts ? Ties::kept : Ties::lost, gl);
     }
     if (technique.pixel_state_kernel().accumulate_second_pass != nullptr)
         return std::make_unique<LowResolutionPasses>(technique, size, depth, gl);

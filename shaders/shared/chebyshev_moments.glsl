@@ -32,7 +32,7 @@ FN Moments fragment_moments(float depth, float absorbance, IN(Basis) basis)
 /// The biased moment b_k times unit. b_0 is not biased.
 FN FloatPair scaled_moment(IN(BiasedMoments) biased, int k, float unit)
 {
-    return k == 0 ? make_pair(biased.b0 * unit, 0.0f) : biased_moment(biased, max(k - 1, 0), unit);
+    return choose_pair(k == 0, make_pair(biased.b0 * unit, 0.0f), biased_moment(biased, max(k - 1, 0), unit));
 }
 
 /// Entry i >= j of the matrix of moments, times unit. With z = cos phi, T_k(z) = cos(k phi). So T_i T_j = (T_{i+j} + T_{i-j}) / 2,

@@ -10,6 +10,12 @@ FN FloatPair make_pair(float high, float low)
     return pair;
 }
 
+/// One of two pairs. WebGL has no `? :` for structs.
+FN FloatPair choose_pair(bool first, IN(FloatPair) a, IN(FloatPair) b)
+{
+    return make_pair(first ? a.high : b.high, first ? a.low : b.low);
+}
+
 /// a + b without rounding (Knuth's two-sum).
 FN FloatPair exact_sum(float a, float b)
 {

@@ -45,7 +45,7 @@ FN Moments fragment_moments(float depth, float absorbance, IN(Basis) basis)
 /// The biased moment b_k times unit. b_0 is not biased.
 FN FloatPair scaled_moment(IN(BiasedMoments) biased, int k, float unit)
 {
-    return k == 0 ? make_pair(biased.b0 * unit, 0.0f) : biased_moment(biased, max(k - 1, 0), unit);
+    return choose_pair(k == 0, make_pair(biased.b0 * unit, 0.0f), biased_moment(biased, max(k - 1, 0), unit));
 }
 
 /// Entry i >= j of the Hankel matrix H_ij = b_{i+j}, times unit.

@@ -48,7 +48,8 @@ FN Complex cube_root(IN(Complex) a)
 /// b_i of a Toeplitz matrix; for negative i the conjugate of b_{-i}.
 FN Complex toeplitz_moment(IN(CirclePolynomial) b, int i)
 {
-    return i < 0 ? conjugate(b.q[max(-i, 0)]) : b.q[max(i, 0)];
+    Complex q = b.q[max(i, -i)];
+    return make_complex(q.re, i < 0 ? -q.im : q.im);
 }
 
 /// q of Algorithm 2: the solution of G q = (1, x_0, x_0^2, ...) with G_ij = b_{i-j}, by LDL^H.

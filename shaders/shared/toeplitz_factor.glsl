@@ -96,10 +96,10 @@ FN HermitianMatrix toeplitz_matrix(IN(BiasedMoments) biased, float power_of_two)
         for (int j = 0; j <= i; ++j)
         {
             int moment = 2 * max(i - j - 1, 0);
-            matrix.re[i * ORDER + j] =
-                i == j ? make_pair(biased.b0 * power_of_two, 0.0f) : biased_moment(biased, moment, power_of_two);
+            matrix.re[i * ORDER + j] = choose_pair(i == j, make_pair(biased.b0 * power_of_two, 0.0f),
+                                                   biased_moment(biased, moment, power_of_two));
             matrix.im[i * ORDER + j] =
-                i == j ? make_pair(0.0f, 0.0f) : biased_moment(biased, moment + 1, power_of_two);
+                choose_pair(i == j, make_pair(0.0f, 0.0f), biased_moment(biased, moment + 1, power_of_two));
         }
     }
     return matrix;

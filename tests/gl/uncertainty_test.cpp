@@ -20,6 +20,8 @@ TEST_P(Uncertainty, OfThePictureIsThatOfItsFragments) {
         Renderer renderer(shared_programs());
         renderer.set_scene(scene);
         const Configuration configuration = parse_configuration(GetParam());
+        if (const std::string why = why_unavailable(*configuration.technique, renderer.gl()); !why.empty())
+            GTEST_SKIP() << why;
         View view = view_of(scene, configuration.technique->id, UNCERTAINTY_SIZE);
         view.parameters = configuration.values;
         renderer.render(view);
