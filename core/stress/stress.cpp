@@ -8,7 +8,6 @@
 #include "core/inspect/exact_estimates.hpp"
 #include "core/inspect/fragment_estimates.hpp"
 #include "core/stress/classify.hpp"
-#include "core/support/parallel_for.hpp"
 #include "core/techniques/moment_kernel.hpp"
 
 namespace momentscope {
@@ -191,15 +190,15 @@ StressCell stress_cell(const Technique& technique, const Condition& condition, c
     return run.finish();
 }
 
-std::vector<StressCell> run_stress(const StressOptions& options, std::stop_token stop,
-                                   const std::function<void(std::size_t done, std::size_t all)>& progress) {
+Sliced<std::vector<StressCell>> stress_in_parts(StressOptions options, std::stop_token stop,
+                                                StressProgress progress) {
     const std::size_t columns = options.conditions.size();
     std::vector<std::size_t> places;
     for (std::size_t i = 0; i < options.techniques.size() * columns; ++i)
         if (options.shard.holds(i)) places.push_back(i);
     std::vector<StressCell> cells(places.size());
     std::atomic<std::size_t> done = 0;
-    parallel_for(
+    co_await Parts(
         cells.size(),
         [&](std::size_t i) {
             cells[i] = stress_cell(*options.techniques[places[i] / columns],
@@ -208,7 +207,12 @@ std::vector<StressCell> run_stress(const StressOptions& options, std::stop_token
         },
         stop);
     if (stop.stop_requested()) cells.clear();
-    return cells;
+    co_return cells;
+}
+
+std::vector<StressCell> run_stress(const StressOptions& options, std::stop_token stop,
+                                   const StressProgress& progress) {
+    return stress_in_parts(options, std::move(stop), progress).finish();
 }
 
 }  // namespace momentscope

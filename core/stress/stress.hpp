@@ -1,7 +1,6 @@
 // stress.hpp -- tests techniques under conditions: how often a reconstruction fails, and how large its error
 // is.
 #pragma once
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <stop_token>
@@ -9,6 +8,7 @@
 
 #include "core/stress/classify.hpp"
 #include "core/stress/condition.hpp"
+#include "core/support/sliced.hpp"
 #include "core/table/run_table.hpp"
 
 namespace momentscope {
@@ -55,9 +55,15 @@ struct StressOptions {
 StressCell stress_cell(const Technique& technique, const Condition& condition, const StressOptions& options,
                        const std::stop_token& stop = {});
 
-/// Runs all cells of the shard, technique by technique, on all cores. `progress` is called by any thread with
-/// the number of finished cells. If stopped, the result is empty.
+using StressProgress = std::function<void(std::size_t done, std::size_t all)>;
+
+/// Runs all cells of the shard, technique by technique; a cell is a part. `progress` is called by any thread
+/// with the number of finished cells. If stopped, the result is empty.
+Sliced<std::vector<StressCell>> stress_in_parts(StressOptions options, std::stop_token stop,
+                                                StressProgress progress);
+
+/// The same to the end, on all cores.
 std::vector<StressCell> run_stress(const StressOptions& options, std::stop_token stop,
-                                   const std::function<void(std::size_t done, std::size_t all)>& progress);
+                                   const StressProgress& progress);
 
 }  // namespace momentscope

@@ -10,7 +10,6 @@
 #include "core/inspect/fragment_estimates.hpp"
 #include "core/stress/classify.hpp"
 #include "core/support/error.hpp"
-#include "core/support/parallel_for.hpp"
 #include "core/techniques/moment_kernel.hpp"
 
 namespace momentscope {
@@ -115,32 +114,33 @@ void add_rays(std::span<const ViewRay> rays, const Technique& technique, const R
                 technique, parameters, judged, sums);
 }
 
-class Search {
+// Values that are tried: the sums of errors over all rays, in parts of RAYS rays.
+class Attempt {
 public:
-    Search(const std::vector<ViewRay>& rays, const TuneOptions& options, std::stop_token stop,
-           const std::function<void(std::size_t, std::size_t)>& progress, std::size_t trials)
-        : rays_(rays), options_(options), stop_(std::move(stop)), progress_(progress), trials_(trials) {}
+    Attempt(const std::vector<ViewRay>& rays, const Technique& technique, const ParameterValues& values,
+            bool judged)
+        : rays_(rays),
+          technique_(technique),
+          parameters_(resolve(values, technique)),
+          judged_(judged),
+          sums_((rays.size() + RAYS - 1) / RAYS) {}
 
-    bool stopped() const { return stop_.stop_requested(); }
+    Parts parts(const std::stop_token& stop) {
+        const auto add = [this](std::size_t i) {
+            add_rays(std::span(rays_).subspan(i * RAYS, std::min(RAYS, rays_.size() - i * RAYS)), technique_,
+                     parameters_, judged_, sums_[i]);
+        };
+        return {sums_.size(), add, stop};
+    }
 
-    Trial measure(ParameterId id, float value, const ParameterValues& values, bool classify) {
-        const ResolvedParameters parameters = resolve(values, *options_.technique);
-        std::vector<Sums> parts((rays_.size() + RAYS - 1) / RAYS);
-        parallel_for(
-            parts.size(),
-            [&](std::size_t i) {
-                add_rays(std::span(rays_).subspan(i * RAYS, std::min(RAYS, rays_.size() - i * RAYS)),
-                         *options_.technique, parameters, classify, parts[i]);
-            },
-            stop_);
+    Trial trial(ParameterId id, float value) const {
         Sums all;
-        for (const Sums& part : parts) {
+        for (const Sums& part : sums_) {
             all.squares += part.squares;
             all.queries += part.queries;
             all.failures += part.failures;
             all.inherent += part.inherent;
         }
-        progress_(++done_, trials_);
         const auto queries = static_cast<double>(std::max(all.queries, 1L));
         return {id, value, std::sqrt(all.squares / queries), static_cast<double>(all.failures) / queries,
                 static_cast<double>(all.inherent) / queries};
@@ -148,11 +148,10 @@ public:
 
 private:
     const std::vector<ViewRay>& rays_;
-    const TuneOptions& options_;
-    std::stop_token stop_;
-    const std::function<void(std::size_t, std::size_t)>& progress_;
-    std::size_t trials_;
-    std::size_t done_ = 0;
+    const Technique& technique_;
+    ResolvedParameters parameters_;
+    bool judged_;
+    std::vector<Sums> sums_;
 };
 
 std::vector<float> candidates(ParameterId id, const Technique& technique) {
@@ -194,36 +193,40 @@ const Trial* best_bias(const std::vector<Trial>& trials, double most_failures) {
 
 }  // namespace
 
-std::optional<TuneResult> tune(const std::vector<ViewRay>& all_rays, const TuneOptions& options,
-                               std::stop_token stop,
-                               const std::function<void(std::size_t done, std::size_t all)>& progress) {
-    if (!options.technique->has_moments())
-        throw Error(fmt::format("'{}' has no parameters to tune; choose a technique with moments.",
-                                options.technique->id));
-    std::vector<ViewRay> rays;
-    std::ranges::copy_if(all_rays, std::back_inserter(rays),
-                         [](const ViewRay& ray) { return !ray.fragments.empty(); });
+Sliced<std::optional<TuneResult>> tune_in_parts(std::vector<ViewRay> rays, TuneOptions options,
+                                                std::stop_token stop, TuneProgress progress) {
+    const Technique& technique = *options.technique;
+    if (!technique.has_moments())
+        throw Error(
+            fmt::format("'{}' has no parameters to tune; choose a technique with moments.", technique.id));
+    std::erase_if(rays, [](const ViewRay& ray) { return ray.fragments.empty(); });
     if (rays.empty())
         throw Error(
             "No ray has a transparent fragment, so there is nothing to tune; choose another scene or ray.");
     std::vector<ParameterId> ids = {ParameterId::alpha};
-    if (options.technique->uses(ParameterId::theta)) ids.push_back(ParameterId::theta);
+    if (technique.uses(ParameterId::theta)) ids.push_back(ParameterId::theta);
     // The expected T does not depend on beta.
-    if (resolve(options.values, *options.technique).estimation.estimate != Estimate::expected)
+    if (resolve(options.values, technique).estimation.estimate != Estimate::expected)
         ids.push_back(ParameterId::beta);
-    std::size_t trials = 2;
-    for (const ParameterId id : ids) trials += candidates(id, *options.technique).size();
-    Search search(rays, options, std::move(stop), progress, trials);
+    std::size_t trials = 2, done = 0;
+    for (const ParameterId id : ids) trials += candidates(id, technique).size();
+
     TuneResult result;
     result.values = options.values;
-    result.error_before = search.measure(ParameterId::alpha, 0, options.values, false).error;
+    Attempt first(rays, technique, options.values, false);
+    co_await first.parts(stop);
+    progress(++done, trials);
+    result.error_before = first.trial(ParameterId::alpha, 0).error;
     for (const ParameterId id : ids) {
-        for (const float value : candidates(id, *options.technique)) {
+        for (const float value : candidates(id, technique)) {
             ParameterValues values = result.values;
             values.set(id, value);
             if (id == ParameterId::alpha) values.set(ParameterId::beta, 0.0f);
-            result.trials.push_back(search.measure(id, value, values, id == ParameterId::alpha));
-            if (search.stopped()) return std::nullopt;
+            Attempt attempt(rays, technique, values, id == ParameterId::alpha);
+            co_await attempt.parts(stop);
+            if (stop.stop_requested()) co_return std::nullopt;
+            progress(++done, trials);
+            result.trials.push_back(attempt.trial(id, value));
         }
         const Trial* best = id == ParameterId::alpha ? best_bias(result.trials, options.most_failures)
                                                      : least_error(result.trials, id, 1.0);
@@ -233,12 +236,19 @@ std::optional<TuneResult> tune(const std::vector<ViewRay>& all_rays, const TuneO
         }
         result.values.set(id, best->value);
     }
-    const Trial last =
-        search.measure(ParameterId::alpha, *result.values[ParameterId::alpha], result.values, true);
-    if (search.stopped()) return std::nullopt;
-    result.error = last.error;
-    result.failure_rate = last.failure_rate;
-    return result;
+    Attempt last(rays, technique, result.values, true);
+    co_await last.parts(stop);
+    if (stop.stop_requested()) co_return std::nullopt;
+    progress(++done, trials);
+    const Trial of_result = last.trial(ParameterId::alpha, *result.values[ParameterId::alpha]);
+    result.error = of_result.error;
+    result.failure_rate = of_result.failure_rate;
+    co_return result;
+}
+
+std::optional<TuneResult> tune(const std::vector<ViewRay>& rays, const TuneOptions& options,
+                               std::stop_token stop, const TuneProgress& progress) {
+    return tune_in_parts(rays, options, std::move(stop), progress).finish();
 }
 
 std::optional<float> least_safe_bias(const TuneResult& result, double most_failures) {
@@ -253,9 +263,9 @@ std::optional<float> least_safe_bias(const TuneResult& result, double most_failu
     return least;
 }
 
-std::optional<std::vector<OverdrawTrial>> tune_by_overdraw(
-    const TuneOptions& options, int count, std::uint32_t seed, const std::stop_token& stop,
-    const std::function<void(std::size_t done, std::size_t all)>& progress) {
+std::optional<std::vector<OverdrawTrial>> tune_by_overdraw(const TuneOptions& options, int count,
+                                                           std::uint32_t seed, const std::stop_token& stop,
+                                                           const TuneProgress& progress) {
     std::vector<OverdrawTrial> trials;
     constexpr int DOUBLINGS = 10;
     for (int k = 1; k <= DOUBLINGS; ++k) {

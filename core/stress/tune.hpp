@@ -9,6 +9,7 @@
 
 #include "core/parameters/parameters.hpp"
 #include "core/ray/random_ray.hpp"
+#include "core/support/sliced.hpp"
 #include "core/techniques/technique.hpp"
 
 namespace momentscope {
@@ -38,14 +39,19 @@ struct TuneResult {
     std::vector<Trial> trials;           // in the order in which they were made
 };
 
+using TuneProgress = std::function<void(std::size_t done, std::size_t all)>;
+
 /// Tries moment biases from 1e-9 to 0.1, four per decade, and those of the presets. Takes the largest safe
 /// one whose error is at most MAX_RELATIVE_LOSS times the least error: bias that costs almost nothing keeps
 /// the hardest pixels of a scene safe. Then tries theta (if the technique has it) and beta. Rays without
 /// fragments are left out. Throws Error if no ray is left, or if the technique has no moments. nullopt if
 /// stopped.
 std::optional<TuneResult> tune(const std::vector<ViewRay>& rays, const TuneOptions& options,
-                               std::stop_token stop,
-                               const std::function<void(std::size_t done, std::size_t all)>& progress);
+                               std::stop_token stop, const TuneProgress& progress);
+
+/// The same in parts, which are a few rays each.
+Sliced<std::optional<TuneResult>> tune_in_parts(std::vector<ViewRay> rays, TuneOptions options,
+                                                std::stop_token stop, TuneProgress progress);
 
 /// The smallest moment bias such that it and all greater ones that were tried are safe; nullopt if not even
 /// the greatest is safe.
@@ -60,9 +66,9 @@ struct OverdrawTrial {
     int fragments;
     TuneResult result;
 };
-std::optional<std::vector<OverdrawTrial>> tune_by_overdraw(
-    const TuneOptions& options, int rays, std::uint32_t seed, const std::stop_token& stop,
-    const std::function<void(std::size_t done, std::size_t all)>& progress);
+std::optional<std::vector<OverdrawTrial>> tune_by_overdraw(const TuneOptions& options, int rays,
+                                                           std::uint32_t seed, const std::stop_token& stop,
+                                                           const TuneProgress& progress);
 
 /// `count` random rays of 2 to 5 fragments, the range in which moments matter.
 std::vector<ViewRay> tuning_rays(int count, std::uint32_t seed);

@@ -8,6 +8,8 @@
 #include <thread>
 #include <vector>
 
+#include "core/support/threads.hpp"
+
 namespace momentscope {
 
 /// Calls work(i) for each i below `count`, in any order and from several threads at a time, and returns when
@@ -26,8 +28,8 @@ void parallel_for(std::size_t count, const Work& work, const std::stop_token& st
         }
     };
     {
-        const std::size_t threads =
-            std::min<std::size_t>(std::max(std::thread::hardware_concurrency(), 1U), count);
+        const unsigned cores = HAS_THREADS ? std::max(std::thread::hardware_concurrency(), 1U) : 1;
+        const std::size_t threads = std::min<std::size_t>(cores, count);
         std::vector<std::jthread> workers;  // their destructors wait
         for (std::size_t i = 1; i < threads; ++i) workers.emplace_back(run);
         run();

@@ -11,10 +11,10 @@ namespace {
 
 constexpr int MIN_DIVISOR = 2, MAX_DIVISOR = 4;
 
-std::vector<Mesh> coarse_meshes(std::vector<Mesh> meshes, const std::stop_token& stop) {
-    for (Mesh& mesh : meshes)
-        if (!stop.stop_requested()) mesh = coarse_mesh(std::move(mesh));
-    return meshes;
+Sliced<std::vector<Mesh>> coarse_meshes(std::vector<Mesh> meshes, std::stop_token stop) {
+    co_await Parts(
+        meshes.size(), [&](std::size_t i) { meshes[i] = coarse_mesh(std::move(meshes[i])); }, stop);
+    co_return std::move(meshes);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ void StressRun::start(const ExplorerState& state) {
     options.rays = rays_;
     title_ = stress_title(options);
     work_.start([options](const std::stop_token& stop, const auto& report) {
-        return run_stress(options, stop, report);
+        return stress_in_parts(options, stop, report);
     });
 }
 

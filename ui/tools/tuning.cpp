@@ -29,7 +29,7 @@ void Tuning::start(const ExplorerState& state, const Scene& scene, const Rendere
     technique_ = state.technique;
     const TuneOptions options = {.technique = state.technique, .values = state.parameters};
     work_.start([rays = std::move(rays), options](const std::stop_token& stop, const auto& report) {
-        return tune(rays, options, stop, report);
+        return tune_in_parts(rays, options, stop, report);
     });
 } catch (const Error& error) {
     status.say(error.what());
