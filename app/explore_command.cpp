@@ -63,7 +63,11 @@ public:
           explorer_(renderer_, start.state,
                     {.scale = start.scale,
                      .most_milliseconds = ui::DRAG_MILLISECONDS,
-                     .before_long_picture = [this] { say_drawing(); }}),
+                     .before_long_picture =
+                         [this] {
+                             say_drawing();
+                             return false;
+                         }}),
           log_(start.log),
           lost_display_([this] { return last_words(explorer_.workspace().state); }) {
         glfwSetWindowSizeLimits(context_->window(), 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
@@ -127,7 +131,7 @@ private:
     void export_window(glm::ivec2 size, const std::string& path) {
         try {
             write_png(read_window(size), size.x, size.y, path);
-            explorer_.workspace().status.say(fmt::format("Written to {}.", path));
+            explorer_.workspace().files.window_written(path, explorer_.workspace());
         } catch (const Error& error) {
             explorer_.workspace().status.say(error.what());
         }
@@ -139,7 +143,7 @@ private:
     GuiSession gui_;
     ui::Explorer explorer_;
     FrameLog log_;
-    FrameNeed need_;
+    ui::FrameNeed need_;
     bool picked_ = false;
     LostDisplay lost_display_;
 };

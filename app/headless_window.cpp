@@ -35,7 +35,7 @@ void HeadlessWindow::draw() {
     if (const auto path = explorer_.workspace().files.take_window_export()) {
         try {
             write_png(path->string());
-            explorer_.workspace().status.say("Written to " + path->string() + ".");
+            explorer_.workspace().files.window_written(*path, explorer_.workspace());
         } catch (const Error& error) {
             explorer_.workspace().status.say(error.what());
         }

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "app/frame_log.hpp"
-#include "app/frame_need.hpp"
+#include "ui/window/frame_need.hpp"
 #include "app/gl_context.hpp"
 #include "app/gui_session.hpp"
 
@@ -53,7 +53,7 @@ private:
     Renderer renderer_;
     GuiSession gui_;
     ui::Explorer explorer_;
-    FrameNeed need_;
+    ui::FrameNeed need_;
     float passed_ = 0;
     FrameLog& log_;
 };

@@ -2,7 +2,7 @@
 #pragma once
 #include <utility>
 
-#include "app/input_queue.hpp"
+#include "ui/window/input_queue.hpp"
 
 struct GLFWwindow;
 
@@ -26,11 +26,11 @@ public:
     bool take_happened() { return std::exchange(happened_, false); }
 
 private:
-    void push(const InputQueue::Event& event);
+    void push(const ui::InputQueue::Event& event);
     void move_here();
 
     GLFWwindow* window_;
-    InputQueue queue_;
+    ui::InputQueue queue_;
     bool happened_ = false;
     int held_buttons_ = 0;
 };

@@ -73,9 +73,9 @@ const Parameter& parameter(ParameterId id) {
 }
 
 const Parameter* find_parameter(std::string_view key) {
-    const auto* row =
-        std::ranges::find(ROWS, key, [](const Parameter& p) { return std::string_view(p.key); });
-    return row == ROWS.end() ? nullptr : row;
+    for (const Parameter& row : ROWS)
+        if (key == row.key) return &row;
+    return nullptr;
 }
 
 ParameterValues::ParameterValues() {

@@ -1,6 +1,6 @@
 // input_queue_test.cpp -- mouse and keyboard events within one frame reach ImGui in several frames that it
 // can distinguish.
-#include "app/input_queue.hpp"
+#include "ui/window/input_queue.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 namespace momentscope::test {
 namespace {
 
-using Queue = InputQueue;
+using Queue = ui::InputQueue;
 
 // What ImGui sees in each frame until no event waits.
 std::vector<ImGuiIO> frames_of(const std::vector<Queue::Event>& events) {

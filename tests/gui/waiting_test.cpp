@@ -41,6 +41,7 @@ protected:
     int announced = 0;
     float last_covered = 0;
     double most_silent_ = 100;
+    bool postpones_ = false;
     void open_counting() {
         ui::ExplorerState state;
         state.scene = "planes";
@@ -50,6 +51,7 @@ protected:
             ++announced;
             last_covered = covered();
             EXPECT_EQ(workspace().report.text(), "") << "it comes before the passes";
+            return postpones_;
         };
         window_.reset();
         window_ = std::make_unique<HeadlessWindow>(shared_gl().context, shared_gl().programs, size_, state,
@@ -72,6 +74,17 @@ TEST_F(WaitingTest, APictureOfAnUnknownKindIsAnnounced) {
     EXPECT_EQ(announced_by("key O"), 1) << "failures are marked";
     EXPECT_EQ(announced_by("key W"), 1) << "a reference is drawn";
     EXPECT_EQ(announced_by("click @card.beta"), 1) << "another scene";
+}
+
+// As in a browser, where the notice is seen only after the frame.
+TEST_F(WaitingTest, APictureMayWaitForTheNextFrame) {
+    postpones_ = true;
+    open_counting();
+    EXPECT_EQ(announced, 1) << "the first one";
+    EXPECT_EQ(announced_by("click @controls.technique\nclick @controls.technique.trig3-32"), 1);
+    EXPECT_EQ(announced_by("click @card.beta\nkey W"), 2) << "another scene, then a reference";
+    EXPECT_FALSE(workspace().picture_waits);
+    EXPECT_EQ(workspace().shown, workspace().state);
 }
 
 TEST_F(WaitingTest, WhatDrawsNoPictureIsNotAnnounced) {

@@ -40,6 +40,12 @@ void add_file(List& list) {
     list.push_back(plain("file.export", "Export…", {"Ctrl+E"},
                          "Writes curves, fragments, the picture or the window to a file.",
                          [](Workspace& w) { w.files.save_export(); }));
+    list.push_back({"file.copy_link",
+                    "Copy link",
+                    {},
+                    "Copies the address that opens this state. Only the browser edition has addresses.",
+                    [](Workspace& w) { w.options.host.copy_link(w.state); },
+                    [](const Workspace& w) { return static_cast<bool>(w.options.host.copy_link); }});
 }
 
 void add_edit(List& list) {

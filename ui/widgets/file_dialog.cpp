@@ -128,7 +128,7 @@ std::optional<FileDialog::Choice> FileDialog::accept() {
         return std::nullopt;
     }
     if (mode_ == Mode::open) return Choice{path, &kinds_[kind_]};
-    fs::path target = path;
+    fs::path target = shows_folders_ ? path : folder_ / path.filename();
     if (target.extension() != kinds_[kind_].extension) target += kinds_[kind_].extension;
     try {
         require_writable(target);
@@ -136,7 +136,7 @@ std::optional<FileDialog::Choice> FileDialog::accept() {
         problem_ = error.what();
         return std::nullopt;
     }
-    if (fs::exists(target, status) && confirmed_ != target.string()) {
+    if (shows_folders_ && fs::exists(target, status) && confirmed_ != target.string()) {
         confirmed_ = target.string();
         problem_ = fmt::format("'{}' exists; press Save again to replace it.", target.filename().string());
         return std::nullopt;
@@ -163,10 +163,12 @@ void FileDialog::draw_answer(const Ui& ui, bool& accept, bool& cancel) {
     ImGui::SetNextItemWidth(-1);
     if (begin_) ImGui::SetKeyboardFocusHere();
     begin_ = false;
-    accept |= ImGui::InputTextWithHint("##name", "name of the file, or a path", &name_,
-                                       ImGuiInputTextFlags_EnterReturnsTrue);
+    accept |= ImGui::InputTextWithHint("##name",
+                                       shows_folders_ ? "name of the file, or a path" : "name of the file",
+                                       &name_, ImGuiInputTextFlags_EnterReturnsTrue);
     ui.record_widget_rect("file.name");
-    tooltip("A name in this folder, or a full path.");
+    tooltip(shows_folders_ ? "A name in this folder, or a full path."
+                           : "The name under which your browser saves the file.");
     accept |= ImGui::Button(mode_ == Mode::save ? "Save" : "Open", {6 * em(), 0});
     ui.record_widget_rect("file.accept");
     tooltip(mode_ == Mode::save ? "Writes the file." : "Opens the file, or enters the folder.", "Enter");
@@ -181,7 +183,8 @@ std::optional<FileDialog::Choice> FileDialog::draw(const Ui& ui) {
     const std::string label = title_ + "###file";
     if (begin_) ImGui::OpenPopup(label.c_str());
     const ImVec2 room = ImGui::GetMainViewport()->Size;
-    ImGui::SetNextWindowSize({std::min(38 * em(), 0.95f * room.x), std::min(30 * em(), 0.95f * room.y)});
+    const float height = shows_folders_ ? 30 * em() : 11 * em();
+    ImGui::SetNextWindowSize({std::min(38 * em(), 0.95f * room.x), std::min(height, 0.95f * room.y)});
     ImGui::SetNextWindowPos({0.5f * room.x, 0.5f * room.y}, ImGuiCond_Always, {0.5f, 0.5f});
     open_ = ImGui::BeginPopupModal(label.c_str(), nullptr,
                                    ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings);
@@ -189,8 +192,10 @@ std::optional<FileDialog::Choice> FileDialog::draw(const Ui& ui) {
     std::optional<Choice> choice;
     bool wanted = false;
     bool cancelled = false;
-    ImGui::TextWrapped("%s", folder_.c_str());
-    draw_entries(ui, wanted);
+    if (shows_folders_) {
+        ImGui::TextWrapped("%s", folder_.c_str());
+        draw_entries(ui, wanted);
+    }
     draw_kinds(ui);
     draw_answer(ui, wanted, cancelled);
     if (wanted) choice = accept();

@@ -23,6 +23,10 @@ class FileDialog {
 public:
     enum class Mode { open, save };
 
+    /// shows_folders: false if files have no place that the user could see, as in a browser. Then it only
+    /// asks for a name.
+    explicit FileDialog(bool shows_folders) : shows_folders_(shows_folders) {}
+
     /// Opens in the folder of the last time; at first in the working folder.
     void open(Mode mode, const char* title, std::vector<FileKind> kinds, const std::string& suggested_name);
 
@@ -48,6 +52,7 @@ private:
     void draw_answer(const Ui& ui, bool& accept, bool& cancel);
     std::optional<Choice> accept();
 
+    bool shows_folders_;
     bool open_ = false;
     bool begin_ = false;
     bool just_entered_ = false;  // the last click entered a folder

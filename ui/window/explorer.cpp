@@ -30,14 +30,23 @@ bool close_popup_on_escape(const Workspace& w) {
     return true;
 }
 
-void begin_window() {
+void begin_window(bool has_menus) {
     const ImGuiViewport& viewport = *ImGui::GetMainViewport();
     ImGui::SetNextWindowPos(viewport.Pos);
     ImGui::SetNextWindowSize(viewport.Size);
     ImGui::Begin("Momentscope", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_MenuBar |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse |
-                     ImGuiWindowFlags_NoSavedSettings);
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                     (has_menus ? ImGuiWindowFlags_MenuBar : 0) | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                     ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoSavedSettings);
+}
+
+void draw_whole(const Ui& ui, Workspace& w) {
+    draw_menu_bar(ui, w);
+    draw_lessons(ui, w);
+    const WorkArea area = draw_scene_controls(ui, w);
+    update_window(w, area.picture, {ImGui::IsAnyMouseDown(), ImGui::GetIO().DeltaTime});
+    draw_work_area(ui, w, area);
+    draw_status_line(ui, w);
 }
 
 // What lies above the window.
@@ -68,22 +77,21 @@ void Explorer::frame() {
     w.widget_rects.clear();
     take_results(w);
     const Ui ui = {palette(w.state.theme), w.widget_rects};
-    begin_window();
+    begin_window(w.options.embedding.shown == Shown::window);
     const bool reading = w.scene.is_reading();  // it may change within this frame
     w.escape_is_taken =
         close_popup_on_escape(w) || shows_dialog(w) || reading || ImGui::GetIO().WantTextInput;
     w.comparison.flip(!w.state.ray && !shows_dialog(w) && (held({.key = 'G'}) || w.scene_panel.flip_held()));
 
     ImGui::BeginDisabled(reading);  // the state must not change while a scene is read
-    draw_menu_bar(ui, w);
-    draw_lessons(ui, w);
-    const WorkArea area = draw_scene_controls(ui, w);
-    update_window(w, area.picture, {ImGui::IsAnyMouseDown(), ImGui::GetIO().DeltaTime});
-    draw_work_area(ui, w, area);
-    draw_status_line(ui, w);
+    if (w.options.embedding.shown == Shown::window)
+        draw_whole(ui, w);
+    else
+        draw_embedded(ui, w);
     ImGui::EndDisabled();
     ImGui::End();
     draw_above(ui, w);
+    if (w.picture_waits) ui::draw_waiting(*ImGui::GetForegroundDrawList(), w);
     run_pressed_commands(w);
     record_step(w);
 }

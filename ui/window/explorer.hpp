@@ -15,6 +15,12 @@ public:
     /// computed, then everything is drawn. Throws Error only if there was no good picture yet.
     void frame();
 
+    /// Sets another scale of fonts and spacing. The caller loads the fonts.
+    void set_scale(float scale) {
+        workspace_.options.scale = scale;
+        styled_.reset();
+    }
+
     /// Draws the word "drawing…" over the last frame while a long picture is drawn. Before the first picture,
     /// fills the window with the names of the program and of the scene.
     void draw_waiting(ImDrawList& list) const;

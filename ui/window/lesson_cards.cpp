@@ -61,6 +61,7 @@ void draw_card(const Ui& ui, Workspace& w) {
 }  // namespace
 
 void draw_lessons(const Ui& ui, Workspace& w) {
+    if (is_narrow()) return draw_card(ui, w);  // the menu has the lessons, too
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("Try this");
     const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;

@@ -5,8 +5,9 @@
 
 namespace momentscope::ui {
 
-void draw_menu_bar(const Ui& ui, Workspace& w) {
-    if (!ImGui::BeginMenuBar()) return;
+namespace {
+
+void draw_menus(const Ui& ui, Workspace& w) {
     for (const Menu& menu : menus()) {
         const bool open = ImGui::BeginMenu(menu.title);
         ui.record_widget_rect(fmt::format("menu.{}", menu.id));
@@ -23,6 +24,22 @@ void draw_menu_bar(const Ui& ui, Workspace& w) {
             tooltip(command.help);
         }
         ImGui::EndMenu();
+    }
+}
+
+}  // namespace
+
+void draw_menu_bar(const Ui& ui, Workspace& w) {
+    if (!ImGui::BeginMenuBar()) return;
+    if (!is_narrow()) {
+        draw_menus(ui, w);
+    } else {
+        const bool open = ImGui::BeginMenu("Menu");
+        ui.record_widget_rect("menu");
+        if (open) {
+            draw_menus(ui, w);
+            ImGui::EndMenu();
+        }
     }
     ImGui::EndMenuBar();
 }

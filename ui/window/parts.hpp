@@ -9,13 +9,22 @@ void draw_menu_bar(const Ui& ui, Workspace& workspace);
 /// The "Try this" row and the open card.
 void draw_lessons(const Ui& ui, Workspace& workspace);
 
-/// The sizes in pixels of what lies side by side below the cards.
+/// The sizes in pixels of what lies below the cards: scene and plot side by side, or one above the other in a
+/// high and narrow window.
 struct WorkArea {
     ImVec2 size;
-    float left;  // width of the side of the scene
-    float bar;   // width of the bars that divide the space
+    ImVec2 scene;  // the part of the scene
+    ImVec2 rest;   // that of plot and tabs
+    float bar;     // width of the bars that divide the space
+    bool stacked;
     glm::ivec2 picture;
 };
+
+/// Is the window too narrow for two parts side by side?
+bool is_narrow();
+
+/// Draws only a part of the window, for pages that embed it, and updates the content first.
+void draw_embedded(const Ui& ui, Workspace& workspace);
 
 /// Draws the tools above the picture and handles the mouse over it. Both change the state.
 WorkArea draw_scene_controls(const Ui& ui, Workspace& workspace);

@@ -39,6 +39,7 @@ void draw_status_line(const Ui& ui, Workspace& w) {
         "The picked pixel, what lies on its ray, and the time that the GL took for the last run of each pass.");
     std::string gl = w.gl.software ? fmt::format("no GPU: {}", w.gl.renderer) : w.gl.renderer;
     if (w.gl.can.language.rounding == Rounding::lost) gl = "rounds inexactly: " + gl;
+    if (is_narrow()) gl.clear();
     const float width = std::min(ImGui::CalcTextSize(gl.c_str()).x, 0.35f * ImGui::GetContentRegionMax().x);
     ImGui::SameLine(std::max(ImGui::GetContentRegionMax().x - width, 1.0f));
     ImGui::TextDisabled("%s", gl.c_str());

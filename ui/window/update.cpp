@@ -61,13 +61,16 @@ PictureKind picture_kind(const Workspace& w, const View& view, Stage stage) {
     return kind;
 }
 
-// Called before anything is drawn, while the window still shows the last frame.
-void announce(const Workspace& w, const PictureKind& kind, glm::ivec2 size) {
-    if (!w.options.before_long_picture) return;
+// Called before anything is drawn, while the window still shows the last frame. True if the picture waits for
+// the next frame.
+bool announce(Workspace& w, const PictureKind& kind, glm::ivec2 size) {
+    if (!w.options.before_long_picture) return false;
+    const bool waited = std::exchange(w.picture_waits, false);
     const bool nothing = kind.stage == Stage::nothing && kind.reference_stage == Stage::nothing;
-    if (nothing && !kind.failures && !kind.uncertainty) return;
+    if (waited || (nothing && !kind.failures && !kind.uncertainty)) return false;
     const auto expected = w.picture_times.expected(kind, size);
-    if (!expected || *expected > w.options.most_silent_milliseconds) w.options.before_long_picture();
+    const bool is_long = !expected || *expected > w.options.most_silent_milliseconds;
+    return w.picture_waits = is_long && w.options.before_long_picture();
 }
 
 void update_ray(Workspace& w, const Update& update) {
@@ -97,13 +100,13 @@ void update_picture(Workspace& w, const Update& update, glm::ivec2 size, Pointer
         set_viewpoint(state, Viewpoint::eye);  // shadows were turned off
     const bool builds_scene = state.scene != w.scene.scene().id && is_builtin_scene(state.scene);
     const auto view = [&] { return View{w.camera(), size, state.technique, state.parameters}; };
-    if (builds_scene) announce(w, picture_kind(w, view(), Stage::opaque), size);
+    if (builds_scene && announce(w, picture_kind(w, view(), Stage::opaque), size)) return;
     update_scene(w);
     if (w.scene.is_reading()) return;
     const PictureChange change = w.picture.change_to(view());
     if (w.picture.wants_draft(change, pointer)) return update_draft(w, update, change);
     const PictureKind kind = picture_kind(w, change.now, change.stage);
-    if (!builds_scene) announce(w, kind, size);
+    if (!builds_scene && announce(w, kind, size)) return;
     update_full_picture(w, update, change);
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begun;
     w.picture_times.took(kind, size, took.count());
@@ -117,7 +120,7 @@ void update_content(Workspace& w, glm::ivec2 size, Pointer pointer) {
         update_ray(w, update);
     else
         update_picture(w, update, size, pointer);
-    if (w.scene.is_reading()) return;
+    if (w.scene.is_reading() || w.picture_waits) return;
     w.shown = w.state;
     auto bounds = w.sharp_bounds.update(w.state.plot, w.measurement(), w.picked.number(), w.status);
     if (bounds) w.picked.set_sharp_bounds(*std::move(bounds));

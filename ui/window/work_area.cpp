@@ -15,6 +15,9 @@ namespace {
 
 constexpr float MIN_SHARE = 0.2f, MAX_SHARE = 0.8f;
 
+// The share of the height that the scene takes of its share of the width, if it lies above the plot.
+constexpr float STACKED_SHARE = 0.6f;
+
 // A draggable bar between two areas. A double-click restores the default. Changes the share of the area
 // before the bar.
 void splitter(const Ui& ui, const char* name, bool vertical, ImVec2 size, float room, float default_value,
@@ -54,7 +57,7 @@ void draw_tabs(const Ui& ui, Workspace& w) {
 }
 
 void draw_right_side(const Ui& ui, Workspace& w, const WorkArea& area) {
-    const ImVec2 size = {std::max(area.size.x - area.left - area.bar, 1.0f), area.size.y};
+    const ImVec2 size = area.rest;
     if (w.picked.empty()) return ImGui::Dummy(size);  // the first scene is not loaded yet
     const float plot = std::max(std::floor(w.state.plot_share * size.y), 1.0f);
     const float pins = w.state.pins.empty() || w.state.ray ? 0.0f : std::floor(0.26f * plot);
@@ -83,21 +86,32 @@ void clear_message_on_input(Status& status) {
 
 }  // namespace
 
+bool is_narrow() {
+    const ImVec2 window = ImGui::GetMainViewport()->Size;
+    return window.x < 48 * em() && window.y > window.x;
+}
+
 WorkArea draw_scene_controls(const Ui& ui, Workspace& w) {
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float bar = 0.6f * em();
     const float gap = ImGui::GetStyle().ItemSpacing.y;
-    WorkArea area = {.size = {room.x, std::max(room.y - ImGui::GetTextLineHeightWithSpacing() - gap, 1.0f)},
-                     .left = 0,
-                     .bar = bar,
-                     .picture = {}};
-    area.left = std::max(std::floor(w.state.scene_share * (area.size.x - bar)), 1.0f);
+    const ImVec2 size = {room.x, std::max(room.y - ImGui::GetTextLineHeightWithSpacing() - gap, 1.0f)};
+    WorkArea area = {
+        .size = size, .scene = size, .rest = size, .bar = bar, .stacked = is_narrow(), .picture = {}};
+    const auto divide = [&](float all, float share, float& scene, float& rest) {
+        scene = std::max(std::floor(share * (all - bar)), 1.0f);
+        rest = std::max(all - scene - bar, 1.0f);
+    };
+    if (area.stacked)
+        divide(size.y, STACKED_SHARE * w.state.scene_share, area.scene.y, area.rest.y);
+    else
+        divide(size.x, w.state.scene_share, area.scene.x, area.rest.x);
     clear_message_on_input(w.status);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-    ImGui::BeginChild("scene side", {area.left, area.size.y}, false,
+    ImGui::BeginChild("scene side", area.scene, false,
                       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    area.picture = w.scene_panel.draw_controls(ui, w.measurement(), w.scene_picture, w.state,
-                                               {area.left, area.size.y}, w.status);
+    area.picture =
+        w.scene_panel.draw_controls(ui, w.measurement(), w.scene_picture, w.state, area.scene, w.status);
     ImGui::EndChild();
     ImGui::PopStyleVar();
     return area;
@@ -105,10 +119,18 @@ WorkArea draw_scene_controls(const Ui& ui, Workspace& w) {
 
 void draw_work_area(const Ui& ui, Workspace& w, const WorkArea& area) {
     w.scene_panel.draw_picture(ui, w.measurement(), w.scene_picture, w.state);
-    ImGui::SameLine(0, 0);
-    splitter(ui, "split.scene", true, {area.bar, area.size.y}, area.size.x, ExplorerState().scene_share,
-             w.state.scene_share);
-    ImGui::SameLine(0, 0);
+    const float original = ExplorerState().scene_share;
+    if (area.stacked) {
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 0});
+        splitter(ui, "split.scene", false, {area.size.x, area.bar}, STACKED_SHARE * area.size.y, original,
+                 w.state.scene_share);
+        ImGui::PopStyleVar();
+    } else {
+        ImGui::SameLine(0, 0);
+        splitter(ui, "split.scene", true, {area.bar, area.size.y}, area.size.x, original,
+                 w.state.scene_share);
+        ImGui::SameLine(0, 0);
+    }
     draw_right_side(ui, w, area);
 }
 

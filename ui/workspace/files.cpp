@@ -7,6 +7,7 @@
 #include "core/ray/ray_json.hpp"
 #include "core/report/curve_output.hpp"
 #include "core/support/error.hpp"
+#include "core/support/input_file.hpp"
 #include "core/support/json_text.hpp"
 #include "core/support/output_file.hpp"
 #include "ui/model/selection.hpp"
@@ -30,11 +31,23 @@ const std::vector<FileKind> CHART_FILES = {{"chart_csv", "rows (CSV), also for a
                                            {"chart_svg", "chart (SVG)", ".svg"},
                                            {"chart_md", "table (Markdown)", ".md"}};
 
+bool is_session(const std::filesystem::path& path) {
+    return read_input_file(path, MAX_SESSION_BYTES, "dropped").find("\"momentscope_session\"") !=
+           std::string::npos;
+}
+
 }  // namespace
 
+void Files::open(Purpose purpose, const char* title, const FileKind& kind) {
+    purpose_ = purpose;
+    if (host_.choose_file)
+        host_.choose_file(kind.extension);
+    else
+        dialog_.open(FileDialog::Mode::open, title, {kind}, "");
+}
+
 void Files::open_session() {
-    purpose_ = Purpose::open_session;
-    dialog_.open(FileDialog::Mode::open, "Open session", {{"session", "session", ".json"}}, "");
+    open(Purpose::open_session, "Open session", {"session", "session", ".json"});
 }
 
 void Files::save_session() {
@@ -44,13 +57,16 @@ void Files::save_session() {
 }
 
 void Files::open_mesh() {
-    purpose_ = Purpose::open_mesh;
-    dialog_.open(FileDialog::Mode::open, "Open mesh", {{"any", "any file", ""}}, "");
+    open(Purpose::open_mesh, "Open mesh", {"any", "any file", ""});
 }
 
 void Files::open_ray() {
-    purpose_ = Purpose::open_ray;
-    dialog_.open(FileDialog::Mode::open, "Open view ray", {{"ray", "view ray", ".json"}}, "");
+    open(Purpose::open_ray, "Open view ray", {"ray", "view ray", ".json"});
+}
+
+void Files::open_dropped(const std::filesystem::path& path) {
+    purpose_ = path.extension() == ".json" ? Purpose::open_json : Purpose::open_mesh;
+    open_chosen(path);
 }
 
 void Files::save_export() {
@@ -64,7 +80,8 @@ void Files::save_chart() {
 }
 
 void Files::draw(const Ui& ui, Workspace& w) {
-    const std::optional<FileDialog::Choice> choice = dialog_.draw(ui);
+    std::optional<FileDialog::Choice> choice = dialog_.draw(ui);
+    if (chosen_) choice = std::exchange(chosen_, std::nullopt);
     if (!choice) return;
     try {
         use(*choice, w);
@@ -78,7 +95,18 @@ std::optional<std::filesystem::path> Files::take_window_export() {
     return std::exchange(window_export_, std::nullopt);
 }
 
+void Files::say_written(const std::filesystem::path& path, Workspace& w) const {
+    if (host_.deliver) {
+        host_.deliver(path);
+        w.status.say(fmt::format("Your browser saves {}.", path.filename().string()));
+    } else {
+        w.status.say(fmt::format("Written to {}.", path.string()));
+    }
+}
+
 void Files::use(const FileDialog::Choice& choice, Workspace& w) {
+    if (purpose_ == Purpose::open_json)
+        purpose_ = is_session(choice.path) ? Purpose::open_session : Purpose::open_ray;
     switch (purpose_) {
         case Purpose::open_session: {
             Session session = read_session_file(choice.path);
@@ -91,7 +119,10 @@ void Files::use(const FileDialog::Choice& choice, Workspace& w) {
         }
         case Purpose::save_session:
             write_session_file(w.state, choice.path);
-            w.status.say(fmt::format("The session was saved to {}.", choice.path.string()));
+            if (host_.deliver)
+                say_written(choice.path, w);
+            else
+                w.status.say(fmt::format("The session was saved to {}.", choice.path.string()));
             break;
         case Purpose::open_mesh:
             choose_scene(w.state, choice.path.string());
@@ -104,7 +135,9 @@ void Files::use(const FileDialog::Choice& choice, Workspace& w) {
             break;
         case Purpose::save_chart:
             w.chart.write(choice.path, w.gl);
-            w.status.say(fmt::format("Written to {}.", choice.path.string()));
+            say_written(choice.path, w);
+            break;
+        case Purpose::open_json:
             break;
     }
 }
@@ -135,7 +168,7 @@ void Files::write_export(const FileDialog::Choice& choice, Workspace& w) {
             pixel_history(ray, measurement.capture.transmittance, *w.state.technique, w.state.parameters);
         write_file(pixel_history_to_csv(ray, rows), choice.path);
     }
-    w.status.say(fmt::format("Written to {}.", choice.path.string()));
+    say_written(choice.path, w);
 }
 
 }  // namespace momentscope::ui

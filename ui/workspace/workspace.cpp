@@ -29,7 +29,7 @@ bool has_background_work(const Workspace& w) {
 }
 
 bool wants_frame(const Workspace& w) {
-    return !(w.state == w.shown) || w.scene.is_reading() || has_background_work(w) ||
+    return !(w.state == w.shown) || w.picture_waits || w.scene.is_reading() || has_background_work(w) ||
            w.comparison.wants_worst() || w.picture.shows_draft() || w.chart.busy();
 }
 

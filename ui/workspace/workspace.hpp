@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/gl/gl_info.hpp"
+#include "ui/model/embedding.hpp"
 #include "ui/model/history.hpp"
 #include "ui/picture/picked_ray.hpp"
 #include "ui/picture/picture_times.hpp"
@@ -17,6 +18,7 @@
 #include "ui/tools/technique_chart.hpp"
 #include "ui/tools/tuning.hpp"
 #include "ui/workspace/files.hpp"
+#include "ui/workspace/host.hpp"
 
 namespace momentscope::ui {
 
@@ -32,7 +34,11 @@ struct WindowOptions {
     // before_long_picture is called before a picture that is expected to take longer than this, or whose time
     // is unknown. The caller can then call draw_waiting.
     double most_silent_milliseconds = 100;
-    std::function<void()> before_long_picture = {};
+    // Returns false if the user sees the notice already. True: the frame ends without the picture, which the
+    // next frame draws.
+    std::function<bool()> before_long_picture = {};
+    Host host = {};
+    Embedding embedding = {};
 };
 
 /// The list of commands that opens above the window.
@@ -76,9 +82,10 @@ struct Workspace {
     StressRun stress;
     TechniqueChart chart;
     RayEditor editor;
-    Files files;
+    Files files{options.host};
     PaletteState palette;
     bool help = false;                   // is the list of keys open?
+    bool picture_waits = false;          // for the next frame; this one shows that it will take long
     bool escape_is_taken = false;        // by a popup, dialog, text field or scene that is read
     std::optional<ParameterId> to_type;  // the parameter whose control becomes a text field now
 

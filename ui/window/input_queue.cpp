@@ -1,11 +1,11 @@
-#include "app/input_queue.hpp"
+#include "ui/window/input_queue.hpp"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
 
-namespace momentscope {
+namespace momentscope::ui {
 
 struct InputQueue::Frame {
     bool changed = false;  // a button, a key or the focus changed
@@ -56,4 +56,4 @@ void InputQueue::begin_frame(ImGuiIO& io) {
     std::ranges::copy(down_, io.MouseDown);
 }
 
-}  // namespace momentscope
+}  // namespace momentscope::ui

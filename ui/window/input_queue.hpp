@@ -7,7 +7,7 @@
 #include <deque>
 #include <variant>
 
-namespace momentscope {
+namespace momentscope::ui {
 
 /// ImGui 1.86 looks at mouse and keyboard once per frame and would miss a button that goes down and up
 /// between two frames. So events wait here in order, and a frame gets only as many as it can distinguish.
@@ -54,4 +54,4 @@ private:
     std::array<bool, ImGuiMouseButton_COUNT> down_{};
 };
 
-}  // namespace momentscope
+}  // namespace momentscope::ui

@@ -3,7 +3,7 @@
 #pragma once
 #include "ui/window/explorer.hpp"
 
-namespace momentscope {
+namespace momentscope::ui {
 
 class FrameNeed {
 public:
@@ -15,12 +15,10 @@ public:
 
     /// Are frames still due after the last input?
     bool settling() const { return left_ > 0; }
-    bool due(const ui::Explorer& explorer) const {
-        return settling() || ui::wants_frame(explorer.workspace());
-    }
+    bool due(const Explorer& explorer) const { return settling() || wants_frame(explorer.workspace()); }
 
 private:
     int left_ = SETTLING_FRAMES;
 };
 
-}  // namespace momentscope
+}  // namespace momentscope::ui
