@@ -63,7 +63,7 @@ std::string tidy(std::string message) {
 
 /// The first `most` bytes of a file, or all of them if it is smaller.
 std::string bytes_of(const std::filesystem::path& path, std::uintmax_t most = MAX_MESH_FILE_BYTES) {
-    std::string bytes(std::min(most, std::filesystem::file_size(path)), '\0');
+    std::string bytes(static_cast<std::size_t>(std::min(most, std::filesystem::file_size(path))), '\0');
     std::ifstream file(path, std::ios::binary);
     file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     bytes.resize(static_cast<std::size_t>(file.gcount()));

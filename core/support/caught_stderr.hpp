@@ -18,8 +18,8 @@ public:
     std::string first_line() const;
 
 private:
-    int kept_ = -1;      // a file in memory
-    int standard_ = -1;  // the original target of standard error
+    [[maybe_unused]] int kept_ = -1;      // a file in memory
+    [[maybe_unused]] int standard_ = -1;  // the original target of standard error
 };
 
 }  // namespace momentscope

@@ -1,0 +1,1 @@
+// linear_program.cpp -- nothing here needs it (circle_bounds.cpp).
