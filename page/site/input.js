@@ -70,7 +70,8 @@ export function listen(canvas, program, wake) {
         send('wheel', -event.deltaX / notch, -event.deltaY / notch);
     }, { passive: false });
 
-    // Touch: one finger is the left button, two fingers are the wheel.
+    // Touch: one finger is the left button; two fingers are the right button, which orbits, and the wheel.
+    const RIGHT = 1;
     const fingers = new Map();
     let pinch = 0;   // distance of two fingers, or 0
     const spread = () => {
@@ -84,8 +85,11 @@ export function listen(canvas, program, wake) {
             send('move', ...place(event));
             send('button', 0, true);
         } else if (fingers.size === 2) {
+            const { distance, middle } = spread();
+            pinch = distance;
             send('button', 0, false);
-            pinch = spread().distance;
+            send('move', ...middle);
+            send('button', RIGHT, true);
         }
     });
     canvas.addEventListener('pointermove', event => {
@@ -94,15 +98,15 @@ export function listen(canvas, program, wake) {
         if (fingers.size === 1 && pinch === 0) send('move', ...place(event));
         if (fingers.size !== 2) return;
         const now = spread();
+        send('move', ...now.middle);
         const notches = Math.log(now.distance / pinch) / Math.log(1.1);
         if (Math.abs(notches) < 0.2) return;
         pinch = now.distance;
-        send('move', ...now.middle);
         send('wheel', 0, notches);
     });
     const lift = event => {
         if (!fingers.delete(event.pointerId) || fingers.size > 0) return;
-        if (pinch === 0) send('button', 0, false);
+        send('button', pinch === 0 ? 0 : RIGHT, false);
         pinch = 0;
         send('leave');
     };

@@ -13,7 +13,7 @@ from pathlib import Path
 from testing.schedule import SECONDS_OF_AN_UNKNOWN_TEST
 from testing.suites import Program, Suite
 
-ALL_LABELS = ("unit", "property", "golden", "gui", "bench", "lint")
+ALL_LABELS = ("unit", "property", "golden", "gui", "bench", "lint", "web")
 LABELS_OF_FOLDERS = (("shaders/shared/", ("property", "golden", "lint")), ("shaders/", ("golden", "lint")),
                      ("core/render/", ("golden",)), ("core/gl/", ("golden",)), ("core/", ("unit",)), ("ui/", ("gui",)),
                      ("app/", ("unit", "gui")), ("docs/", ("unit", "gui")), ("scripts/", ("lint",)), ("tests/", ("lint",)))

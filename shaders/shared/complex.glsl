@@ -10,6 +10,12 @@ FN Complex make_complex(float re, float im)
     return result;
 }
 
+/// One of two numbers. WebGL has no `? :` for structs.
+FN Complex choose_complex(bool first, IN(Complex) a, IN(Complex) b)
+{
+    return make_complex(first ? a.re : b.re, first ? a.im : b.im);
+}
+
 FN Complex product(IN(Complex) a, IN(Complex) b)
 {
     PRECISE float re = a.re * b.re - a.im * b.im;

@@ -116,7 +116,7 @@ FN ComplexTriple complex_cubic(IN(Complex) a, IN(Complex) b, IN(Complex) c)
     Complex root = square_root(sum(product(q, q), product(p, product(p, p))));
     Complex one = difference(root, q);
     Complex two = scaled(sum(root, q), -1.0f);
-    Complex u = cube_root(squared_length(one) > squared_length(two) ? one : two);
+    Complex u = cube_root(choose_complex(squared_length(one) > squared_length(two), one, two));
     Complex v = scaled(quotient(p, u), -1.0f);
     const float SQRT3_HALF = 0.866025404f;
     Complex half_sum = scaled(sum(u, v), -0.5f);
@@ -163,12 +163,12 @@ FN CircleNodes nodes_of_circle_kernel(IN(CirclePolynomial) polynomial, IN(Comple
     Complex linear2 = difference(product(a, a), scaled(y, 4.0f));
     Complex other = difference(product(a, a), scaled(resolvent.second, 4.0f));
     bool better = squared_length(other) > squared_length(linear2);
-    y = better ? resolvent.second : y;
-    linear2 = better ? other : linear2;
+    y = choose_complex(better, resolvent.second, y);
+    linear2 = choose_complex(better, other, linear2);
     other = difference(product(a, a), scaled(resolvent.third, 4.0f));
     better = squared_length(other) > squared_length(linear2);
-    y = better ? resolvent.third : y;
-    linear2 = better ? other : linear2;
+    y = choose_complex(better, resolvent.third, y);
+    linear2 = choose_complex(better, other, linear2);
     Complex gap = square_root(linear2);
     Complex rest = difference(b, y);
     Complex constant_gap = quotient(difference(product(a, rest), scaled(c, 2.0f)), gap);
@@ -219,13 +219,14 @@ FN float textbook_fraction(IN(Moments) moments, float depth, float bias, float o
     }
     Complex coefficient[ORDER];
     UNROLL
-    for (int j = 0; j < ORDER; ++j) coefficient[j] = j == 0 ? divided[ORDER - 1] : make_complex(0.0f, 0.0f);
+    for (int j = 0; j < ORDER; ++j) coefficient[j] = make_complex(0.0f, 0.0f);
+    coefficient[0] = divided[ORDER - 1];
     UNROLL
     for (int l = ORDER - 2; l >= 0; --l)
     {
         UNROLL
         for (int j = ORDER - 1; j >= 0; --j)
-            coefficient[j] = difference(j == 0 ? divided[l] : coefficient[max(j - 1, 0)],
+            coefficient[j] = difference(choose_complex(j == 0, divided[l], coefficient[max(j - 1, 0)]),
                                         product(nodes.x[l], coefficient[j]));
     }
     float fraction = coefficient[0].re;

@@ -1,0 +1,111 @@
+// window.test.mjs -- the browser edition as a user meets it.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { ask, click, idle, open, openPage, placeOf, state } from './browser.mjs';
+
+const RAY = { fragments: [0.2, 0.4, 0.5, 0.7].map((depth, i) => ({ depth, opacity: 0.3 + 0.1 * i, color: [1, 0.5, 0.2] })), near: 0.1, far: 1 };
+const TRIANGLE = 'v 0 0 0\nv 1 0 0\nv 0 1 0.2\nf 1 2 3\n';
+
+let session;
+before(async () => { session = await open(); });
+after(() => session.close());
+
+/** Drops a file on the page. */
+async function drop(tab, name, content) {
+    await tab.evaluate(([name, content]) => {
+        const data = new DataTransfer();
+        data.items.add(new File([content], name));
+        window.dispatchEvent(new DragEvent('drop', { dataTransfer: data }));
+    }, [name, content]);
+    await tab.waitForTimeout(200);
+    await idle(tab);
+}
+
+describe('the page', () => {
+    let tab;
+    before(async () => { tab = await openPage(session, '#scene=planes&technique=power4-32', { width: 1000, height: 760 }); });
+    after(() => tab.close());
+
+    test('opens without complaints', async () => {
+        assert.deepEqual(tab.complaints, []);
+        assert.equal(await ask(tab, 'message'), '');
+        assert.equal((await state(tab)).scene, 'planes');
+        assert.equal(await tab.isVisible('#cover'), false);
+    });
+
+    test('picks a pixel', async () => {
+        await click(tab, 'scene', 0.3, 0.4);
+        assert.ok((await state(tab)).picked);
+    });
+
+    test('drags β', async () => {
+        const before = JSON.parse(await ask(tab, 'curves'));
+        await tab.mouse.move(...(await placeOf(tab, 'parameter.beta', 0.25)));
+        await tab.mouse.down();
+        await tab.waitForTimeout(100);
+        await tab.mouse.move(...(await placeOf(tab, 'parameter.beta', 0.8)), { steps: 4 });
+        await tab.mouse.up();
+        await tab.waitForTimeout(100);
+        await idle(tab);
+        assert.ok((await state(tab)).parameters.beta > 0.6);
+        assert.notDeepEqual(JSON.parse(await ask(tab, 'curves')), before);
+    });
+
+    test('goes back and forward through the steps', async () => {
+        const now = await state(tab);
+        await tab.goBack();
+        await idle(tab);
+        assert.equal((await state(tab)).parameters?.beta, undefined);
+        await tab.goForward();
+        await idle(tab);
+        assert.deepEqual(await state(tab), now);
+    });
+
+    test('opens a ray that is dropped, and edits it', async () => {
+        await drop(tab, 'ray.json', JSON.stringify(RAY));
+        assert.equal((await state(tab)).ray.fragments.length, 4);
+        await tab.keyboard.press('n');
+        await idle(tab);
+        await tab.keyboard.press('Delete');
+        await idle(tab);
+        assert.equal((await state(tab)).ray.fragments.length, 3);
+        await tab.keyboard.press('Control+z');
+        await idle(tab);
+        assert.equal((await state(tab)).ray.fragments.length, 4);
+    });
+
+    test('copies a link that opens the same state', async () => {
+        const address = tab.url();
+        const text = await state(tab);
+        const other = await openPage(session, new URL(address).hash);
+        assert.deepEqual(await state(other), text);
+        assert.equal(await ask(other, 'curves'), await ask(tab, 'curves'));
+        await other.close();
+    });
+
+    test('shows a mesh that is dropped', async () => {
+        await drop(tab, 'triangle.obj', TRIANGLE);
+        assert.match((await state(tab)).scene, /triangle\.obj$/);
+        assert.deepEqual(tab.complaints, []);
+    });
+
+    test('refuses a broken mesh with a sentence and keeps the scene', async () => {
+        await drop(tab, 'broken.obj', 'v 0 0\nf 1 2 3\n');
+        assert.match(await ask(tab, 'message'), /broken\.obj.*\.$/);
+        assert.match((await state(tab)).scene, /triangle\.obj$/);
+    });
+
+    test('goes on after the graphics were taken away', async () => {
+        const before = await state(tab);
+        await tab.evaluate(() => {
+            globalThis.thief = document.getElementById('canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
+            globalThis.thief.loseContext();
+        });
+        await tab.waitForSelector('#cover.failed');
+        assert.match(await tab.textContent('#said'), /taken the graphics away/);
+        await tab.evaluate(() => globalThis.thief.restoreContext());
+        await tab.waitForSelector('#cover', { state: 'hidden' });
+        await idle(tab);
+        assert.deepEqual(await state(tab), before);
+    });
+});
