@@ -23,7 +23,7 @@ export async function open(folder = 'build/web', flags = []) {
 }
 
 /** A tab that shows the page with this fragment, or another page. It collects what the browser complains of. */
-export async function openPage({ browser, address }, fragment = '', { width = 640, height = 480, before, wait = true, file = '' } = {}) {
+export async function openPage({ browser, address }, fragment = '', { width = 640, height = 480, before, prepare, wait = true, file = '' } = {}) {
     const tab = await browser.newPage({ viewport: { width, height } });
     tab.complaints = [];
     tab.on('pageerror', error => tab.complaints.push(String(error)));
@@ -31,6 +31,7 @@ export async function openPage({ browser, address }, fragment = '', { width = 64
         if (message.type() === 'error' && !message.text().includes('favicon')) tab.complaints.push(message.text());
     });
     if (before) await tab.addInitScript(before);
+    if (prepare) await prepare(tab);
     await tab.goto(address + file + fragment);
     if (wait) await idle(tab);
     return tab;

@@ -1,7 +1,9 @@
 // lacks.test.mjs -- browsers that lack something, and pages that embed a part of the window.
 import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import path from 'node:path';
 import { after, before, describe, test } from 'node:test';
-import { open, openPage } from './browser.mjs';
+import { open, openPage, project } from './browser.mjs';
 
 let session;
 before(async () => { session = await open(); });
@@ -25,6 +27,22 @@ describe('browsers that lack something', () => {
             assert.match(await tab.textContent('#said'), sentence);
             await tab.close();
         });
+});
+
+// The policy of docs/hosting.md.
+test('a strict content security policy', async () => {
+    const policy = fs.readFileSync(path.join(project, 'docs/hosting.md'), 'utf8').match(/`(default-src [^`]*)`/)[1];
+    const tab = await openPage(session, '#scene=planes', {
+        width: 320, height: 240, wait: false,   // waiting for the program evaluates a text, which the policy forbids
+        prepare: tab => tab.route(address => address.pathname === '/', async route => {
+            const reply = await route.fetch();
+            await route.fulfill({ response: reply, headers: { ...reply.headers(), 'content-security-policy': policy } });
+        }),
+    });
+    await tab.waitForSelector('#cover', { state: 'hidden', timeout: 60_000 });
+    await tab.waitForTimeout(500);
+    assert.deepEqual(tab.complaints, []);
+    await tab.close();
 });
 
 test('an embedded page answers messages', async () => {

@@ -1,7 +1,9 @@
 // links.test.mjs -- links that are broken, foreign or of a newer version, and states that survive a link.
 import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import path from 'node:path';
 import { after, before, describe, test } from 'node:test';
-import { ask, idle, open, openPage, state } from './browser.mjs';
+import { ask, idle, open, openPage, project, state } from './browser.mjs';
 
 let session;
 before(async () => { session = await open(); });
@@ -67,6 +69,19 @@ test('a link in words', async () => {
     const { scene, technique, parameters } = await state(tab);
     assert.deepEqual([scene, technique, parameters.theta], ['spheres', 'trig2-32', 0.5]);
     await tab.close();
+});
+
+// Every address in the documents and in the page that embeds a plot.
+test('links of documents', async () => {
+    const texts = [...fs.readdirSync(path.join(project, 'docs')).filter(name => name.endsWith('.md')).map(name => `docs/${name}`),
+                   'page/site/embedding.html'].map(name => fs.readFileSync(path.join(project, name), 'utf8').replaceAll('&amp;', '&'));
+    const links = new Set(texts.flatMap(text => [...text.matchAll(/index\.html(#[-\w=&,.]+)/g)].map(match => match[1])));
+    assert.ok(links.size >= 2);
+    for (const link of links) {
+        const tab = await openPage(session, link, { width: 320, height: 240 });
+        assert.equal(await ask(tab, 'message'), '', link);
+        await tab.close();
+    }
 });
 
 // Random states, made by opening words and pressing keys, and each through its link to a fresh state and back.
