@@ -95,6 +95,20 @@ describe('the page', () => {
         assert.match((await state(tab)).scene, /triangle\.obj$/);
     });
 
+    test('runs long work in slices, which can be cancelled', async () => {
+        const press = async id => {
+            await tab.mouse.click(...(await placeOf(tab, id)));
+            await tab.waitForTimeout(400);
+        };
+        await press('tab.6');
+        await press('stress.run');
+        await placeOf(tab, 'stress.progress');   // it is there, so frames go on
+        await press('stress.cancel');
+        await idle(tab);
+        await placeOf(tab, 'stress.run');
+        assert.deepEqual(tab.complaints, []);
+    });
+
     test('goes on after the graphics were taken away', async () => {
         const before = await state(tab);
         await tab.evaluate(() => {
