@@ -70,10 +70,22 @@ export function listen(canvas, program, wake) {
         send('wheel', -event.deltaX / notch, -event.deltaY / notch);
     }, { passive: false });
 
-    // Touch: one finger is the left button; two fingers are the right button, which orbits, and the wheel.
-    const RIGHT = 1;
+    // Touch: one finger is the left button, which is pressed as soon as the finger moves or is lifted, because a second one may come.
+    // Two fingers are the right button, which orbits, and the wheel.
+    const LEFT = 0, RIGHT = 1, STILL = 6;   // pixels of the page
     const fingers = new Map();
-    let pinch = 0;   // distance of two fingers, or 0
+    let pressed = null;   // the button that fingers hold
+    let began = [0, 0];   // place of the first finger
+    let pinch = 0;        // distance of two fingers
+    const press = (button, at) => {
+        send('move', ...at);
+        send('button', button, true);
+        pressed = button;
+    };
+    const release = () => {
+        if (pressed !== null) send('button', pressed, false);
+        pressed = null;
+    };
     const spread = () => {
         const [a, b] = [...fingers.values()];
         return { distance: Math.hypot(a[0] - b[0], a[1] - b[1]), middle: [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2] };
@@ -82,32 +94,36 @@ export function listen(canvas, program, wake) {
         if (onMouse(event)) return;
         fingers.set(event.pointerId, place(event));
         if (fingers.size === 1) {
-            send('move', ...place(event));
-            send('button', 0, true);
+            began = place(event);
+            pinch = 0;
         } else if (fingers.size === 2) {
             const { distance, middle } = spread();
             pinch = distance;
-            send('button', 0, false);
-            send('move', ...middle);
-            send('button', RIGHT, true);
+            release();
+            press(RIGHT, middle);
         }
     });
     canvas.addEventListener('pointermove', event => {
         if (!fingers.has(event.pointerId)) return;
-        fingers.set(event.pointerId, place(event));
-        if (fingers.size === 1 && pinch === 0) send('move', ...place(event));
-        if (fingers.size !== 2) return;
-        const now = spread();
-        send('move', ...now.middle);
-        const notches = Math.log(now.distance / pinch) / Math.log(1.1);
-        if (Math.abs(notches) < 0.2) return;
-        pinch = now.distance;
-        send('wheel', 0, notches);
+        const now = place(event);
+        fingers.set(event.pointerId, now);
+        if (fingers.size === 1 && pinch === 0) {
+            const scale = canvas.width / canvas.clientWidth;
+            if (pressed === null && Math.hypot(now[0] - began[0], now[1] - began[1]) > STILL * scale) press(LEFT, began);
+            if (pressed === LEFT) send('move', ...now);
+        } else if (fingers.size === 2) {
+            const { distance, middle } = spread();
+            send('move', ...middle);
+            const notches = Math.log(distance / pinch) / Math.log(1.1);
+            if (Math.abs(notches) < 0.2) return;
+            pinch = distance;
+            send('wheel', 0, notches);
+        }
     });
     const lift = event => {
         if (!fingers.delete(event.pointerId) || fingers.size > 0) return;
-        send('button', pinch === 0 ? 0 : RIGHT, false);
-        pinch = 0;
+        if (pressed === null && pinch === 0 && event.type === 'pointerup') press(LEFT, began);   // a tap
+        release();
         send('leave');
     };
     canvas.addEventListener('pointerup', lift);

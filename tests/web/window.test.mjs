@@ -123,3 +123,27 @@ describe('the page', () => {
         assert.deepEqual(await state(tab), before);
     });
 });
+
+test('fingers pick, orbit and zoom on a narrow screen', async () => {
+    const tab = await openPage(session, '#scene=planes&technique=power4-32', { width: 390, height: 700 });
+    const fingers = await tab.context().newCDPSession(tab);
+    const touch = async (type, ...places) => {
+        await fingers.send('Input.dispatchTouchEvent', { type, touchPoints: places.map(([x, y], id) => ({ x, y, id })) });
+        await tab.waitForTimeout(60);
+    };
+    const [x, y] = await placeOf(tab, 'scene', 0.4, 0.5);
+    await touch('touchStart', [x, y]);
+    await touch('touchEnd');
+    await idle(tab);
+    const { picked } = await state(tab);
+    assert.ok(Math.abs(picked[0] - 0.4) < 0.05 && Math.abs(picked[1] - 0.5) < 0.05, `${picked}`);
+
+    await touch('touchStart', [x - 40, y], [x + 40, y]);
+    for (const way of [10, 20, 30]) await touch('touchMove', [x - 40 - way, y + way], [x + 40 + way, y + way]);
+    await touch('touchEnd');
+    await idle(tab);
+    const { camera } = await state(tab);
+    assert.ok(camera, 'two fingers move the camera');
+    assert.deepEqual((await state(tab)).picked, picked);
+    await tab.close();
+});
