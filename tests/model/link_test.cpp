@@ -21,7 +21,10 @@ ExplorerState random_state(RandomNumbers& random) {
     constexpr const char* SCENES[] = {"planes", "spheres", "ties", "cloud", "ship"};
     ExplorerState state;
     state.scene = one_of(random, SCENES);
-    if (random.whole(0, 3) == 0) open_ray(state, random_ray(random, random.whole(1, 9)));
+    if (random.whole(0, 3) == 0) {  // as a user opens it, without what a file does not say
+        const int count = random.whole(1, 9);
+        open_ray(state, ray_from_value(ray_to_json(random_ray(random, count))));
+    }
     state.technique =
         &require_technique(one_of(random, {"power4-32", "trig3-32", "sharp6", "sorted", "mt", "at"}));
     if (random.whole(0, 1) == 0) state.compared = {&require_technique("cheb6-32")};
