@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "app/frame_log.hpp"
-#include "ui/window/frame_need.hpp"
 #include "app/gl_context.hpp"
 #include "app/gui_session.hpp"
+#include "ui/window/frame_need.hpp"
 
 namespace momentscope {
 

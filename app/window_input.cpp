@@ -42,8 +42,8 @@ WindowInput::WindowInput(GLFWwindow* window) : window_(window) {
         else
             input_of(w).push(ui::InputQueue::Key{key, action == GLFW_PRESS});
     });
-    glfwSetCharCallback(window,
-                        [](GLFWwindow* w, unsigned code) { input_of(w).push(ui::InputQueue::Character{code}); });
+    glfwSetCharCallback(
+        window, [](GLFWwindow* w, unsigned code) { input_of(w).push(ui::InputQueue::Character{code}); });
     glfwSetWindowFocusCallback(
         window, [](GLFWwindow* w, int focused) { input_of(w).push(ui::InputQueue::Focus{focused != 0}); });
     // When the window is uncovered, resized or restored, there is no input, but it must be drawn.

@@ -7,7 +7,8 @@
 
 namespace momentscope {
 
-constexpr std::uintmax_t MAX_SCENE_BYTES = std::uintmax_t{4} << 30;  // more than 20 million separate triangles
+constexpr std::uintmax_t MAX_SCENE_BYTES = std::uintmax_t{4}
+                                           << 30;  // more than 20 million separate triangles
 
 struct SceneSize {
     std::size_t vertices = 0, indices = 0, objects = 0, texels = 0;

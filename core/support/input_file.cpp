@@ -19,7 +19,9 @@ std::string read_input_file(const std::filesystem::path& path, std::uintmax_t mo
     const std::uintmax_t size = std::filesystem::file_size(path, status);
     std::ifstream file(path, std::ios::binary);
     std::string text;
-    if (!status) text.reserve(static_cast<std::size_t>(std::min(size, most_bytes)));  // growing text needs three times the memory
+    if (!status)
+        text.reserve(static_cast<std::size_t>(
+            std::min(size, most_bytes)));  // growing text needs three times the memory
     std::vector<char> chunk(std::size_t{1} << 16);
     do {  // to the end: files of the kernel have a size of 0, and others may grow
         file.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
