@@ -117,11 +117,10 @@ void Page::resize(glm::ivec2 size, float scale) {
 }
 
 std::string Page::take_step() {
-    const ui::Workspace& w = workspace();
-    if (w.state != w.shown || w.state == linked_ || ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive())
-        return "";
-    linked_ = w.state;
-    return ui::link_text(w.state);
+    const ui::ExplorerState& state = workspace().state;
+    if (state == linked_ || !explorer_->is_at_a_step()) return "";
+    linked_ = state;
+    return ui::link_text(state);
 }
 
 void Page::open(const ui::ExplorerState& state) {

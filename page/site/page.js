@@ -21,7 +21,7 @@ function fail(sentence) {
 async function fetchWithProgress(url) {
     const reply = await fetch(url);
     if (!reply.ok) throw new Error(`The server has no ${url} (${reply.status}); the page is not installed as a whole.`);
-    const all = Number(reply.headers.get('X-Uncompressed-Length') ?? reply.headers.get('Content-Length'));
+    const all = Number(reply.headers.get('Content-Length'))   // too small if the server compresses; then the bar stays open;
     const parts = [];
     let have = 0;
     for (const reader = reply.body.getReader(); ;) {

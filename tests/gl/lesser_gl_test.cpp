@@ -115,6 +115,21 @@ TEST_F(LesserGl, LayersCaptureHundredsOfFragments) {
     for (std::uint32_t i = 0; i < 700; ++i) EXPECT_EQ(capture.ray.fragments[i].draw, i);
 }
 
+// As in a browser: the layers are counted before they are peeled. No two planes share a depth, so every layer
+// counts.
+TEST_F(LesserGl, PeelsTheSameWithoutAnswersOfQueries) {
+    const auto counting = lesser([](Capabilities& gl) { gl.storage = gl.answers_at_once = false; });
+    for (const char* technique : {"peeling", "sorted"}) {
+        const Scene scene = load_scene("planes", 0.4f);
+        Renderer asks(without_storage()), counts(counting);
+        for (Renderer* renderer : {&asks, &counts}) {
+            renderer->set_scene(scene);
+            renderer->render(view_of(scene, technique, {64, 36}));
+        }
+        EXPECT_EQ(asks.read_picture().pixels, counts.read_picture().pixels) << technique;
+    }
+}
+
 // The same within one draw call: the numbers of triangles must ascend although the GL counts each part from
 // 0.
 TEST_F(LesserGl, LayersNumberTheTrianglesOfAMesh) {

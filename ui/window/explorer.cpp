@@ -57,12 +57,6 @@ void draw_above(const Ui& ui, Workspace& w) {
     draw_reading_notice(ui, w);
 }
 
-// Records a drag as one step, and only states that could be shown.
-void record_step(Workspace& w) {
-    if (w.state == w.shown && !ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive())
-        w.history.record(w.state);
-}
-
 }  // namespace
 
 Explorer::Explorer(Renderer& renderer, ExplorerState state, WindowOptions options)
@@ -93,7 +87,11 @@ void Explorer::frame() {
     draw_above(ui, w);
     if (w.picture_waits) ui::draw_waiting(*ImGui::GetForegroundDrawList(), w);
     run_pressed_commands(w);
-    record_step(w);
+    if (is_at_a_step()) w.history.record(w.state);
+}
+
+bool Explorer::is_at_a_step() const {
+    return workspace_.state == workspace_.shown && !ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive();
 }
 
 void Explorer::draw_waiting(ImDrawList& list) const {

@@ -15,6 +15,9 @@ public:
     /// computed, then everything is drawn. Throws Error only if there was no good picture yet.
     void frame();
 
+    /// Is the state a step of the user: shown, and nothing is being dragged or typed?
+    bool is_at_a_step() const;
+
     /// Sets another scale of fonts and spacing. The caller loads the fonts.
     void set_scale(float scale) {
         workspace_.options.scale = scale;
