@@ -52,7 +52,8 @@ Real outer_root(const Function& sample, const Real& edge, int direction, bool po
         if (found) return bracketed_root(sample, outer, inner, !positive_outside);
         inner = outer;
     }
-    return std::numeric_limits<Real>::infinity() * Real(direction);
+    const Real infinity = std::numeric_limits<Real>::infinity();
+    return direction > 0 ? infinity : Real(-infinity);
 }
 
 }  // namespace momentscope::reference

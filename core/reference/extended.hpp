@@ -2,17 +2,17 @@
 #pragma once
 #include <cfloat>
 
-#if LDBL_MANT_DIG >= 64 && !defined(MOMENTSCOPE_NARROW_LONG_DOUBLE)
+#if LDBL_MANT_DIG == 64 && !defined(MOMENTSCOPE_NARROW_LONG_DOUBLE)
 
 namespace momentscope::reference {
 using Extended = long double;
 }
 
-#else  // a long double is only a double, as with Apple's arm64, or the build behaves as if it were
-#include "core/reference/software_extended.hpp"
+#else  // a long double is a double or is computed in software, or the build behaves as if it were so
+#include "core/reference/double_double.hpp"
 
 namespace momentscope::reference {
-using Extended = SoftwareExtended;
+using Extended = DoubleDouble;
 }
 
 #endif

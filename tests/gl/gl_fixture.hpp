@@ -23,6 +23,18 @@ inline const std::shared_ptr<ProgramCache>& shared_programs() {
     return programs;
 }
 
+/// The GL of this machine without what `change` takes from it.
+template <typename Change>
+std::shared_ptr<ProgramCache> lesser(const Change& change) {
+    Capabilities gl = shared_programs()->gl();
+    change(gl);
+    return std::make_shared<ProgramCache>(gl);
+}
+
+inline std::shared_ptr<ProgramCache> without_storage() {
+    return lesser([](Capabilities& gl) { gl.storage = false; });
+}
+
 /// A fixture whose tests may call GL.
 template <typename Base = testing::Test>
 class GlTest : public Base {

@@ -38,18 +38,6 @@ TEST(KindOfGl, IsTheOneThatWasAskedFor) {
     EXPECT_EQ(current_dialect(), expected.value_or(current_dialect()));
 }
 
-// The GL of this machine without what `change` takes from it.
-template <typename Change>
-std::shared_ptr<ProgramCache> lesser(const Change& change) {
-    Capabilities gl = shared_programs()->gl();
-    change(gl);
-    return std::make_shared<ProgramCache>(gl);
-}
-
-std::shared_ptr<ProgramCache> without_storage() {
-    return lesser([](Capabilities& gl) { gl.storage = false; });
-}
-
 /// The share of pixels that differ by more than 1/50 in a channel: those where two fragments share a window
 /// depth.
 double differing_share(const Image& a, const Image& b) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/compare/difference.hpp"
+#include "core/gl/gl_info.hpp"
 #include "core/inspect/curve.hpp"
 #include "core/ray/random_ray.hpp"
 #include "core/render/view_from_light.hpp"
@@ -29,11 +30,17 @@ float choice(ParameterId id, std::string_view name) {
     return *parse_parameter(parameter(id), name);
 }
 
+// zink over Mesa 22's lavapipe crashes where a shader has shadow maps and a list of fragments (docs/gl.md).
+bool lists_crash() {
+    const GlInfo info = gl_info(shared_programs()->gl());
+    return info.software && info.renderer.starts_with("zink");
+}
+
 class ShadowTest : public GlTest<testing::Test> {
 protected:
     void SetUp() override {
         GlTest::SetUp();
-        renderer_.emplace(shared_programs());
+        renderer_.emplace(lists_crash() ? without_storage() : shared_programs());
     }
 
     void show(const char* scene, const ParameterValues& values, const char* technique = "power4-32") {
@@ -198,6 +205,8 @@ TEST_F(ShadowTest, PeelingShadesAsSortedDoes) {
     };
     const Image sorted = picture("sorted");
     EXPECT_LT(mean_difference(sorted, picture("peeling"), Metric::rmse), 1e-4);
+    if (const auto why = why_unavailable(require_technique("mlab"), renderer_->gl()); !why.empty())
+        GTEST_SKIP() << why;
     EXPECT_LT(mean_difference(sorted, picture("mlab"), Metric::rmse), 1e-3) << "four layers in half floats";
 }
 

@@ -2,6 +2,7 @@
 // bounds.
 #include <gtest/gtest.h>
 
+#include "tests/property/wide_numbers.hpp"
 #include "tests/reference/reference_test_support.hpp"
 
 namespace momentscope::reference {
@@ -47,7 +48,7 @@ TYPED_TEST(Power, SupportReproducesTheMomentsAndW0IsTheChristoffelFunction) {
             Long sum = 0;
             for (std::size_t l = 0; l <= M / 2; ++l)
                 if (bounds.weight[l] != 0) sum += bounds.weight[l] * pow(bounds.depth[l], int(j));
-            if (j < M || !isinf(Long(bounds.depth[1] * bounds.depth[M / 2]))) {
+            if (j < M || !(isinf(bounds.depth[1]) || isinf(bounds.depth[M / 2]))) {
                 EXPECT_LT(abs(Long(sum - factor->moments[j])), 1e-9L);
             }
         }
@@ -121,7 +122,8 @@ TYPED_TEST(Power, LongDoubleAgreesWithFiftyDigits) {
         const auto error = [&](double z0) {
             const auto a = power_bounds(*narrow, Long(z0));
             const auto b = power_bounds(*wide, Wide(z0));
-            return std::max(double(abs(Wide(a.lower) - b.lower)), double(abs(Wide(a.w0) - b.w0)));
+            return std::max(double(abs(test::widened<Wide>(a.lower) - b.lower)),
+                            double(abs(test::widened<Wide>(a.w0) - b.w0)));
         };
         for (const auto& mass : masses) own.push_back(error(mass.depth));
         for (int i = 0; i < 4; ++i) elsewhere.push_back(error(uniform(random, -1, 1)));

@@ -2,6 +2,7 @@
 // brute force.
 #include <gtest/gtest.h>
 
+#include "tests/property/wide_numbers.hpp"
 #include "tests/reference/reference_test_support.hpp"
 
 namespace momentscope::reference {
@@ -140,7 +141,8 @@ TYPED_TEST(Trigonometric, LongDoubleAgreesWithFiftyDigits) {
         const auto error = [&](double z0) {
             const auto a = trigonometric_values(*narrow, Long(z0), pi<Long>() / 10);
             const auto b = trigonometric_values(*wide, Wide(z0), Wide(pi<Wide>() / 10));
-            return std::max(double(abs(Wide(a.beta0) - b.beta0)), double(abs(Wide(a.w0) - b.w0)));
+            return std::max(double(abs(test::widened<Wide>(a.beta0) - b.beta0)),
+                            double(abs(test::widened<Wide>(a.w0) - b.w0)));
         };
         for (const auto& mass : masses) own.push_back(error(mass.depth));
         for (int i = 0; i < 4; ++i) elsewhere.push_back(error(uniform(random, -1, 1)));
