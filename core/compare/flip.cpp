@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <utility>
 
 #include "core/compare/color_spaces.hpp"
@@ -28,9 +29,6 @@ struct Plane {
     const double& at(int x, int y) const { return values[static_cast<std::size_t>(y * width + x)]; }
 };
 
-/// Thrown to leave all functions if the result is not needed any more.
-struct Stopped {};
-
 // The number of neighbouring sums that are computed together. The compiler keeps them in registers.
 constexpr int BLOCK = 16;
 
@@ -50,17 +48,19 @@ void weighted_rows(double* sums, int width, const Kernel& kernel, const Source& 
         for (std::size_t k = 0; k < kernel.size(); ++k) sums[x] += kernel[k] * source(k)[x];
 }
 
-/// Convolves a plane along both axes and returns it row by row. It keeps only the rows that the next one
-/// needs, so these stay in the cache. Pixels beyond the edge repeat those at the edge.
+/// Convolves a plane along both axes and returns it row by row, from the row `first` on. It keeps only the
+/// rows that the next one needs, so these stay in the cache. Pixels beyond the edge repeat those at the edge.
 class Convolution {
 public:
-    Convolution(const Plane& plane, Kernel along_x, Kernel along_y)
+    Convolution(const Plane& plane, int first, Kernel along_x, Kernel along_y)
         : plane_(plane),
           along_x_(std::move(along_x)),
           along_y_(std::move(along_y)),
           padded_(static_cast<std::size_t>(plane.width) + along_x_.size() - 1),
           rows_(along_y_.size(), std::vector<double>(static_cast<std::size_t>(plane.width))),
-          sums_(static_cast<std::size_t>(plane.width)) {}
+          sums_(static_cast<std::size_t>(plane.width)),
+          known_(std::max(first - static_cast<int>(along_y_.size()) / 2, 0)),
+          row_(first) {}
 
     /// The next row; valid until the next call.
     const std::vector<double>& next() {
@@ -92,7 +92,7 @@ private:
     std::vector<double> padded_;
     std::vector<std::vector<double>> rows_;  // convolved along x; a ring of as many as along_y_ needs
     std::vector<double> sums_;
-    int known_ = 0, row_ = 0;
+    int known_, row_;  // the first row that is not convolved along x; the next row
 };
 
 template <typename Function>
@@ -116,7 +116,7 @@ struct Sensitivity {
 /// Blurs a channel by its contrast sensitivity, a sum of Gaussians, and returns it row by row.
 class Filter {
 public:
-    Filter(const Plane& plane, std::initializer_list<Sensitivity> gaussians) {
+    Filter(const Plane& plane, int first, std::initializer_list<Sensitivity> gaussians) {
         constexpr double PI = std::numbers::pi;
         // Three standard deviations of the widest Gaussian of all channels.
         const int radius =
@@ -126,7 +126,7 @@ public:
                 const double degrees = k / PIXELS_PER_DEGREE;
                 return std::exp(-PI * PI * degrees * degrees / one.b);
             });
-            parts_.push_back({Convolution(plane, kernel, kernel), one.a * std::sqrt(PI / one.b)});
+            parts_.push_back({Convolution(plane, first, kernel, kernel), one.a * std::sqrt(PI / one.b)});
             weight_ += parts_.back().factor * sum_of(kernel) * sum_of(kernel);
         }
         row_.resize(static_cast<std::size_t>(plane.width));
@@ -179,27 +179,23 @@ double color_distance(const glm::dvec3& a, const glm::dvec3& b) {
     return std::pow(hyab, 0.7);
 }
 
+/// Rows of a picture: `first` to `end` - 1.
+struct Rows {
+    int first, end;
+};
+
 // The colours, blurred like the eye sees them at this distance.
-std::vector<glm::dvec3> seen_colors(const Opponent& planes, const std::stop_token& stop) {
-    Filter y(planes.y, {{1, 0.0047}}), cx(planes.cx, {{1, 0.0053}}),
-        cz(planes.cz, {{34.1, 0.04}, {13.5, 0.025}});
-    std::vector<glm::dvec3> colors;
-    colors.reserve(planes.y.values.size());
-    for (int row = 0; row < planes.y.height; ++row) {
-        if (stop.stop_requested()) throw Stopped();
+void see_colors(const Opponent& planes, Rows rows, std::span<glm::dvec3> colors) {
+    Filter y(planes.y, rows.first, {{1, 0.0047}}), cx(planes.cx, rows.first, {{1, 0.0053}}),
+        cz(planes.cz, rows.first, {{34.1, 0.04}, {13.5, 0.025}});
+    for (auto at = colors.begin(); at != colors.end();) {
         const std::vector<double>&y_row = y.next(), &cx_row = cx.next(), &cz_row = cz.next();
         for (std::size_t x = 0; x < y_row.size(); ++x) {
             const glm::dvec3 linear = linear_of_opponent({y_row[x], cx_row[x], cz_row[x]});
-            colors.push_back(hunt_lab(glm::clamp(linear, 0.0, 1.0)));
+            *at++ = hunt_lab(glm::clamp(linear, 0.0, 1.0));
         }
     }
-    return colors;
 }
-
-/// Lengths of the first and second derivatives of brightness.
-struct Features {
-    std::vector<double> edge, point;
-};
 
 // Scales positive and negative weights, so that each sum to 1 in magnitude.
 Kernel balanced(Kernel kernel) {
@@ -209,72 +205,104 @@ Kernel balanced(Kernel kernel) {
     return kernel;
 }
 
-Features features_of(const Plane& y, const std::stop_token& stop) {
+// The lengths of the first derivative (edges) or of the second (points) of brightness.
+void see_features(const Plane& brightness, bool points, Rows rows, std::span<double> lengths) {
     const double sigma = 0.5 * 0.082 * PIXELS_PER_DEGREE;  // in pixels
     const int radius = static_cast<int>(std::ceil(3 * sigma));
     const auto gauss = [&](double x) { return std::exp(-x * x / (2 * sigma * sigma)); };
     Kernel across = sampled(radius, gauss);
     const double weight = sum_of(across);
     for (double& value : across) value /= weight;
-    const Kernel first = balanced(sampled(radius, [&](double x) { return -x * gauss(x); }));
-    const Kernel second =
-        balanced(sampled(radius, [&](double x) { return (x * x / (sigma * sigma) - 1) * gauss(x); }));
-    Plane brightness = y;
-    for (double& value : brightness.values) value = (value + 16) / 116;
-    const auto lengths = [&](const Kernel& derivative) {
-        Convolution along_x(brightness, derivative, across), along_y(brightness, across, derivative);
-        std::vector<double> result;
-        result.reserve(brightness.values.size());
-        for (int row = 0; row < brightness.height; ++row) {
-            if (stop.stop_requested()) throw Stopped();
-            const std::vector<double>&x_row = along_x.next(), &y_row = along_y.next();
-            for (std::size_t x = 0; x < x_row.size(); ++x) result.push_back(std::hypot(x_row[x], y_row[x]));
-        }
-        return result;
-    };
-    return {lengths(first), lengths(second)};
+    const Kernel derivative = balanced(
+        sampled(radius, [&](double x) { return (points ? x * x / (sigma * sigma) - 1 : -x) * gauss(x); }));
+    Convolution along_x(brightness, rows.first, derivative, across),
+        along_y(brightness, rows.first, across, derivative);
+    for (auto at = lengths.begin(); at != lengths.end();) {
+        const std::vector<double>&x_row = along_x.next(), &y_row = along_y.next();
+        for (std::size_t x = 0; x < x_row.size(); ++x) *at++ = std::hypot(x_row[x], y_row[x]);
+    }
 }
 
-/// The properties of a picture that FLIP compares.
-struct Seen {
+constexpr int BAND = 64;  // rows of a part
+
+}  // namespace
+
+/// What FLIP compares of a picture.
+struct FlipParts::Seen {
+    Opponent planes;
+    Plane brightness;
     std::vector<glm::dvec3> colors;
-    Features features;
+    std::vector<double> edges, points;
+
+    explicit Seen(const Image& image)
+        : planes(opponent_planes(image)),
+          brightness(planes.y),
+          colors(image.pixels.size()),
+          edges(image.pixels.size()),
+          points(image.pixels.size()) {
+        for (double& value : brightness.values) value = (value + 16) / 116;
+    }
 };
 
-Seen seen(const Image& image, const std::stop_token& stop) {
-    const Opponent planes = opponent_planes(image);
-    return {seen_colors(planes, stop), features_of(planes.y, stop)};
+FlipParts::FlipParts(const Image& reference, const Image& test)
+    : bands_(static_cast<std::size_t>((reference.height + BAND - 1) / BAND)) {
+    seen_.reserve(2);
+    seen_.emplace_back(reference);
+    seen_.emplace_back(test);
 }
 
-std::vector<float> flip_differences(const Image& reference, const Image& test, const std::stop_token& stop) {
-    std::array<Seen, 2> both;
-    parallel_for(2, [&](std::size_t i) { both[i] = seen(i == 0 ? reference : test, stop); });
-    const auto& [a, b] = both;
+FlipParts::~FlipParts() = default;
+
+std::size_t FlipParts::count() const {
+    return 2 * 3 * bands_;
+}
+
+void FlipParts::run(std::size_t part) {
+    Seen& one = seen_[part % 2];
+    const int first = BAND * static_cast<int>(part / 6);
+    const Rows rows{first, std::min(first + BAND, one.planes.y.height)};
+    const auto of_band = [&](auto& values) {
+        const auto width = static_cast<std::size_t>(one.planes.y.width);
+        return std::span(values).subspan(static_cast<std::size_t>(rows.first) * width,
+                                         static_cast<std::size_t>(rows.end - rows.first) * width);
+    };
+    switch (part / 2 % 3) {
+        case 0:
+            return see_colors(one.planes, rows, of_band(one.colors));
+        case 1:
+            return see_features(one.brightness, false, rows, of_band(one.edges));
+        default:
+            return see_features(one.brightness, true, rows, of_band(one.points));
+    }
+}
+
+std::vector<float> FlipParts::map() const {
+    const Seen &a = seen_[0], &b = seen_[1];
     const double most = color_distance(hunt_lab({0, 1, 0}), hunt_lab({0, 0, 1}));
     constexpr double KNEE = 0.4, AT_KNEE = 0.95;
     std::vector<float> map(a.colors.size());
-    const auto width = static_cast<std::size_t>(reference.width);
-    parallel_for(static_cast<std::size_t>(reference.height), [&](std::size_t row) {
+    const auto width = static_cast<std::size_t>(a.planes.y.width);
+    parallel_for(static_cast<std::size_t>(a.planes.y.height), [&](std::size_t row) {
         for (std::size_t i = row * width; i < (row + 1) * width; ++i) {
             const double c = color_distance(a.colors[i], b.colors[i]);
             const double knee = KNEE * most;
             const double color =
                 c < knee ? AT_KNEE * c / knee : AT_KNEE + (1 - AT_KNEE) * (c - knee) / (most - knee);
-            const double feature = std::sqrt(std::max(std::abs(a.features.edge[i] - b.features.edge[i]),
-                                                      std::abs(a.features.point[i] - b.features.point[i])) /
-                                             std::numbers::sqrt2);
+            const double feature =
+                std::sqrt(std::max(std::abs(a.edges[i] - b.edges[i]), std::abs(a.points[i] - b.points[i])) /
+                          std::numbers::sqrt2);
             map[i] = static_cast<float>(std::pow(color, 1 - feature));
         }
     });
     return map;
 }
 
-}  // namespace
-
-std::vector<float> flip_map(const Image& reference, const Image& test, const std::stop_token& stop) try {
-    return flip_differences(reference, test, stop);
-} catch (const Stopped&) {
-    return {};
+std::vector<float> flip_map(const Image& reference, const Image& test, const std::stop_token& stop) {
+    FlipParts parts(reference, test);
+    parallel_for(
+        parts.count(), [&](std::size_t part) { parts.run(part); }, stop);
+    if (stop.stop_requested()) return {};
+    return parts.map();
 }
 
 }  // namespace momentscope

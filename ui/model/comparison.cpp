@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/compare/flip.hpp"
 #include "core/compare/worst_pixel.hpp"
 #include "core/inspect/color_uncertainty.hpp"
 #include "ui/model/comparison_map.hpp"
@@ -23,18 +24,34 @@ void find_range(PixelNumbers& numbers) {
     numbers.most = *most;
 }
 
-std::optional<MetricResult> measure_pair(const PicturePair& pair, Metric metric,
-                                         const std::stop_token& stop) {
+MetricResult result_of_map(std::vector<float> map, Metric metric, int width) {
     MetricResult result;
     result.metric = metric;
-    result.map = difference_map(pair.reference, pair.picture, metric, stop);
-    if (result.map.empty()) return std::nullopt;
+    result.map = std::move(map);
     result.mean = mean_difference(result.map, metric);
     find_range(result);
     // If several pixels are equal, take the first one, as "next worst" does.
     const auto at = static_cast<int>(std::ranges::find(result.map, result.most) - result.map.begin());
-    result.worst = {at % pair.reference.width, at / pair.reference.width};
+    result.worst = {at % width, at / width};
     return result;
+}
+
+// FLIP takes long, so it comes in parts.
+Sliced<std::optional<MetricResult>> measure_pair(std::shared_ptr<const PicturePair> pair, Metric metric,
+                                                 long number, std::stop_token stop) {
+    std::vector<float> map;
+    if (metric == Metric::flip) {
+        FlipParts flip(pair->reference, pair->picture);
+        co_await Parts(
+            flip.count(), [&](std::size_t part) { flip.run(part); }, stop);
+        if (!stop.stop_requested()) map = flip.map();
+    } else {
+        map = difference_map(pair->reference, pair->picture, metric, stop);
+    }
+    if (map.empty()) co_return std::nullopt;
+    MetricResult result = result_of_map(std::move(map), metric, pair->reference.width);
+    result.of = number;
+    co_return result;
 }
 
 }  // namespace
@@ -75,9 +92,7 @@ void Comparison::work_on(Metric first, bool all) {
 
 void Comparison::start(Metric metric) {
     work_.start([pair = pair_, metric, number = number_](const std::stop_token& stop, const auto&) {
-        std::optional<MetricResult> result = measure_pair(*pair, metric, stop);
-        if (result) result->of = number;
-        return result;
+        return measure_pair(pair, metric, number, stop);
     });
 }
 
