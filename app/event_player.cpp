@@ -232,6 +232,9 @@ void EventPlayer::play_line(const std::string& line) {
         window_.resize({static_cast<int>(need_number(words, 1, 1, MAX_SIDE)),
                         static_cast<int>(need_number(words, 2, 1, MAX_SIDE))});
         window_.settle();
+    } else if (what == "drop") {
+        window_.explorer().workspace().files.open_dropped(need_word(words, 1, "a file"));
+        window_.settle();
     } else if (what == "where") {
         std::size_t next = 1;
         const ImVec2 at = place(words, next);

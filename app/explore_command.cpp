@@ -106,6 +106,7 @@ private:
     void draw() {
         const glm::ivec2 size = this->size();
         if (gui_.input()->waits()) need_.input();
+        if (const auto path = gui_.input()->take_dropped()) explorer_.workspace().files.open_dropped(*path);
         gui_.begin_frame(size);
         explorer_.frame();
         gui_.end_frame(size);

@@ -46,6 +46,10 @@ WindowInput::WindowInput(GLFWwindow* window) : window_(window) {
         window, [](GLFWwindow* w, unsigned code) { input_of(w).push(ui::InputQueue::Character{code}); });
     glfwSetWindowFocusCallback(
         window, [](GLFWwindow* w, int focused) { input_of(w).push(ui::InputQueue::Focus{focused != 0}); });
+    glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+        if (count > 0) input_of(w).dropped_ = paths[0];
+        input_of(w).happened_ = true;
+    });
     // When the window is uncovered, resized or restored, there is no input, but it must be drawn.
     glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { input_of(w).happened_ = true; });
     glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { input_of(w).happened_ = true; });

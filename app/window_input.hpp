@@ -1,5 +1,7 @@
 // window_input.hpp -- events of a GLFW window: input for ImGui, and whether anything happened at all.
 #pragma once
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "ui/window/input_queue.hpp"
@@ -22,6 +24,10 @@ public:
     /// Is input waiting for the next frame?
     bool waits() const { return !queue_.empty(); }
 
+    /// The path of a file that was dropped on the window since the last call; the first, if there were
+    /// several.
+    std::optional<std::string> take_dropped() { return std::exchange(dropped_, std::nullopt); }
+
     /// Has anything happened since the last call that requires a new frame?
     bool take_happened() { return std::exchange(happened_, false); }
 
@@ -32,6 +38,7 @@ private:
     GLFWwindow* window_;
     ui::InputQueue queue_;
     bool happened_ = false;
+    std::optional<std::string> dropped_;
     int held_buttons_ = 0;
 };
 

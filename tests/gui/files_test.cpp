@@ -131,6 +131,26 @@ TEST_F(FilesTest, AHugeMeshCanBeCancelled) {
     EXPECT_NE(message().find("cancelled"), std::string::npos) << message();
 }
 
+TEST_F(FilesTest, DroppedFilesOpenByWhatTheyHold) {
+    write("square.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n");
+    write("ray.json", R"({"fragments": [{"depth": 0, "opacity": 0.5}]})");
+    ui::ExplorerState saved;
+    saved.scene = "spheres";
+    write("session.json", ui::session_to_json(saved).dump());
+    write("broken.json", "{");
+    open();
+    play("drop square.obj");
+    EXPECT_TRUE(state().scene.ends_with("square.obj")) << state().scene << message();
+    play("drop ray.json");
+    ASSERT_TRUE(state().ray) << message();
+    EXPECT_EQ(state().ray->fragments.size(), 1u);
+    play("drop session.json");
+    EXPECT_EQ(state().scene, "spheres") << message();
+    play("drop broken.json");
+    EXPECT_NE(message().find("cannot be read"), std::string::npos) << message();
+    EXPECT_EQ(state().scene, "spheres");
+}
+
 TEST_F(FilesTest, AMeshThatLeavesNothingToSeeSaysSo) {
     write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
     open();

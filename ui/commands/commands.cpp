@@ -33,7 +33,8 @@ constexpr MouseAction MOUSE_ACTIONS[] = {
     {"legend", "click, hover", "a click shows or hides a series; hovering highlights it"},
     {"slider", "Ctrl+click", "lets you type a value"},
     {"slider", "double-click", "resets the value"},
-    {"table row", "click", "marks the fragment in the plot"}};
+    {"table row", "click", "marks the fragment in the plot"},
+    {"window", "drop of a file", "opens a session, a view ray or a mesh"}};
 
 }  // namespace
 

@@ -17,7 +17,11 @@ public:
         void line(const std::string& /*text*/) {}
         long frames() const { return 0; }
     };
+    struct Files {
+        void open_dropped(const std::string& /*path*/) const {}
+    };
     struct Workspace {
+        Files files;
         ui::WidgetRects widget_rects;
         ui::ExplorerState state;
         ui::Status status{"The scene was read.", "", std::nullopt};
