@@ -48,7 +48,7 @@ void make_web_context() {
 
 void prepare_web_context() {
     const EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context = emscripten_webgl_get_current_context();
-    for (const char* extension : {"EXT_color_buffer_float", "EXT_float_blend"})
+    for (const char* extension : {"EXT_color_buffer_float", "EXT_float_blend", "WEBGL_debug_renderer_info"})
         emscripten_webgl_enable_extension(context, extension);
 }
 

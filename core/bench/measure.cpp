@@ -115,7 +115,7 @@ void ChartBench::prepare(Candidate& candidate, const std::stop_token& stop) {
     draw_references(stop);
     if (stop.stop_requested()) return;
     if (!no_reference_.empty()) return candidate.refuse(no_reference_);
-    candidate.unavailable = why_unavailable(*candidate.configuration.technique, baseline_renderer_->gl());
+    candidate.unavailable = why_unavailable(candidate.configuration, baseline_renderer_->gl());
     if (!candidate.unavailable.empty()) return;
     candidate.renderer = new_renderer();
     compare(candidate, stop);  // this also compiles its shaders

@@ -16,6 +16,12 @@ std::string gl_text(GLenum name) {
     return text == nullptr ? "unknown" : reinterpret_cast<const char*>(text);
 }
 
+// The renderer. A browser names it only by an extension.
+std::string renderer_name() {
+    constexpr GLenum UNMASKED_RENDERER_WEBGL = 0x9246;
+    return gl_text(has_gl_extension("WEBGL_debug_renderer_info") ? UNMASKED_RENDERER_WEBGL : GL_RENDERER);
+}
+
 int gl_number(GLenum name) {
     GLint number = 0;
     glGetIntegerv(name, &number);
@@ -41,7 +47,7 @@ bool has_gl_extension(std::string_view name) {
 
 GlInfo gl_info(const Capabilities& can) {
     GlInfo info;
-    info.renderer = gl_text(GL_RENDERER);
+    info.renderer = renderer_name();
     info.version = gl_text(GL_VERSION);
     info.can = can;
     info.software =

@@ -1,5 +1,7 @@
 #include "core/render/transparency.hpp"
 
+#include <fmt/format.h>
+
 #include "core/render/low_resolution_passes.hpp"
 #include "core/render/moment_passes.hpp"
 #include "core/render/peeling_passes.hpp"
@@ -29,6 +31,15 @@ std::string why_unavailable(const Technique& technique, const Capabilities& gl) 
     if (technique.has_pixel_states() &&
         technique.pixel_state_kernel().accumulation == Accumulation::samples && !gl.storage)
         return "The shaders of this GL cannot change images, so the nearest of several depths cannot be kept.";
+    return "";
+}
+
+std::string why_unavailable(const Configuration& configuration, const Capabilities& gl) {
+    const Technique& technique = *configuration.technique;
+    if (const std::string why = why_unavailable(technique, gl); !why.empty()) return why;
+    if (technique.has_moments() && resolve(configuration.values, technique).ordered &&
+        gl.ordered == OrderedAccess::none)
+        return fmt::format("{} Choose blending as the accumulation.", NO_ORDERED_ACCESS);
     return "";
 }
 

@@ -11,6 +11,7 @@
 #include "core/gl/texture.hpp"
 #include "core/render/scene_buffers.hpp"
 #include "core/render/shader_lighting.hpp"
+#include "core/techniques/configuration.hpp"
 #include "core/techniques/moment_kernel.hpp"
 #include "core/techniques/technique.hpp"
 
@@ -92,5 +93,8 @@ constexpr const char* NO_ORDERED_ACCESS =
 
 /// Why this GL cannot draw the technique, as a sentence; empty if it can.
 std::string why_unavailable(const Technique& technique, const Capabilities& gl);
+
+/// The same for a technique with these parameters, which may need more.
+std::string why_unavailable(const Configuration& configuration, const Capabilities& gl);
 
 }  // namespace momentscope

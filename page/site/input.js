@@ -1,5 +1,6 @@
 // input.js -- mouse, touch and keyboard for the program. It takes only the keys that the program knows; all others stay with the
 // browser.
+import { makeTypingField } from './typing.js';
 
 const NAMED_KEYS = {
     Space: 32, Escape: 256, Enter: 257, NumpadEnter: 257, Tab: 258, Backspace: 259, Insert: 260, Delete: 261, ArrowRight: 262,
@@ -28,8 +29,11 @@ export function isOurs(event, types) {
 
 const CURSORS = ['default', 'text', 'move', 'ns-resize', 'ew-resize', 'nesw-resize', 'nwse-resize', 'pointer', 'not-allowed'];
 
-/** Sends the events of the canvas to the program. `wake()` is called after each. */
-export function listen(canvas, program, wake) {
+/**
+ * Sends the events of the canvas to the program. `wake()` is called after each. `drawNow()`: draws the frames that these events need
+ * at once. Returns a function to call after each frame.
+ */
+export function listen(canvas, program, { wake, drawNow }) {
     const place = event => {
         const scale = canvas.width / canvas.clientWidth;
         return [event.clientX * scale, event.clientY * scale];
@@ -38,6 +42,8 @@ export function listen(canvas, program, wake) {
         program[`_page_${name}`](...values);
         wake();
     };
+
+    const typing = makeTypingField(canvas, program, send);
 
     // The mouse.
     const BUTTONS = [0, 2, 1];   // of the DOM, as ImGui numbers them
@@ -125,28 +131,36 @@ export function listen(canvas, program, wake) {
         if (pressed === null && pinch === 0 && event.type === 'pointerup') press(LEFT, began);   // a tap
         release();
         send('leave');
+        if (event.type !== 'pointerup') return;
+        drawNow();   // a browser shows its keyboard only while the event of the tap is handled
+        typing.show();
     };
     canvas.addEventListener('pointerup', lift);
     canvas.addEventListener('pointercancel', lift);
+    // Otherwise the click that a browser makes of a tap takes the focus back to the canvas.
+    canvas.addEventListener('touchend', event => event.preventDefault(), { passive: false });
 
     // The keyboard.
-    canvas.addEventListener('keydown', event => {
-        const types = program._page_types() !== 0;
-        if (!isOurs(event, types)) return;
-        event.preventDefault();
-        const number = keyNumber(event);
-        if (number && !event.repeat) send('key', number, true);
-        if (event.key.length === 1 && !event.ctrlKey) send('character', event.key.codePointAt(0));
-        wake();
-    });
-    canvas.addEventListener('keyup', event => {
-        const number = keyNumber(event);
-        if (number) send('key', number, false);
-    });
+    for (const target of [canvas, typing.element]) {
+        target.addEventListener('keydown', event => {
+            const types = program._page_types() !== 0;
+            if (event.isComposing || !isOurs(event, types)) return;
+            event.preventDefault();
+            const number = keyNumber(event);
+            if (number && !event.repeat) send('key', number, true);
+            if (event.key.length === 1 && !event.ctrlKey) send('character', event.key.codePointAt(0));
+            wake();
+        });
+        target.addEventListener('keyup', event => {
+            const number = keyNumber(event);
+            if (number) send('key', number, false);
+        });
+        target.addEventListener('focus', () => send('focus', true));
+        target.addEventListener('blur', () => send('focus', false));
+    }
     document.addEventListener('paste', event => {
         if (!program._page_types()) return;
         for (const letter of event.clipboardData.getData('text')) send('character', letter.codePointAt(0));
     });
-    canvas.addEventListener('focus', () => send('focus', true));
-    canvas.addEventListener('blur', () => send('focus', false));
+    return typing.follow;
 }

@@ -72,7 +72,7 @@ async function run() {
     cover.hidden = true;
 
     // Frames are drawn only while something changes.
-    let waiting = false, lost = false, last = performance.now();
+    let waiting = false, lost = false, last = performance.now(), afterFrame = () => {};
     function wake() {
         if (waiting || lost) return;
         waiting = true;
@@ -88,7 +88,12 @@ async function run() {
             return fail(trouble);
         }
         keepStep();
+        afterFrame();
         if (program._page_due()) wake();
+    }
+    // A button takes a frame to go down and another to come up; a text that it opens takes the focus some frames later.
+    function drawNow() {
+        for (let i = 0; i < 8 && program._page_due(); ++i) draw(performance.now());
     }
 
     // Each step of the user gets an entry in the history of the browser. An embedded page leaves that of the page around it alone.
@@ -122,7 +127,7 @@ async function run() {
     });
 
     new ResizeObserver(() => { program._page_resize(...canvasSize()); wake(); }).observe(canvas);
-    listen(canvas, program, wake);
+    afterFrame = listen(canvas, program, { wake, drawNow });
 
     // Files that are dropped on the page.
     window.addEventListener('dragover', event => event.preventDefault());

@@ -13,6 +13,7 @@
 #include <tuple>
 
 #include "core/bench/gpu_check_report.hpp"
+#include "core/chart/grid.hpp"
 #include "core/compare/difference.hpp"
 #include "core/gl/rounding_check.hpp"
 #include "core/scene/shapes.hpp"
@@ -101,6 +102,28 @@ TEST_F(LesserGl, LayersCaptureHundredsOfFragments) {
     const PixelCapture capture = renderer.capture_pixel({2, 3});
     ASSERT_EQ(capture.ray.fragments.size(), 700U);
     for (std::uint32_t i = 0; i < 700; ++i) EXPECT_EQ(capture.ray.fragments[i].draw, i);
+}
+
+// As in a browser, or with zink: what is said to be available can be drawn, with its parameters, too.
+TEST_F(LesserGl, DrawsAllThatIsAvailable) {
+    const auto programs = lesser([](Capabilities& gl) {
+        gl.storage = gl.unorm16 = false;
+        gl.ordered = OrderedAccess::none;
+    });
+    const Scene scene = load_scene("planes", 0.4f);
+    Renderer renderer(programs);
+    renderer.set_scene(scene);
+    int missing = 0;
+    for (const Configuration& configuration : chart_grid(ParameterValues())) {
+        const View view = {scene.camera, {16, 9}, configuration.technique, configuration.values};
+        if (why_unavailable(configuration, programs->gl()).empty()) {
+            EXPECT_NO_THROW(renderer.render(view)) << configuration_text(configuration);
+        } else {
+            EXPECT_THROW(renderer.render(view), Error) << configuration_text(configuration);
+            ++missing;
+        }
+    }
+    EXPECT_GT(missing, 10);
 }
 
 // As in a browser: the layers are counted before they are peeled. No two planes share a depth, so every layer

@@ -138,7 +138,7 @@ void draw_compare_panel(const Ui& ui, Workspace& w) {
     label("reference");
     ImGui::SetNextItemWidth(-1);
     draw_technique_combo(
-        ui, "comparison.reference", w.picture.renderer().gl(),
+        ui, "comparison.reference",
         "The technique that the picture is compared with. It is drawn with the same parameters.", "--compare",
         state.compare.reference);
     if (state.technique == state.compare.reference) {

@@ -155,7 +155,7 @@ void draw_controls_panel(const Ui& ui, Workspace& w) {
     wide_label("scene");
     draw_scene_combo(ui, state);
     wide_label("technique");
-    draw_technique_combo(ui, "controls.technique", w.picture.renderer().gl(),
+    draw_technique_combo(ui, "controls.technique",
                          "The technique that draws the picture and the orange curve; 1 to 9 choose one.",
                          "--technique", state.technique);
     wide_label("also plot");

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/render/transparency.hpp"
 #include "core/support/error.hpp"
 
 namespace momentscope::ui {
@@ -43,12 +44,13 @@ bool draw_choice(const Ui& ui, const Parameter& row, const Technique& technique,
     for (std::size_t i = 0; i < row.choices.size(); ++i) {
         ParameterValues then = values;
         then.set(row.id, static_cast<float>(i));
-        const char* why_not = why_refused(technique, then);
-        ImGui::BeginDisabled(why_not != nullptr);
+        const char* refused = why_refused(technique, then);
+        const std::string why_not = refused != nullptr ? refused : why_unavailable({&technique, then}, ui.gl);
+        ImGui::BeginDisabled(!why_not.empty());
         const bool clicked = ImGui::Selectable(row.choices[i], i == chosen);
         ImGui::EndDisabled();
         ui.record_widget_rect(fmt::format("parameter.{}.{}", row.key, row.choices[i]));
-        if (why_not != nullptr) tooltip(why_not);
+        if (!why_not.empty()) tooltip(why_not);
         if (!clicked || i == chosen) continue;
         value = static_cast<float>(i);
         changed = true;

@@ -13,7 +13,7 @@ std::string technique_label(const Technique& row);
 
 /// Draws the list. Techniques that the GL cannot draw are greyed out, and their tooltips say why. The anchor
 /// of the list is `anchor`; those of its rows add the id of a technique.
-void draw_technique_combo(const Ui& ui, const std::string& anchor, const Capabilities& gl,
-                          const std::string& help, const std::string& source, const Technique*& chosen);
+void draw_technique_combo(const Ui& ui, const std::string& anchor, const std::string& help,
+                          const std::string& source, const Technique*& chosen);
 
 }  // namespace momentscope::ui

@@ -35,6 +35,14 @@ ImVec4 display_color(const glm::vec3& linear) {
     return {srgb_from_linear(linear.r), srgb_from_linear(linear.g), srgb_from_linear(linear.b), 1};
 }
 
+std::string elided(const std::string& text, float width) {
+    const auto fits = [&](const std::string& tried) { return ImGui::CalcTextSize(tried.c_str()).x <= width; };
+    if (fits(text)) return text;
+    for (std::size_t length = text.size(); length > 0; --length)
+        if (const std::string tried = text.substr(0, length - 1) + "…"; fits(tried)) return tried;
+    return "";
+}
+
 void flow(float width, float right, float gap) {
     ImGui::SameLine(0, gap);
     if (ImGui::GetCursorScreenPos().x + width > right) ImGui::NewLine();

@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 
+#include "core/gl/capabilities.hpp"
 #include "ui/widgets/theme.hpp"
 
 namespace momentscope::ui {
@@ -22,6 +23,7 @@ using WidgetRects = std::map<std::string, Rect>;
 struct Ui {
     const Palette& colors;
     WidgetRects& widget_rects;
+    Capabilities gl = {};  // controls of what it cannot draw are greyed out
 
     /// Records the place of the last drawn control under a name.
     void record_widget_rect(const std::string& name) const {
@@ -39,6 +41,9 @@ void label(const char* text, float width = 6.5f);
 
 /// A wrapped tooltip for the last drawn control: its meaning, and in weaker text its shortcut or source.
 void tooltip(const std::string& text, const std::string& weaker = "");
+
+/// The beginning of an ASCII text that fits into `width` pixels, with "…" if something is missing.
+std::string elided(const std::string& text, float width);
 
 /// A GL texture as ImGui hands it on.
 ImTextureID texture_id(unsigned name);

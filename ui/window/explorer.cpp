@@ -70,7 +70,7 @@ void Explorer::frame() {
     }
     w.widget_rects.clear();
     take_results(w);
-    const Ui ui = {palette(w.state.theme), w.widget_rects};
+    const Ui ui = {palette(w.state.theme), w.widget_rects, w.gl.can};
     begin_window(w.options.embedding.shown == Shown::window);
     const bool reading = w.scene.is_reading();  // it may change within this frame
     w.escape_is_taken =

@@ -40,8 +40,10 @@ void draw_status_line(const Ui& ui, Workspace& w) {
     std::string gl = w.gl.software ? fmt::format("no GPU: {}", w.gl.renderer) : w.gl.renderer;
     if (w.gl.can.language.rounding == Rounding::lost) gl = "rounds inexactly: " + gl;
     if (is_narrow()) gl.clear();
-    const float width = std::min(ImGui::CalcTextSize(gl.c_str()).x, 0.35f * ImGui::GetContentRegionMax().x);
-    ImGui::SameLine(std::max(ImGui::GetContentRegionMax().x - width, 1.0f));
+    ImGui::SameLine(0, 2 * em());
+    gl = elided(gl, ImGui::GetContentRegionAvail().x);
+    const float width = ImGui::CalcTextSize(gl.c_str()).x;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(ImGui::GetContentRegionAvail().x - width, 0.0f));
     ImGui::TextDisabled("%s", gl.c_str());
     ui.record_widget_rect("status.gl");
     std::string missing = fmt::format("OpenGL {}, {}", w.gl.version, w.gl.renderer);
