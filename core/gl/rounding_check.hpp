@@ -9,8 +9,9 @@ namespace momentscope {
 /// context whose shaders may be of this dialect.
 Rounding kept_rounding(Dialect dialect);
 
-/// Draws the rounding errors of sums and products of known numbers (shared/float_pair.glsl). True if they are
-/// those of exact arithmetic.
+/// Draws the rounding errors of sums and products of known numbers (shared/float_pair.glsl), and sums and
+/// products with constants. True if the errors are those of exact arithmetic and every operation is rounded
+/// by itself.
 bool keeps_rounding_errors(ShaderLanguage language);
 
 }  // namespace momentscope
