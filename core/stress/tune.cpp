@@ -191,23 +191,32 @@ const Trial* best_bias(const std::vector<Trial>& trials, double most_failures) {
     return best;
 }
 
+void require_tunable(const Technique& technique, const std::vector<ViewRay>& rays) {
+    if (!technique.has_moments())
+        throw Error(
+            fmt::format("'{}' has no parameters to tune; choose a technique with moments.", technique.id));
+    if (rays.empty())
+        throw Error(
+            "No ray has a transparent fragment, so there is nothing to tune; choose another scene or ray.");
+}
+
+// In the order in which they are tuned. The expected T does not depend on beta.
+std::vector<ParameterId> tuned_parameters(const Technique& technique, const ParameterValues& values) {
+    std::vector<ParameterId> ids = {ParameterId::alpha};
+    if (technique.uses(ParameterId::theta)) ids.push_back(ParameterId::theta);
+    if (resolve(values, technique).estimation.estimate != Estimate::expected)
+        ids.push_back(ParameterId::beta);
+    return ids;
+}
+
 }  // namespace
 
 Sliced<std::optional<TuneResult>> tune_in_parts(std::vector<ViewRay> rays, TuneOptions options,
                                                 std::stop_token stop, TuneProgress progress) {
     const Technique& technique = *options.technique;
-    if (!technique.has_moments())
-        throw Error(
-            fmt::format("'{}' has no parameters to tune; choose a technique with moments.", technique.id));
     std::erase_if(rays, [](const ViewRay& ray) { return ray.fragments.empty(); });
-    if (rays.empty())
-        throw Error(
-            "No ray has a transparent fragment, so there is nothing to tune; choose another scene or ray.");
-    std::vector<ParameterId> ids = {ParameterId::alpha};
-    if (technique.uses(ParameterId::theta)) ids.push_back(ParameterId::theta);
-    // The expected T does not depend on beta.
-    if (resolve(options.values, technique).estimation.estimate != Estimate::expected)
-        ids.push_back(ParameterId::beta);
+    require_tunable(technique, rays);
+    const std::vector<ParameterId> ids = tuned_parameters(technique, options.values);
     std::size_t trials = 2, done = 0;
     for (const ParameterId id : ids) trials += candidates(id, technique).size();
 
