@@ -14,7 +14,7 @@ namespace momentscope::test {
 /// The GL context of all windows of the process. Creating it and linking its programs takes longer than most
 /// tests.
 struct SharedGl {
-    static constexpr glm::ivec2 SIZE{1280, 800};
+    static constexpr glm::ivec2 SIZE{3840, 2160};  // of the largest window
     std::shared_ptr<GlContext> context = make_headless_context(SIZE);
     std::shared_ptr<ProgramCache> programs = std::make_shared<ProgramCache>();
 };

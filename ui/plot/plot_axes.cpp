@@ -61,6 +61,13 @@ void for_each_tick(const Range& range, float count, const Draw& draw) {
     }
 }
 
+// The name of an axis without its explanation in parentheses, or after a comma, if the whole is too wide.
+std::string fitting_name(const std::string& name, float width) {
+    if (ImGui::CalcTextSize(name.c_str()).x <= width) return name;
+    const auto end = std::min(name.find(" ("), name.find(", "));
+    return name.substr(0, end);
+}
+
 }  // namespace
 
 float PlotAxes::axis_of(float warped_depth) const {
@@ -126,9 +133,10 @@ void draw_axes(ImDrawList& list, const PlotAxes& axes, const Palette& colors, bo
                              : axes.quantity == Quantity::absorbance
                                  ? "absorbance A(z) = −ln T(z), linear"
                                  : "transmittance T(z) = exp(−A(z)), linear";
-    draw_text(list, {0.5f * (area.low.x + area.high.x), area.high.y + 4 + line}, {0.5f, 0}, depth_name,
-              colors.text);
-    draw_text(list, {area.low.x, area.low.y - 3}, {0, 1}, value_name, colors.text);
+    const float width = area.high.x - area.low.x;
+    draw_text(list, {0.5f * (area.low.x + area.high.x), area.high.y + 4 + line}, {0.5f, 0},
+              fitting_name(depth_name, width), colors.text);
+    draw_text(list, {area.low.x, area.low.y - 3}, {0, 1}, fitting_name(value_name, width), colors.text);
 }
 
 void draw_text(ImDrawList& list, ImVec2 at, ImVec2 anchor, const std::string& text, ImU32 tint) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <vector>
+
 #include "ui/plot/plot_layers.hpp"
 #include "ui/plot/series_color.hpp"
 
@@ -9,12 +11,18 @@ namespace momentscope::ui {
 
 namespace {
 
+constexpr float SWATCH = 1.5f, BESIDE_SWATCH = 0.4f, BETWEEN = 0.9f;  // in em
+
+ImVec2 entry_size(const char* name) {
+    return {(SWATCH + BESIDE_SWATCH) * em() + ImGui::CalcTextSize(name).x, ImGui::GetTextLineHeight() + 2};
+}
+
 // A legend entry that can be clicked: a swatch and a name. It goes to the next line if this one is full.
 bool legend_entry(const Ui& ui, const char* name, ImU32 tint, ImVec2 dash, bool on, float right, bool first,
                   const std::string& anchor) {
-    const float swatch = 1.5f * em();
-    const ImVec2 size = {swatch + 0.4f * em() + ImGui::CalcTextSize(name).x, ImGui::GetTextLineHeight() + 2};
-    if (!first) flow(size.x, right, 0.9f * em());
+    const float swatch = SWATCH * em();
+    const ImVec2 size = entry_size(name);
+    if (!first) flow(size.x, right, BETWEEN * em());
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const bool clicked = ImGui::InvisibleButton(name, size);
     ui.record_widget_rect(anchor);
@@ -22,13 +30,28 @@ bool legend_entry(const Ui& ui, const char* name, ImU32 tint, ImVec2 dash, bool 
     const ImU32 text = on ? ImGui::GetColorU32(ImGuiCol_Text) : ImGui::GetColorU32(ImGuiCol_TextDisabled);
     const float y = at.y + 0.5f * size.y;
     draw_dashed(list, {{at.x, y}, {at.x + swatch, y}}, on ? tint : text, on ? em() / 5 : 1, dash);
-    list.AddText({at.x + swatch + 0.4f * em(), at.y + 1}, text, name);
+    list.AddText({at.x + swatch + BESIDE_SWATCH * em(), at.y + 1}, text, name);
     if (!on)  // struck through, so that the meaning does not depend on grey alone
-        list.AddLine({at.x + swatch + 0.4f * em(), y + 1}, {at.x + size.x, y + 1}, text);
+        list.AddLine({at.x + swatch + BESIDE_SWATCH * em(), y + 1}, {at.x + size.x, y + 1}, text);
     return clicked;
 }
 
 }  // namespace
+
+float legend_height(const Measurement& m, float width) {
+    std::vector<const char*> names;
+    for (const SeriesRow& row : series_rows())
+        if (has_series(row.id, *m.curve.technique)) names.push_back(series_name(row, *m.curve.technique));
+    for (const Curve& compared : m.compared) names.push_back(compared.technique->id);
+    float lines = 1, right = 0;
+    for (const char* name : names) {
+        const float entry = entry_size(name).x;
+        const float begin = right > 0 ? right + BETWEEN * em() : 0;
+        lines += right > 0 && begin + entry > width ? 1 : 0;
+        right = right > 0 && begin + entry > width ? entry : begin + entry;
+    }
+    return lines * (ImGui::GetTextLineHeight() + 2 + ImGui::GetStyle().ItemSpacing.y);
+}
 
 std::optional<Series> draw_legend(const Ui& ui, const Measurement& m, ExplorerState& state, float right) {
     std::optional<Series> hovered;

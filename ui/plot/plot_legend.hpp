@@ -12,4 +12,7 @@ namespace momentscope::ui {
 std::optional<Series> draw_legend(const Ui& ui, const Measurement& measurement, ExplorerState& state,
                                   float right);
 
+/// The height that draw_legend takes in lines of this width.
+float legend_height(const Measurement& measurement, float width);
+
 }  // namespace momentscope::ui

@@ -90,6 +90,19 @@ void draw_tools(const Ui& ui, const Measurement& m, ExplorerState& state, float 
         "or Ctrl+click here to type a number.");
 }
 
+// A button that opens the legend where there is no room for it.
+std::optional<Series> draw_legend_button(const Ui& ui, const Measurement& m, ExplorerState& state,
+                                         float right) {
+    flow(button_width("legend"), right, em());
+    if (ImGui::Button("legend")) ImGui::OpenPopup("legend");
+    ui.record_widget_rect("plot.legend");
+    tooltip("Names the curves, and shows or hides them.");
+    if (!ImGui::BeginPopup("legend")) return std::nullopt;
+    const std::optional<Series> hovered = draw_legend(ui, m, state, ImGui::GetCursorScreenPos().x);
+    ImGui::EndPopup();
+    return hovered;
+}
+
 // The fragment whose step is nearest to the mouse, if it is near enough.
 std::optional<std::size_t> fragment_at(const PlotAxes& axes, const ViewRay& ray, float x) {
     std::optional<std::size_t> nearest;
@@ -247,8 +260,11 @@ void PlotPanel::draw(const Ui& ui, const Measurement& m, ExplorerState& state, I
     const float right = corner.x + size.x;
     ImGui::BeginGroup();
     ImGui::PushID("plot panel");
+    const float legend = legend_height(m, size.x);
+    const bool fits = size.y - beside_curves_ - legend >= LEAST_PLOT * em();
     draw_tools(ui, m, state, right);
-    const std::optional<Series> hovered = draw_legend(ui, m, state, right);
+    const std::optional<Series> hovered =
+        fits ? draw_legend(ui, m, state, right) : draw_legend_button(ui, m, state, right);
     draw_light_line(ui, m, right);
     if (state.plot.shows(Series::reconstruction)) draw_note(ui, failure_note(m), right);
     if (state.plot.shows(Series::bounds) && m.failure.where.empty()) draw_note(ui, band_note(m), right);
@@ -261,6 +277,7 @@ void PlotPanel::draw(const Ui& ui, const Measurement& m, ExplorerState& state, I
     PlotAxes axes = make_axes(m.capture.ray, m.curve, state.plot, outside, true);
     if (m.light && state.viewpoint == Viewpoint::opaque_casters && axes.quantity == Quantity::absorbance)
         axes.value_name = "share of the filter region in front of z, linear";
+    beside_curves_ = low.y - corner.y - (fits ? legend : 0) + extent.y - (axes.area.high.y - axes.area.low.y);
     ui.widget_rects["plot"] = axes.area;
     ui.widget_rects["plot.depth_axis"] = {{axes.area.low.x, axes.area.high.y},
                                           {axes.area.high.x, outside.high.y}};

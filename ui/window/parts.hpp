@@ -6,11 +6,14 @@ namespace momentscope::ui {
 
 void draw_menu_bar(const Ui& ui, Workspace& workspace);
 
-/// The "Try this" row and the open card.
+/// The "Try this" row; in a narrow window the open card instead.
 void draw_lessons(const Ui& ui, Workspace& workspace);
 
-/// The sizes in pixels of what lies below the cards: scene and plot side by side, or one above the other in a
-/// high and narrow window.
+/// The open card, if there is one, at most this high. Its text scrolls.
+void draw_card(const Ui& ui, Workspace& workspace, float most);
+
+/// The sizes in pixels of what lies below the lessons: scene and plot side by side, or one above the other in
+/// a high and narrow window.
 struct WorkArea {
     ImVec2 size;
     ImVec2 scene;  // the part of the scene
@@ -26,7 +29,7 @@ bool is_narrow();
 /// Draws only a part of the window, for pages that embed it, and updates the content first.
 void draw_embedded(const Ui& ui, Workspace& workspace);
 
-/// Draws the tools above the picture and handles the mouse over it. Both change the state.
+/// Draws the open card and the tools above the picture, and handles the mouse over it. Both change the state.
 WorkArea draw_scene_controls(const Ui& ui, Workspace& workspace);
 
 /// The picture, the plot, the pinned plots and the tabs. Call it directly after draw_scene_controls, which

@@ -6,6 +6,7 @@
 
 #include "ui/panels/panels.hpp"
 #include "ui/plot/pinned_plots.hpp"
+#include "ui/plot/plot_legend.hpp"
 #include "ui/widgets/shortcut.hpp"
 #include "ui/window/parts.hpp"
 
@@ -14,6 +15,12 @@ namespace momentscope::ui {
 namespace {
 
 constexpr float MIN_SHARE = 0.2f, MAX_SHARE = 0.8f;
+constexpr float PINNED_SHARE = 0.26f;  // of the plot
+constexpr float LEAST_PINS = 5;        // font heights; pins are not plotted in much less
+constexpr float MOST_CARD = 0.45f;     // the height of an open card, as a share of scene and card
+constexpr float ENOUGH_TABS = 12;      // font heights
+constexpr float LEAST_ROOM = 24;    // font heights of plot and tabs; with less, the plot only gets its share
+constexpr float LEAST_TABS = 4.4f;  // font heights
 
 // The share of the height that the scene takes of its share of the width, if it lies above the plot.
 constexpr float STACKED_SHARE = 0.6f;
@@ -56,11 +63,30 @@ void draw_tabs(const Ui& ui, Workspace& w) {
     w.widget_rects["panel"] = {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
 }
 
+/// The height of the plot with its pins, and of the pins alone.
+struct PlotHeights {
+    float all, pins;
+};
+
+// The plot gets its share, but at least what its curves need; its pins and its legend, too, where the tabs
+// have enough. room: the height of plot and tabs.
+PlotHeights plot_heights(const Workspace& w, float width, float room) {
+    const bool has_pins = !w.state.pins.empty() && !w.state.ray;
+    const float curves = room >= LEAST_ROOM * em() ? w.plot_panel.least_height() : 0;
+    const float with_pins = curves + (has_pins ? LEAST_PINS * em() : 0);
+    const float with_legend = with_pins + legend_height(w.measurement(), width);
+    const bool legend_fits = room - with_legend >= ENOUGH_TABS * em();
+    const float wanted = std::max(w.state.plot_share * room, legend_fits ? with_legend : with_pins);
+    const float all = std::max(std::floor(std::min(wanted, room - LEAST_TABS * em())), 1.0f);
+    const float legend = legend_fits ? with_legend - with_pins : 0;
+    const float pins = std::floor(std::min(all - curves - legend, PINNED_SHARE * all));
+    return {all, has_pins && pins > 0.9f * LEAST_PINS * em() ? pins : 0};
+}
+
 void draw_right_side(const Ui& ui, Workspace& w, const WorkArea& area) {
     const ImVec2 size = area.rest;
     if (w.picked.empty()) return ImGui::Dummy(size);  // the first scene is not loaded yet
-    const float plot = std::max(std::floor(w.state.plot_share * size.y), 1.0f);
-    const float pins = w.state.pins.empty() || w.state.ray ? 0.0f : std::floor(0.26f * plot);
+    const auto [plot, pins] = plot_heights(w, size.x, size.y - area.bar);
     ImGui::BeginGroup();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 0.2f * em()});
     w.plot_panel.draw(ui, w.measurement(), w.state, {size.x, plot - pins});
@@ -110,8 +136,9 @@ WorkArea draw_scene_controls(const Ui& ui, Workspace& w) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::BeginChild("scene side", area.scene, false,
                       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    area.picture =
-        w.scene_panel.draw_controls(ui, w.measurement(), w.scene_picture, w.state, area.scene, w.status);
+    if (!area.stacked) draw_card(ui, w, MOST_CARD * area.scene.y);
+    area.picture = w.scene_panel.draw_controls(ui, w.measurement(), w.scene_picture, w.state,
+                                               ImGui::GetContentRegionAvail(), w.status);
     ImGui::EndChild();
     ImGui::PopStyleVar();
     return area;
