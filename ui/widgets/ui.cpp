@@ -38,8 +38,10 @@ ImVec4 display_color(const glm::vec3& linear) {
 std::string elided(const std::string& text, float width) {
     const auto fits = [&](const std::string& tried) { return ImGui::CalcTextSize(tried.c_str()).x <= width; };
     if (fits(text)) return text;
-    for (std::size_t length = text.size(); length > 0; --length)
-        if (const std::string tried = text.substr(0, length - 1) + "…"; fits(tried)) return tried;
+    const auto begins_letter = [&](std::size_t at) { return (text[at] & 0xC0) != 0x80; };  // of UTF-8
+    for (std::size_t length = text.size() - 1; length > 0; --length)
+        if (const std::string tried = text.substr(0, length) + "…"; begins_letter(length) && fits(tried))
+            return tried;
     return "";
 }
 

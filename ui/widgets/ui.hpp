@@ -42,7 +42,7 @@ void label(const char* text, float width = 6.5f);
 /// A wrapped tooltip for the last drawn control: its meaning, and in weaker text its shortcut or source.
 void tooltip(const std::string& text, const std::string& weaker = "");
 
-/// The beginning of an ASCII text that fits into `width` pixels, with "…" if something is missing.
+/// The beginning of a text that fits into `width` pixels, with "…" if something is missing.
 std::string elided(const std::string& text, float width);
 
 /// A GL texture as ImGui hands it on.

@@ -16,7 +16,8 @@ ImVec4 color_of(ImU32 tint) {
 
 void draw_status_line(const Ui& ui, Workspace& w) {
     if (!w.status.message.empty()) {
-        ImGui::TextColored(color_of(ui.colors.warning), "%s", w.status.message.c_str());
+        const std::string shown = elided(w.status.message, ImGui::GetContentRegionAvail().x);
+        ImGui::TextColored(color_of(ui.colors.warning), "%s", shown.c_str());
         ui.record_widget_rect("status");
         tooltip(w.status.message);
         return;
