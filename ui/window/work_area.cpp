@@ -19,7 +19,8 @@ constexpr float PINNED_SHARE = 0.26f;  // of the plot
 constexpr float LEAST_PINS = 5;        // font heights; pins are not plotted in much less
 constexpr float MOST_CARD = 0.45f;     // the height of an open card, as a share of scene and card
 constexpr float ENOUGH_TABS = 12;      // font heights
-constexpr float LEAST_ROOM = 24;    // font heights of plot and tabs; with less, the plot only gets its share
+// The height of the smallest window in which the curves keep their height: 1024x768 with text of scale 1.5.
+constexpr float LEAST_WINDOW = 34;  // font heights
 constexpr float LEAST_TABS = 4.4f;  // font heights
 
 // The share of the height that the scene takes of its share of the width, if it lies above the plot.
@@ -72,7 +73,8 @@ struct PlotHeights {
 // have enough. room: the height of plot and tabs.
 PlotHeights plot_heights(const Workspace& w, float width, float room) {
     const bool has_pins = !w.state.pins.empty() && !w.state.ray;
-    const float curves = room >= LEAST_ROOM * em() ? w.plot_panel.least_height() : 0;
+    const bool is_low = ImGui::GetMainViewport()->Size.y < LEAST_WINDOW * em();
+    const float curves = is_low ? 0 : w.plot_panel.least_height();
     const float with_pins = curves + (has_pins ? LEAST_PINS * em() : 0);
     const float with_legend = with_pins + legend_height(w.measurement(), width);
     const bool legend_fits = room - with_legend >= ENOUGH_TABS * em();
