@@ -38,7 +38,7 @@ public:
     /// The link of the state that the last frame showed, if it is another step than the last time; or "".
     std::string take_step();
 
-    /// Shows another state. It is no step, because it has a link already.
+    /// Shows another state. It does not count as a step, because it has a link already.
     void open(const ui::ExplorerState& state);
 
     const std::shared_ptr<ProgramCache>& programs() const { return renderer_->programs(); }

@@ -138,8 +138,7 @@ void MomentPasses::draw_moments(const PassInput& input) {
     const GLuint target = with_ends ? moments_and_ends_target_ : moment_target_;
     const GLuint colors = moments_5_to_8_ != 0 ? 3 : 2;  // of moments
     const bool ordered = input.parameters.ordered;
-    if (ordered && gl_.ordered == OrderedAccess::none)
-        throw Error(fmt::format("{} Choose blending as the accumulation.", NO_ORDERED_ACCESS));
+    if (const std::string why = why_unavailable(input.parameters, gl_); !why.empty()) throw Error(why);
     const bool by_images = ordered && gl_.ordered == OrderedAccess::interlock;
     factored_bias_.reset();
     clear_colors(target, static_cast<int>(colors) + (with_ends ? 1 : 0));

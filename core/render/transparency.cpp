@@ -34,13 +34,16 @@ std::string why_unavailable(const Technique& technique, const Capabilities& gl) 
     return "";
 }
 
+std::string why_unavailable(const ResolvedParameters& parameters, const Capabilities& gl) {
+    if (!parameters.ordered || gl.ordered != OrderedAccess::none) return "";
+    return fmt::format("{} Choose blending as the accumulation.", NO_ORDERED_ACCESS);
+}
+
 std::string why_unavailable(const Configuration& configuration, const Capabilities& gl) {
     const Technique& technique = *configuration.technique;
-    if (const std::string why = why_unavailable(technique, gl); !why.empty()) return why;
-    if (technique.has_moments() && resolve(configuration.values, technique).ordered &&
-        gl.ordered == OrderedAccess::none)
-        return fmt::format("{} Choose blending as the accumulation.", NO_ORDERED_ACCESS);
-    return "";
+    const std::string why = why_unavailable(technique, gl);
+    if (!why.empty() || !technique.has_moments()) return why;
+    return why_unavailable(resolve(configuration.values, technique), gl);
 }
 
 }  // namespace momentscope

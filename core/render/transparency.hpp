@@ -94,7 +94,10 @@ constexpr const char* NO_ORDERED_ACCESS =
 /// Why this GL cannot draw the technique, as a sentence; empty if it can.
 std::string why_unavailable(const Technique& technique, const Capabilities& gl);
 
-/// The same for a technique with these parameters, which may need more.
+/// The same for what the parameters need of the first pass of moments.
+std::string why_unavailable(const ResolvedParameters& parameters, const Capabilities& gl);
+
+/// The same for a technique with its parameters.
 std::string why_unavailable(const Configuration& configuration, const Capabilities& gl);
 
 }  // namespace momentscope

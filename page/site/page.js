@@ -93,7 +93,7 @@ async function run() {
     }
     // A button takes a frame to go down and another to come up; a text that it opens takes the focus some frames later.
     function drawNow() {
-        for (let i = 0; i < 8 && program._page_due(); ++i) draw(performance.now());
+        for (let i = 0; i < 8 && program._page_due() && !program._page_types(); ++i) draw(performance.now());
     }
 
     // Each step of the user gets an entry in the history of the browser. An embedded page leaves that of the page around it alone.

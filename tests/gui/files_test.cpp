@@ -172,6 +172,11 @@ TEST_F(FilesTest, WhileAMeshIsReadNothingElseChanges) {
     draw();
     ASSERT_TRUE(workspace().scene.is_reading());
     ImGuiIO& io = ImGui::GetIO();
+    workspace().files.open_dropped("ray.json");
+    draw();
+    if (workspace().scene.is_reading()) {
+        EXPECT_FALSE(state().ray) << "a dropped file waits for the mesh";
+    }
     for (const int key : {int('P'), int('7'), int('L'), int('T')}) {
         io.KeysDown[key] = true;
         draw();
@@ -181,6 +186,7 @@ TEST_F(FilesTest, WhileAMeshIsReadNothingElseChanges) {
     settle();
     EXPECT_FALSE(workspace().scene.is_reading());
     EXPECT_NE(state().scene, "planes") << message();
+    EXPECT_TRUE(state().ray) << "the dropped file opens after the mesh";
     EXPECT_FALSE(state().lens);
     EXPECT_TRUE(state().pins.empty());
     EXPECT_EQ(measurement().pins.size(), 0u);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr float MIN_SHARE = 0.2f, MAX_SHARE = 0.8f;
 constexpr float PINNED_SHARE = 0.26f;  // of the plot
-constexpr float LEAST_PINS = 5;        // font heights; pins are not plotted in much less
+constexpr float LEAST_PINS = 5;        // font heights; pins are not plotted in less
 constexpr float MOST_CARD = 0.45f;     // the height of an open card, as a share of scene and card
 constexpr float ENOUGH_TABS = 12;      // font heights
 // The height of the smallest window in which the curves keep their height: 1024x768 with text of scale 1.5.
@@ -72,17 +72,17 @@ struct PlotHeights {
 // The plot gets its share, but at least what its curves need; its pins and its legend, too, where the tabs
 // have enough. room: the height of plot and tabs.
 PlotHeights plot_heights(const Workspace& w, float width, float room) {
-    const bool has_pins = !w.state.pins.empty() && !w.state.ray;
     const bool is_low = ImGui::GetMainViewport()->Size.y < LEAST_WINDOW * em();
     const float curves = is_low ? 0 : w.plot_panel.least_height();
-    const float with_pins = curves + (has_pins ? LEAST_PINS * em() : 0);
-    const float with_legend = with_pins + legend_height(w.measurement(), width);
-    const bool legend_fits = room - with_legend >= ENOUGH_TABS * em();
-    const float wanted = std::max(w.state.plot_share * room, legend_fits ? with_legend : with_pins);
+    const bool has_pins = !w.state.pins.empty() && !w.state.ray;
+    const float least_pins = has_pins ? LEAST_PINS * em() : 0;
+    const float legend = legend_height(w.measurement(), width);
+    const bool legend_fits = room - curves - legend - least_pins >= ENOUGH_TABS * em();
+    const float least = curves + (legend_fits ? legend : 0);
+    const float wanted = std::max(w.state.plot_share * room, least + least_pins);
     const float all = std::max(std::floor(std::min(wanted, room - LEAST_TABS * em())), 1.0f);
-    const float legend = legend_fits ? with_legend - with_pins : 0;
-    const float pins = std::floor(std::min(all - curves - legend, PINNED_SHARE * all));
-    return {all, has_pins && pins > 0.9f * LEAST_PINS * em() ? pins : 0};
+    const float pins = std::floor(std::min(all - least, std::max(PINNED_SHARE * all, least_pins)));
+    return {all, has_pins && pins >= least_pins - 1 ? pins : 0};  // 1: rounding to pixels
 }
 
 void draw_right_side(const Ui& ui, Workspace& w, const WorkArea& area) {

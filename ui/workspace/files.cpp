@@ -81,7 +81,7 @@ void Files::save_chart() {
 
 void Files::draw(const Ui& ui, Workspace& w) {
     std::optional<FileDialog::Choice> choice = dialog_.draw(ui);
-    if (chosen_) choice = std::exchange(chosen_, std::nullopt);
+    if (chosen_ && !w.scene.is_reading()) choice = std::exchange(chosen_, std::nullopt);
     if (!choice) return;
     try {
         use(*choice, w);
