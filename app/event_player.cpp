@@ -175,6 +175,14 @@ void EventPlayer::expect(const std::string& pointer, const std::string& value) c
         throw Error(fmt::format("{} is {}, not {}", pointer, json_text(found), value));
 }
 
+void EventPlayer::expect_done() const {
+    const ui::ExplorerState& state = window_.explorer().workspace().state;
+    if (!window_.step_is_done())
+        throw Error(state.card.empty()
+                        ? "no lesson is open"
+                        : fmt::format("step {} of the lesson '{}' is not done", state.step + 1, state.card));
+}
+
 bool EventPlayer::play_mouse(const std::vector<std::string>& words) {
     const std::string& what = words[0];
     std::size_t next = 1;
@@ -243,6 +251,8 @@ void EventPlayer::play_line(const std::string& line) {
         screenshot(need_word(words, 1, "the name of a .png"));
     } else if (what == "expect") {
         expect(need_word(words, 1, "a JSON pointer"), need_word(words, 2, "a value"));
+    } else if (what == "expect-done") {
+        expect_done();
     } else if (what == "expect-message") {
         const std::string& message = window_.explorer().workspace().status.message;
         if (message.find(rest) == std::string::npos) throw Error(fmt::format("the message is '{}'", message));

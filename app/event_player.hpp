@@ -30,6 +30,7 @@ private:
     void key(const std::string& name, bool down);
     void wait(double seconds);
     void screenshot(const std::string& path) const;
+    void expect_done() const;
     void expect(const std::string& pointer, const std::string& value) const;
     ImVec2 place(const std::vector<std::string>& words, std::size_t& next) const;
 

@@ -9,14 +9,17 @@
 #include "app/lost_display.hpp"
 #include "app/output_conflicts.hpp"
 #include "app/terminal.hpp"
+#include "app/user_folder.hpp"
 #include "core/gl/framebuffer.hpp"
 #include "core/image/image.hpp"
 #include "core/ray/ray_json.hpp"
 #include "core/support/error.hpp"
 #include "core/support/output_file.hpp"
 #include "core/support/parse_number.hpp"
+#include "ui/model/course.hpp"
 #include "ui/model/selection.hpp"
 #include "ui/model/session.hpp"
+#include "ui/workspace/keeping.hpp"
 
 namespace momentscope {
 
@@ -37,13 +40,42 @@ ui::ThemeKind parse_theme(const std::string& text) {
     throw Error(fmt::format("There is no theme '{}'; use dark or light.", text));
 }
 
-/// The start values of both kinds of windows.
+/// The start values of a window.
 struct WindowStart {
     ui::ExplorerState state;
+    ui::Course course;
+    std::string problem;  // said in the status line; "": none
     glm::ivec2 size;
     float scale;
     PixelOption pixel;
     std::string log;
+};
+
+// Switches between a window and the whole screen.
+class FullScreen {
+public:
+    void toggle(GLFWwindow* window) {
+        if (glfwGetWindowMonitor(window) != nullptr) {
+            glfwSetWindowMonitor(window, nullptr, place_.x, place_.y, size_.x, size_.y, GLFW_DONT_CARE);
+            return;
+        }
+        glfwGetWindowPos(window, &place_.x, &place_.y);
+        glfwGetWindowSize(window, &size_.x, &size_.y);
+        GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+        const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
+        if (mode != nullptr)
+            glfwSetWindowMonitor(window, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+    }
+
+private:
+    glm::ivec2 place_{0}, size_{0};  // of the window before
+};
+
+// The files of lessons that --lesson names.
+struct OpenedLessons {
+    ui::Course course;
+    const ui::Lesson* first = nullptr;
+    std::vector<std::string> problems;
 };
 
 // --pixel refers to the scene's picture. Its size is known only after a frame.
@@ -67,10 +99,17 @@ public:
                          [this] {
                              say_drawing();
                              return false;
-                         }}),
+                         },
+                     .host = {.keep = keep_for_user,
+                              .kept = kept_for_user,
+                              .toggle_fullscreen = [this] { full_screen_.toggle(context_->window()); }}}),
+          own_scale_(start.scale),
+          scale_(start.scale),
           log_(start.log),
           lost_display_([this] { return last_words(explorer_.workspace().state); }) {
         glfwSetWindowSizeLimits(context_->window(), 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
+        explorer_.workspace().course = start.course;
+        if (!start.problem.empty()) explorer_.workspace().status.say(start.problem);
     }
 
     void run() {
@@ -78,6 +117,9 @@ public:
             if (is_visible() && need_.due(explorer_)) draw();
             take_events();
         }
+        if (glfwGetWindowMonitor(context_->window()) == nullptr)
+            explorer_.workspace().settings.window = size();
+        ui::keep_changes(explorer_.workspace());
         log_.require_written();
     }
 
@@ -107,6 +149,10 @@ private:
         const glm::ivec2 size = this->size();
         if (gui_.input()->waits()) need_.input();
         if (const auto path = gui_.input()->take_dropped()) explorer_.workspace().files.open_dropped(*path);
+        if (const float scale = explorer_.wanted_scale(own_scale_); scale != scale_) {
+            GuiSession::set_scale(scale_ = scale);
+            explorer_.set_scale(scale);
+        }
         gui_.begin_frame(size);
         explorer_.frame();
         gui_.end_frame(size);
@@ -142,7 +188,9 @@ private:
     std::unique_ptr<GlContext> context_;
     Renderer renderer_;
     GuiSession gui_;
+    FullScreen full_screen_;
     ui::Explorer explorer_;
+    float own_scale_, scale_;  // of the command line; as it is drawn
     FrameLog log_;
     ui::FrameNeed need_;
     bool picked_ = false;
@@ -168,6 +216,8 @@ public:
                                      [](const std::string& id) { return &require_technique(id); });
         app.add_option("--session", session_, "JSON file that the window saved, to continue from there")
             ->excludes(scene, ray, techniques);
+        app.add_option("--lesson", lesson_, "JSON file of a lesson, or a folder of them, to open")
+            ->excludes("--session");
         app.add_flag("--headless", headless_, "draw without a display");
         app.add_option("--screenshot", screenshot_, "with --headless: where to write the window as .png");
         app.add_option("--events", events_, "with --headless: file with mouse and keyboard events to replay");
@@ -188,7 +238,7 @@ public:
 
     FileUse files() const override {
         FileUse use = {scene_files(scene_), {{"--screenshot", screenshot_}, {"--log", log_}}};
-        use.inputs.insert(use.inputs.end(), {ray_, session_, events_});
+        use.inputs.insert(use.inputs.end(), {ray_, session_, events_, lesson_});
         return use;
     }
 
@@ -198,10 +248,36 @@ public:
             throw Error("--screenshot and --events work only with --headless; add it.");
         if (app().count("--gl") > 0)
             throw Error("--gl chooses how to draw without a window; add --headless, or leave --gl out.");
-        OpenWindow({initial_state(), size_, scale_, pixel_, log_}).run();
+        OpenWindow(start()).run();
     }
 
 private:
+    // What the user has kept holds unless the command line says otherwise.
+    WindowStart start() const {
+        const ui::Settings kept = ui::kept_settings(kept_for_user);
+        OpenedLessons lessons = open_lessons();
+        WindowStart start = {initial_state(lessons.first),
+                             std::move(lessons.course),
+                             lessons.problems.empty() ? "" : lessons.problems.front(),
+                             size_,
+                             scale_,
+                             pixel_,
+                             log_};
+        if (!theme_ && session_.empty()) start.state.theme = kept.theme;
+        if (app().count("--size") == 0 && kept.window.x > 0 && kept.window.y > 0) start.size = kept.window;
+        return start;
+    }
+
+    OpenedLessons open_lessons() const {
+        OpenedLessons lessons;
+        if (lesson_.empty()) return lessons;
+        ui::Course::Added added = lessons.course.add(lesson_);
+        lessons.first = added.first;
+        lessons.problems = std::move(added.problems);
+        for (const std::string& problem : lessons.problems) warn(problem);
+        return lessons;
+    }
+
     void run_headless() const {
         if (screenshot_.empty() && events_.empty())
             throw Error("--headless has no window to show; add --screenshot FILE.png, or --events FILE.");
@@ -214,7 +290,10 @@ private:
                 throw Error(fmt::format("A screenshot is a .png file; '{}' is not.", screenshot_));
         }
         FrameLog log(log_);
-        HeadlessWindow window(size_, initial_state(), {.scale = scale_, .show_times = false}, log);
+        const OpenedLessons lessons = open_lessons();
+        HeadlessWindow window(size_, initial_state(lessons.first), {.scale = scale_, .show_times = false},
+                              log);
+        window.explorer().workspace().course = lessons.course;
         window.settle();
         pick_option(pixel_, window.explorer());
         window.settle();
@@ -227,8 +306,9 @@ private:
         log.require_written();
     }
 
-    ui::ExplorerState initial_state() const {
+    ui::ExplorerState initial_state(const ui::Lesson* lesson) const {
         ui::ExplorerState state = session_.empty() ? state_of_options() : state_of_session();
+        if (lesson != nullptr) ui::open_lesson(state, *lesson);
         if (reference_ != nullptr) {
             state.compare.reference = reference_;
             state.panel = ui::Panel::compare;  // this tab shows the choice
@@ -265,6 +345,7 @@ private:
     TechniqueIds techniques_;
     const Technique* reference_ = nullptr;
     std::string session_;
+    std::string lesson_;
     bool headless_ = false;
     std::string screenshot_, events_, log_;
     float scale_ = 1;

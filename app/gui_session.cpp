@@ -49,6 +49,13 @@ GuiSession::~GuiSession() {
     ImGui::DestroyContext();
 }
 
+void GuiSession::set_scale(float ui_scale) {
+    ImGui::GetIO().Fonts->Clear();
+    ui::load_fonts(ui_scale);
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+}
+
 void GuiSession::begin_frame(glm::ivec2 size, float seconds) {
     ImGui_ImplOpenGL3_NewFrame();
     if (window_ != nullptr) {

@@ -20,6 +20,9 @@ public:
     GuiSession(const GuiSession&) = delete;
     GuiSession& operator=(const GuiSession&) = delete;
 
+    /// Loads the fonts in another size. Call it between two frames.
+    static void set_scale(float ui_scale);
+
     /// size: of the default framebuffer in pixels. seconds: since the last frame; a window measures this
     /// itself.
     void begin_frame(glm::ivec2 size, float seconds = 1.0f / 60);

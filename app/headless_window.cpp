@@ -23,9 +23,15 @@ HeadlessWindow::HeadlessWindow(std::shared_ptr<GlContext> context, std::shared_p
       renderer_(programs != nullptr ? std::move(programs) : std::make_shared<ProgramCache>()),
       gui_(nullptr, options.scale),
       explorer_(renderer_, state, options),
+      own_scale_(options.scale),
+      scale_(options.scale),
       log_(log) {}
 
 void HeadlessWindow::draw() {
+    if (const float scale = explorer_.wanted_scale(own_scale_); scale != scale_) {
+        GuiSession::set_scale(scale_ = scale);
+        explorer_.set_scale(scale);
+    }
     gui_.begin_frame(size_, std::exchange(passed_, 0.0f) + 1.0f / 60);
     explorer_.frame();
     GuiSession::end_frame();
@@ -58,6 +64,12 @@ void HeadlessWindow::idle() {
         if (explorer_.workspace().scene.is_reading() || ui::has_background_work(explorer_.workspace()))
             std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
+}
+
+bool HeadlessWindow::step_is_done() const {
+    const ui::Workspace& w = explorer_.workspace();
+    const auto open = w.course.open_step(w.state);
+    return open && w.lesson.progress.of(open->lesson->id, open->step).done;
 }
 
 void HeadlessWindow::write_png(const std::string& path) const {

@@ -41,6 +41,9 @@ public:
     /// Sets the size from the next frame on, as if the window was resized. It cannot exceed the first size.
     void resize(glm::ivec2 size) { size_ = glm::min(size, most_); }
 
+    /// Is the open step of the lesson done? False if no lesson is open.
+    bool step_is_done() const;
+
     ui::Explorer& explorer() { return explorer_; }
     const ui::Explorer& explorer() const { return explorer_; }
     Renderer& renderer() { return renderer_; }
@@ -54,6 +57,7 @@ private:
     GuiSession gui_;
     ui::Explorer explorer_;
     ui::FrameNeed need_;
+    float own_scale_, scale_;  // of the options; as it is drawn
     float passed_ = 0;
     FrameLog& log_;
 };

@@ -86,6 +86,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_start(int width, int height, float scale, 
             wrong = error.what();
         }
         page = std::make_unique<Page>(start, embedding, glm::ivec2(width, height), scale);
+        if (session[0] == '\0') page->workspace().state.theme = page->workspace().settings.theme;
         if (!wrong.empty()) page->workspace().status.say(wrong);
     });
 }

@@ -23,7 +23,10 @@ namespace {
 ui::Host host() {
     return {.choose_file = choose_file,
             .deliver = deliver_file,
-            .copy_link = [](const ui::ExplorerState& state) { copy_link(ui::link_text(state).c_str()); }};
+            .copy_link = [](const ui::ExplorerState& state) { copy_link(ui::link_text(state).c_str()); },
+            .keep = keep,
+            .kept = kept,
+            .toggle_fullscreen = toggle_fullscreen};
 }
 
 }  // namespace
@@ -53,7 +56,7 @@ void prepare_web_context() {
 }
 
 Page::Page(const ui::ExplorerState& start, const ui::Embedding& embedding, glm::ivec2 size, float scale)
-    : size_(size), scale_(scale) {
+    : size_(size), own_scale_(scale), scale_(scale) {
     ImGui::CreateContext();
     ui::load_fonts(scale);
     ui::use_key_numbers();
@@ -79,6 +82,7 @@ Page::~Page() {
 bool Page::frame(double seconds) {
     if (!input_.empty()) need_.input();
     if (!need_.due(*explorer_)) return false;
+    use_scale();
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(size_.x), static_cast<float>(size_.y)};
     io.DeltaTime = static_cast<float>(std::clamp(seconds, 1e-4, 0.5));
@@ -105,15 +109,19 @@ void Page::write_window(const std::filesystem::path& path) {
 
 void Page::resize(glm::ivec2 size, float scale) {
     size_ = size;
-    if (scale != scale_) {
-        scale_ = scale;
-        ImGui::GetIO().Fonts->Clear();
-        ui::load_fonts(scale);
-        ImGui_ImplOpenGL3_DestroyFontsTexture();
-        ImGui_ImplOpenGL3_CreateFontsTexture();
-        explorer_->set_scale(scale);
-    }
+    own_scale_ = scale;
     need_.input();
+}
+
+void Page::use_scale() {
+    const float scale = explorer_->wanted_scale(own_scale_);
+    if (scale == scale_) return;
+    scale_ = scale;
+    ImGui::GetIO().Fonts->Clear();
+    ui::load_fonts(scale);
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+    explorer_->set_scale(scale);
 }
 
 std::string Page::take_step() {

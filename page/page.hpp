@@ -45,10 +45,11 @@ public:
     ui::Workspace& workspace() { return explorer_->workspace(); }
 
 private:
+    void use_scale();
     void write_window(const std::filesystem::path& path);
 
     glm::ivec2 size_;
-    float scale_;
+    float own_scale_, scale_;  // of the screen; as it is drawn
     std::unique_ptr<Renderer> renderer_;
     std::unique_ptr<ui::Explorer> explorer_;
     ui::InputQueue input_;

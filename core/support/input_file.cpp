@@ -31,8 +31,10 @@ std::string read_input_file(const std::filesystem::path& path, std::uintmax_t mo
         throw Error(
             fmt::format("The {} file '{}' cannot be read; check its permissions.", what, path.string()));
     if (text.size() > most_bytes)
-        throw Error(fmt::format("The {} file '{}' is larger than {} MiB; give a smaller one.", what,
-                                path.string(), most_bytes >> 20));
+        throw Error(fmt::format("The {} file '{}' is larger than {}; give a smaller one.", what,
+                                path.string(),
+                                most_bytes >> 20 > 0 ? fmt::format("{} MiB", most_bytes >> 20)
+                                                     : fmt::format("{} KiB", most_bytes >> 10)));
     return text;
 }
 

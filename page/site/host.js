@@ -41,6 +41,25 @@ export function makeHost(program, { opened, say, linkOf }) {
     };
 
     return {
+        keep(name, text) {
+            try {
+                localStorage.setItem(`momentscope.${name}`, text);
+                return true;
+            } catch {
+                return false;
+            }
+        },
+        kept(name) {
+            try {
+                return localStorage.getItem(`momentscope.${name}`) ?? '';
+            } catch {
+                return '';   // a browser that stores nothing says so when something is kept
+            }
+        },
+        toggleFullscreen() {
+            if (document.fullscreenElement) document.exitFullscreen();
+            else document.documentElement.requestFullscreen?.().catch(() => say('The browser does not allow full screen here.'));
+        },
         chooseFile(extension) {
             input.accept = extension;
             input.click();

@@ -19,6 +19,9 @@
 #include "core/support/output_file.hpp"
 #include "core/table/run_table.hpp"
 #include "core/techniques/configuration.hpp"
+#include "ui/model/glossary.hpp"
+#include "ui/model/lesson_file.hpp"
+#include "ui/model/progress.hpp"
 #include "ui/model/session.hpp"
 
 namespace momentscope::fuzz {
@@ -49,6 +52,21 @@ void read_session(const fs::path& file) {
     const std::string text = ui::session_text(session.state);
     promise(ui::session_text(ui::session_from_json(text).state) == text,
             "A session comes back as it was written.");
+}
+
+void read_lesson(const fs::path& file) {
+    const ui::Lesson lesson = ui::read_lesson_file(file);
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+        const ui::ExplorerState state = ui::lesson_state(lesson, i, true, {});
+        promise(state.card == lesson.id && state.step == i, "A lesson can be opened at each step.");
+        ui::text_runs(lesson.steps[i].action);
+    }
+}
+
+void read_progress(const fs::path& file) {
+    const ui::Progress progress = ui::progress_from_json(read_input_file(file, MAX_INPUT_BYTES, "input"));
+    const std::string text = json_text(ui::progress_to_json(progress));
+    promise(ui::progress_from_json(text) == progress, "Progress comes back as it was written.");
 }
 
 void read_chart(const RunTable& table, const std::string& name) {
@@ -124,6 +142,7 @@ struct Reader {
 };
 
 constexpr std::array READERS = {Reader{"ray", read_ray},       Reader{"session", read_session},
+                                Reader{"lesson", read_lesson}, Reader{"progress", read_progress},
                                 Reader{"table", read_tables},  Reader{"configuration", read_configurations},
                                 Reader{"events", read_events}, Reader{"mesh", read_mesh}};
 

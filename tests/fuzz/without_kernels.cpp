@@ -7,6 +7,7 @@
 #include "core/techniques/moment_kernel.hpp"
 #include "core/techniques/moment_techniques.hpp"
 #include "core/techniques/pixel_state_techniques.hpp"
+#include "ui/model/embedded_texts.hpp"
 
 namespace momentscope {
 
@@ -23,6 +24,12 @@ MomentKernel moment_kernel_of(int count, int bits) {
 }
 
 }  // namespace
+
+const std::map<std::string_view, std::string_view>& embedded_glossary() {
+    static const std::map<std::string_view, std::string_view> texts = {
+        {"glossary.md", "\n\n**Moment** (b). A sum.\n\n**Absorbance.** Adds up.\n\n"}};
+    return texts;
+}
 
 #define MOMENT_TECHNIQUE(id, basis, count, bits, ...)                         \
     const MomentKernel& moment_kernel(MomentKernelTag<MomentTechnique::id>) { \

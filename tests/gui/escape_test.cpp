@@ -13,13 +13,13 @@ protected:
 
 TEST_F(EscapeTest, ClosesAnOpenListBeforeAnythingElse) {
     open();
-    play("click @card.beta");
+    play("click @card.order");
     for (const char* opener : {"click @controls.technique", "click @scene.views", "click @menu.view"}) {
         play(opener);
         ASSERT_TRUE(shows_popup()) << opener;
         play("key Escape");
         EXPECT_FALSE(shows_popup()) << opener;
-        EXPECT_EQ(state().card, "beta") << opener;
+        EXPECT_EQ(state().card, "order") << opener;
     }
     play("key Escape");
     EXPECT_TRUE(state().card.empty()) << "then what remains";

@@ -205,9 +205,9 @@ TEST_F(FilesTest, ADoubleClickOnAFolderOnlyEntersIt) {
 
 TEST_F(FilesTest, EscapeClosesTheDialogAndKeepsTheCard) {
     open();
-    play("click @card.beta\nkey Ctrl+S\nkey Escape");
+    play("click @card.order\nkey Ctrl+S\nkey Escape");
     EXPECT_FALSE(workspace().files.is_open());
-    EXPECT_EQ(state().card, "beta");
+    EXPECT_EQ(state().card, "order");
     play("key Escape");
     EXPECT_TRUE(state().card.empty());
 }

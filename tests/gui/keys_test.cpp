@@ -46,6 +46,12 @@ const std::map<std::string, Check>& checks() {
              EXPECT_FALSE(p.now.history.can_redo());
              EXPECT_NE(p.now.state, p.before);
          }},
+        {"try.next", [](const Pressed& p) { EXPECT_EQ(p.now.state.step, p.before.step + 1); }},
+        {"try.previous", [](const Pressed& p) { EXPECT_EQ(p.now.state.step, p.before.step - 1); }},
+        {"view.present", [](const Pressed& p) { EXPECT_TRUE(p.now.present); }},
+        {"view.text_larger", [](const Pressed& p) { EXPECT_GT(p.now.settings.text_scale, 1); }},
+        {"view.text_smaller", [](const Pressed& p) { EXPECT_LT(p.now.settings.text_scale, 1); }},
+        {"view.text_standard", [](const Pressed& p) { EXPECT_EQ(p.now.settings.text_scale, 1); }},
         {"edit.reset_parameters",
          [](const Pressed& p) {
              EXPECT_NE(p.before.parameters, ParameterValues());
@@ -169,7 +175,7 @@ protected:
         state.parameters.set(ParameterId::beta, 0.75f);
         state.plot.depth = ui::Range{-0.5f, 0.5f};
         state.pins = {glm::vec2(0.3f, 0.5f)};
-        state.card = "beta";
+        state.card = "order";
         settle();
         state.marked = measurement().history[0].fragment;
         settle();
@@ -179,6 +185,8 @@ protected:
 TEST_P(KeyTest, DoesWhatTheListSays) {
     const auto& [id, key] = GetParam();
     open_with_something_of_everything();
+    if (id == "try.previous") play("key PageDown");
+    if (id == "view.text_standard") play("key Ctrl+Plus");
     if (id == "edit.redo") play("key Ctrl+Z");
     if (id == "view.lens_zoom") play("key L");
     if (id == "compare.swap") play("key W");
@@ -188,6 +196,13 @@ TEST_P(KeyTest, DoesWhatTheListSays) {
         play("click @tab.5\nclick @editor.detach");
         workspace().state.marked = 1;
         settle();
+    }
+    if (id == "view.fullscreen") {
+        int toggled = 0;
+        workspace().options.host.toggle_fullscreen = [&] { ++toggled; };
+        play("key " + key);
+        EXPECT_EQ(toggled, 1);
+        return;
     }
     const Pressed pressed = {state(), workspace(), measurement().pixel};
     if (id == "compare.flip") {

@@ -4,7 +4,7 @@
 
 #include "core/support/error.hpp"
 #include "tests/gui/folder_fixture.hpp"
-#include "ui/model/lessons.hpp"
+#include "ui/model/course.hpp"
 #include "ui/model/session.hpp"
 
 namespace momentscope::test {
@@ -111,7 +111,7 @@ TEST_F(SessionTest, BrokenSessionsAreExplainedAndChangeNothing) {
         {with("/camera", {{"distance", 0}}), "distance"},
         {with("/camera", 3), "camera"},
         {with("/ray", {{"fragments", 3}}), "fragments"},
-        {with("/card", "nope"), "card"},
+        {with("/step", -1), "step"},
         {with("/scene_share", 1e9), "scene_share"},
         {with("/scene", "/nowhere/mesh.obj"), "mesh.obj"},
         {std::string(100'000, '['), "nested"},
@@ -169,13 +169,23 @@ TEST_F(SessionTest, ANameThatIsNoUtf8IsExplained) {
     EXPECT_FALSE(fs::exists(folder_ / "s.json"));
 }
 
-TEST(Lessons, EachIsReachedWithOneClickAndShowsItsSubject) {
-    for (const ui::Lesson& lesson : ui::lessons()) {
-        ui::ExplorerState state;
-        open_lesson(state, lesson);
-        EXPECT_EQ(state.card, lesson.id);
-        EXPECT_EQ(ui::session_from_json(ui::session_to_json(state).dump()).state, state);
-    }
+TEST_F(SessionTest, ALessonThatIsNotHereIsNamedAndClosed) {
+    open("planes");
+    ui::ExplorerState other = state();
+    other.card = "of-somebody-else";
+    ui::write_session_file(other, folder_ / "s.json");
+    play("key Ctrl+O\nclick @file.name\nkey Ctrl+A\ntype s.json\nkey Enter\nmove -10 -10");
+    EXPECT_NE(message().find("no lesson 'of-somebody-else'"), std::string::npos) << message();
+    EXPECT_TRUE(state().card.empty());
+}
+
+TEST(Lessons, EachStepIsASession) {
+    for (const ui::Lesson& lesson : ui::own_lessons())
+        for (std::size_t step = 0; step < lesson.steps.size(); ++step) {
+            const ui::ExplorerState state = ui::lesson_state(lesson, step, false, {});
+            EXPECT_EQ(state.card, lesson.id);
+            EXPECT_EQ(ui::session_from_json(ui::session_to_json(state).dump()).state, state);
+        }
 }
 
 }  // namespace

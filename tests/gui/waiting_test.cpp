@@ -73,7 +73,7 @@ TEST_F(WaitingTest, APictureOfAnUnknownKindIsAnnounced) {
     EXPECT_LT(last_covered, 0.5f) << "the last picture stays to be seen";
     EXPECT_EQ(announced_by("key O"), 1) << "failures are marked";
     EXPECT_EQ(announced_by("key W"), 1) << "a reference is drawn";
-    EXPECT_EQ(announced_by("click @card.beta"), 1) << "another scene";
+    EXPECT_EQ(announced_by("click @card.order"), 1) << "another scene";
 }
 
 // As in a browser, where the notice is seen only after the frame.
@@ -82,7 +82,7 @@ TEST_F(WaitingTest, APictureMayWaitForTheNextFrame) {
     open_counting();
     EXPECT_EQ(announced, 1) << "the first one";
     EXPECT_EQ(announced_by("click @controls.technique\nclick @controls.technique.trig3-32"), 1);
-    EXPECT_EQ(announced_by("click @card.beta\nkey W"), 2) << "another scene, then a reference";
+    EXPECT_EQ(announced_by("click @card.order\nkey W"), 2) << "another scene, then a reference";
     EXPECT_FALSE(workspace().picture_waits);
     EXPECT_EQ(workspace().shown, workspace().state);
 }

@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "core/scene/scenes.hpp"
 #include "ui/commands/command_rows.hpp"
 #include "ui/model/camera_moves.hpp"
-#include "ui/model/lessons.hpp"
 #include "ui/model/selection.hpp"
+#include "ui/workspace/presenting.hpp"
 #include "ui/workspace/workspace.hpp"
 
 namespace momentscope::ui {
@@ -127,7 +128,10 @@ void add_tabs_and_theme(List& list) {
     const auto light = [](const Workspace& w) { return w.state.theme == ThemeKind::light; };
     list.push_back(choice(
         "view.theme", "Light theme", {"Ctrl+T"}, "Switches to a light theme, which suits a projector.",
-        [light](Workspace& w) { w.state.theme = light(w) ? ThemeKind::dark : ThemeKind::light; }, light));
+        [light](Workspace& w) {
+            w.state.theme = w.settings.theme = light(w) ? ThemeKind::dark : ThemeKind::light;
+        },
+        light));
 }
 
 void add_arrows(List& list) {
@@ -191,11 +195,58 @@ void add_registries(List& list) {
             fmt::format("scene.{}", entry.id), entry.id, {}, entry.description,
             [&entry](Workspace& w) { choose_scene(w.state, entry.id); },
             [&entry](const Workspace& w) { return !w.state.ray && w.state.scene == entry.id; }));
-    for (const Lesson& lesson : lessons())
+}
+
+void add_lessons(List& list) {
+    list.push_back(plain("try.next", "Next step", {"PageDown"},
+                         "Goes to the next step of the lesson, or opens the first lesson.", next_step));
+    list.push_back(
+        plain("try.previous", "Previous step", {"PageUp"}, "Goes back to the step before.", previous_step));
+    list.push_back(plain("try.open", "Open lesson…", {}, "Adds a lesson from a JSON file.",
+                         [](Workspace& w) { w.files.open_lesson(); }));
+    list.push_back(plain("try.export", "Export answers…", {},
+                         "Writes what you have done and answered, for a teacher.",
+                         [](Workspace& w) { w.files.save_answers(); }));
+    list.push_back({"try.reset",
+                    "Forget my progress",
+                    {},
+                    "Forgets which lessons are done, and all answers. This cannot be undone.",
+                    [](Workspace& w) { w.lesson.reset(); },
+                    [](const Workspace& w) { return !w.lesson.progress.empty(); }});
+    for (const Lesson& lesson : own_lessons())
         list.push_back(choice(
-            fmt::format("try.{}", lesson.id), lesson.title, {}, lesson.question,
-            [&lesson](Workspace& w) { open_lesson(w.state, lesson); },
-            [&lesson](const Workspace& w) { return w.state.card == lesson.id; }));
+            fmt::format("try.{}", lesson.id), lesson.title, {}, "Opens this lesson.",
+            [id = lesson.id](Workspace& w) { open_lesson(w.state, *w.course.find(id)); },
+            [id = lesson.id](const Workspace& w) { return w.state.card == id; }));
+}
+
+void add_present(List& list) {
+    list.push_back(choice(
+        "view.present", "Present", {"F5"},
+        "Shows only scene, plot and lesson; PageDown and PageUp go from step to step.",
+        [](Workspace& w) { w.present = !w.present; }, [](const Workspace& w) { return w.present; }));
+    list.push_back(choice(
+        "view.moves", "Move between steps", {}, "While presenting, states move into each other.",
+        [](Workspace& w) { w.settings.moves = !w.settings.moves; },
+        [](const Workspace& w) { return w.settings.moves; }));
+    list.push_back({"view.fullscreen",
+                    "Full screen",
+                    {"F11"},
+                    "Fills the screen with the window.",
+                    [](Workspace& w) { w.options.host.toggle_fullscreen(); },
+                    [](const Workspace& w) { return static_cast<bool>(w.options.host.toggle_fullscreen); }});
+    const auto scale = [](float by) {
+        return [by](Workspace& w) {
+            w.settings.text_scale = std::clamp(by * w.settings.text_scale, MIN_TEXT_SCALE, MAX_TEXT_SCALE);
+        };
+    };
+    list.push_back(
+        plain("view.text_larger", "Larger text", {"Ctrl+Plus"}, "Makes all text larger.", scale(1.1f)));
+    list.push_back(plain("view.text_smaller", "Smaller text", {"Ctrl+Minus"}, "Makes all text smaller.",
+                         scale(1 / 1.1f)));
+    list.push_back(plain("view.text_standard", "Standard text", {"Ctrl+0"},
+                         "Brings the standard size of text back.",
+                         [](Workspace& w) { w.settings.text_scale = 1; }));
 }
 
 void add_help(List& list) {
@@ -207,7 +258,7 @@ void add_help(List& list) {
                          [](Workspace& w) { w.palette.toggle(); }));
     list.push_back(plain(
         "help.close", "Close", {"Escape"},
-        "Closes the first of these that is there: a list or menu, a dialog, the help, the message, the region, the card.",
+        "Closes the first of these that is there: a list or menu, a dialog, the help, the message, the region, the presentation, the lesson.",
         [](Workspace& w) { close_topmost(w); }));
 }
 
@@ -215,8 +266,8 @@ void add_help(List& list) {
 
 std::vector<Command> make_command_list() {
     List list;
-    for (const auto add : {add_file, add_edit, add_view, add_tabs_and_theme, add_pixel, add_compare, add_plot,
-                           add_registries, add_help})
+    for (const auto add : {add_file, add_edit, add_view, add_tabs_and_theme, add_present, add_pixel,
+                           add_compare, add_plot, add_registries, add_lessons, add_help})
         add(list);
     return list;
 }

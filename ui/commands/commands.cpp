@@ -15,7 +15,7 @@ namespace {
 constexpr Menu MENUS[] = {
     {"file", "File"},       {"edit", "Edit"}, {"view", "View"},           {"pixel", "Pixel"},
     {"compare", "Compare"}, {"plot", "Plot"}, {"technique", "Technique"}, {"scene", "Scene"},
-    {"try", "Try this"},    {"help", "Help"}};
+    {"try", "Lessons"},     {"help", "Help"}};
 
 constexpr MouseAction MOUSE_ACTIONS[] = {
     {"scene", "left click or drag", "picks a pixel"},

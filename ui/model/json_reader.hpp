@@ -1,4 +1,5 @@
-// json_reader.hpp -- reads an object of a session key by key, checks every value, and reports unknown keys.
+// json_reader.hpp -- reads an object of a session or another file key by key, checks every value, and reports
+// unknown keys.
 #pragma once
 #include <fmt/format.h>
 
@@ -20,8 +21,10 @@ constexpr std::size_t MAX_NAME = 60;   // length of a reported key
 /// Reads the keys of one object. All keys that were not read are unknown; the first of them are reported.
 class JsonReader {
 public:
-    JsonReader(const nlohmann::json& object, std::string path, std::vector<std::string>& ignored)
-        : object_(object), path_(std::move(path)), ignored_(ignored) {
+    /// what: names the file in messages.
+    JsonReader(const nlohmann::json& object, std::string path, std::vector<std::string>& ignored,
+               const char* what = "session")
+        : object_(object), path_(std::move(path)), ignored_(ignored), what_(what) {
         if (!object.is_object()) fail("", "an object");
     }
     ~JsonReader() {
@@ -72,7 +75,7 @@ public:
     }
     [[noreturn]] void fail(const std::string& key, const std::string& what) const {
         const std::string name = path_ + key;
-        throw Error(fmt::format("The session's {} must be {}; correct it, or save the session anew.",
+        throw Error(fmt::format("The {0}'s {1} must be {2}; correct it, or save the {0} anew.", what_,
                                 name.empty() ? "content" : "\"" + name + "\"", what));
     }
 
@@ -87,6 +90,7 @@ private:
     const nlohmann::json& object_;
     std::string path_;
     std::vector<std::string>& ignored_;
+    const char* what_;
     std::set<std::string> known_;
 };
 

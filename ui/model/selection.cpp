@@ -171,6 +171,8 @@ void forget_region(CompareState& compare) {
 
 void close_card(ExplorerState& state) {
     state.card.clear();
+    state.step = 0;
+    state.hint = state.answer = false;
 }
 
 }  // namespace momentscope::ui

@@ -10,7 +10,6 @@
 #include "core/support/bounded_json.hpp"
 #include "core/support/error.hpp"
 #include "ui/model/json_reader.hpp"
-#include "ui/model/lessons.hpp"
 #include "ui/model/series.hpp"
 
 namespace momentscope::ui {
@@ -132,10 +131,10 @@ std::optional<Camera> camera_from(const json& object, std::vector<std::string>& 
     return camera;
 }
 
-void read_fragment(JsonReader& reader, const char* key, std::optional<std::size_t>& index) {
+void read_count(JsonReader& reader, const char* key, const char* what, std::optional<std::size_t>& index) {
     const json* found = reader.find(key);
     if (found == nullptr || found->is_null()) return;
-    if (!found->is_number_unsigned()) reader.fail(key, "null or the number of a fragment");
+    if (!found->is_number_unsigned()) reader.fail(key, what);
     index = found->get<std::size_t>();
 }
 
@@ -152,9 +151,9 @@ void read_places(JsonReader& reader, ExplorerState& state) {
             state.pins.emplace_back(place[0], place[1]);
         }
     }
-    read_fragment(reader, "marked", state.marked);
+    read_count(reader, "marked", "null or the number of a fragment", state.marked);
     reader.choice("viewpoint", state.viewpoint, VIEWPOINTS);
-    read_fragment(reader, "receiver", state.receiver);
+    read_count(reader, "receiver", "null or the number of a fragment", state.receiver);
 }
 
 void read_compare(const json& object, CompareState& compare, std::vector<std::string>& ignored) {
@@ -226,6 +225,8 @@ ordered_json session_to_json(const ExplorerState& state) {
             {"lens_zoom", LENS_ZOOMS[static_cast<std::size_t>(state.lens_zoom)]},
             {"failures", state.failures},
             {"card", state.card},
+            {"step", state.step},
+            {"hint", state.hint},
             {"answer", state.answer},
             {"theme", THEMES[static_cast<std::size_t>(state.theme)]},
             {"scene_share", state.scene_share},
@@ -260,8 +261,10 @@ Session session_from_json(const std::string& text) {
     reader.choice("lens_zoom", state.lens_zoom, LENS_ZOOMS);
     reader.flag("failures", state.failures);
     reader.text("card", state.card);
-    if (!state.card.empty() && find_lesson(state.card) == nullptr)
-        reader.fail("card", "the id of a card or empty");
+    std::optional<std::size_t> step;
+    read_count(reader, "step", "the number of a step", step);
+    state.step = step.value_or(0);
+    reader.flag("hint", state.hint);
     reader.flag("answer", state.answer);
     reader.choice("theme", state.theme, THEMES);
     reader.number("scene_share", state.scene_share, 0.2f, 0.8f);

@@ -29,6 +29,9 @@ Session session_from_json(const std::string& text);
 /// in the session's folder.
 Session read_session_file(const std::filesystem::path& path);
 
+/// The name of a scene in a file: a relative one of a mesh file is first looked up in the folder of the file.
+std::string scene_beside(const std::string& scene, const std::filesystem::path& file);
+
 /// Throws Error if a session cannot hold the name of the scene's file.
 void require_session_name(const std::string& scene);
 

@@ -26,15 +26,14 @@ std::string portable_scene(const std::string& scene, const std::filesystem::path
     return relative.empty() || *relative.begin() == ".." ? path.string() : relative.string();
 }
 
-// A relative path is first looked up beside the session.
-std::string scene_beside(const std::string& scene, const std::filesystem::path& session) {
+}  // namespace
+
+std::string scene_beside(const std::string& scene, const std::filesystem::path& file) {
     if (is_builtin_scene(scene)) return scene;
-    const std::filesystem::path beside = folder_of(session) / scene;
+    const std::filesystem::path beside = folder_of(file) / scene;
     std::error_code code;
     return std::filesystem::exists(beside, code) ? beside.string() : scene;
 }
-
-}  // namespace
 
 Session read_session_file(const std::filesystem::path& path) {
     Session session = session_from_json(read_input_file(path, MAX_SESSION_BYTES, "session"));

@@ -129,8 +129,10 @@ struct ExplorerState {
     bool lens = false;
     LensZoom lens_zoom = LensZoom::values;
     bool failures = false;  // overlay of failed and clamped reconstructions
-    std::string card;       // id of the open "Try this" card, or ""
-    bool answer = false;    // whether the card's answer is shown
+    std::string card;       // id of the open lesson, or ""
+    std::size_t step = 0;   // of the lesson
+    bool hint = false;      // are the hint and the answer of the step shown?
+    bool answer = false;
     ThemeKind theme = ThemeKind::dark;
     float scene_share = 0.54f;  // of the window's width, in [0.2, 0.8]
     float plot_share = 0.54f;   // of the right side's height, in [0.2, 0.8]

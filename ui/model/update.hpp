@@ -13,6 +13,7 @@ struct Update {
     const ExplorerState& shown;
     Status& status;
     FrameReport& report;
+    bool breakdown = false;  // is the error of the colour needed, although no tab shows it?
 };
 
 }  // namespace momentscope::ui

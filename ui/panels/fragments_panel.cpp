@@ -162,9 +162,11 @@ void draw_fragments_panel(const Ui& ui, Workspace& w) {
         tooltip(light_help(*m.light));
         ImGui::TextWrapped("%s", light_summary(*m.light).c_str());
     } else {
-        ImGui::TextWrapped("%s", m.breakdown.sentence.c_str());
+        const bool hidden = is_hidden(w, VERDICT);
+        ImGui::TextWrapped("%s", hidden ? "The lesson hides the verdict until you have answered."
+                                        : m.breakdown.sentence.c_str());
         ui.record_widget_rect("fragments.verdict");
-        tooltip(breakdown_help(m.breakdown));
+        if (!hidden) tooltip(breakdown_help(m.breakdown));
         ImGui::TextUnformatted(summary(m).c_str());
     }
     const ImGuiTableFlags flags = ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg |

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/inspect/step_texts.hpp"
+#include "ui/panels/moment_table.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/plot/plot_axes.hpp"
 
@@ -189,6 +190,17 @@ void draw_steps_panel(const Ui& ui, Workspace& w) {
         ImGui::TextWrapped(
             "These are the steps of the robust solver. The picture is drawn with the textbook solver, which takes the same "
             "steps with fewer precautions.");
+    ImGui::PushFont(bold_font());
+    ImGui::TextUnformatted("0  Add up");
+    ImGui::PopFont();
+    ui.record_widget_rect("steps.0");
+    ImGui::TextWrapped(
+        "The first pass adds up what each fragment contributes: its absorbance a_l, times functions of its depth z_l. The sums are "
+        "all that the pixel stores (Section 3.1).");
+    if (!w.state.ray ||
+        w.options.embedding.shown != Shown::window)  // otherwise it stands in place of the scene
+        draw_moment_table(ui, w, ImGui::GetContentRegionAvail().x);
+    ImGui::Spacing();
     const bool circle = m.curve.technique->on_circle();
     for (const StepText& step : step_texts(steps)) {
         ImGui::PushFont(bold_font());

@@ -1,7 +1,6 @@
 #include "ui/picture/picked_ray.hpp"
 
 #include "core/render/view_from_light.hpp"
-#include "ui/model/lessons.hpp"
 #include "ui/model/selection.hpp"
 
 namespace momentscope::ui {
@@ -112,8 +111,7 @@ void PickedRay::measure(const Update& update, bool captured) {
     report.plot = captured || empty() || !same_curves(update.shown, state);
     if (report.plot) measure_curves(measurement_, state);
     breakdown_stale_ |= report.plot || update.shown.parameters != state.parameters;
-    const Lesson* lesson = find_lesson(state.card);
-    const bool shown = state.panel == Panel::fragments || (lesson != nullptr && lesson->shows_error);
+    const bool shown = state.panel == Panel::fragments || update.breakdown;
     if (breakdown_stale_ && shown && !measurement_.light) {
         measure_breakdown(measurement_, state);
         breakdown_stale_ = false;

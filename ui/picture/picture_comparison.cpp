@@ -22,7 +22,8 @@ View reference_view(const ExplorerState& state, const View& view) {
 bool PictureComparison::wants_reference(const ExplorerState& state) const {
     const CompareMode mode = state.compare.mode;
     const bool shown = mode != CompareMode::off && mode != CompareMode::uncertainty;
-    return has_comparison(state) && (flipped_ || shown || state.panel == Panel::compare || worst_wanted_);
+    return has_comparison(state) &&
+           (flipped_ || shown || state.panel == Panel::compare || worst_wanted_ || error_wanted_);
 }
 
 void PictureComparison::update_uncertainty(const Update& update, glm::ivec2 size, Renderer& renderer) {
@@ -48,7 +49,7 @@ void PictureComparison::update(const Update& update, const PictureChange& change
     const CompareMode mode = has_comparison(state) ? state.compare.mode : CompareMode::off;
     const bool map = mode == CompareMode::difference || mode == CompareMode::false_color;
     const bool panel = state.panel == Panel::compare;
-    const bool numbers = has_comparison(state) && (map || panel || worst_wanted_);
+    const bool numbers = has_comparison(state) && (map || panel || worst_wanted_ || error_wanted_);
     if (wants_reference(state)) {
         update.report.reference =
             reference_.draw(reference_view(state, change.now), scene, renderer.programs());
@@ -63,6 +64,8 @@ void PictureComparison::update(const Update& update, const PictureChange& change
     pair_stale_ = false;
     if (mode == CompareMode::false_color || panel || worst_wanted_)
         numbers_.work_on(state.compare.metric, panel);
+    else if (error_wanted_)
+        numbers_.work_on(Metric::rmse, false);
     else
         numbers_.stop();
     if (map) update_map(update);

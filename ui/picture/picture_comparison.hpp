@@ -29,6 +29,9 @@ public:
     void forget_worst() { worst_wanted_ = false; }
     bool wants_worst() const { return worst_wanted_; }
 
+    /// The picture's error is needed, although no tab shows it.
+    void want_error(bool wanted) { error_wanted_ = wanted; }
+
     /// The reference is drawn only if it is shown, compared with or needed for the worst pixel.
     bool wants_reference(const ExplorerState& state) const;
 
@@ -69,6 +72,7 @@ private:
     bool pair_stale_ = true;         // picture or reference changed since the last comparison
     bool uncertainty_stale_ = true;  // the picture changed since it was measured
     bool worst_wanted_ = false;
+    bool error_wanted_ = false;
 };
 
 }  // namespace momentscope::ui

@@ -123,10 +123,10 @@ void ScenePanel::draw_go_to(glm::ivec2 size, ExplorerState& state, Status& statu
 }
 
 glm::ivec2 ScenePanel::draw_controls(const Ui& ui, const Measurement& m, const ScenePicture& picture,
-                                     ExplorerState& state, ImVec2 size, Status& status) {
+                                     ExplorerState& state, ImVec2 size, bool tools, Status& status) {
     const float top = ImGui::GetCursorScreenPos().y;
     ImGui::PushID("scene panel");
-    draw_tools(ui, m, picture, state, status);
+    if (tools) draw_tools(ui, m, picture, state, status);
     list_ = ImGui::GetWindowDrawList();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 extent = {std::max(std::floor(size.x), 1.0f),
@@ -202,13 +202,6 @@ void ScenePanel::draw_picture(const Ui& ui, const Measurement& m, const ScenePic
     ImDrawList& list = *list_;
     const Rect area = ui.widget_rects["scene"];
     const float pad = 0.8f * em();
-    if (state.ray) {
-        list.AddRectFilled(area.low, area.high, ui.colors.plot_background);
-        list.AddText(
-            {area.low.x + pad, area.low.y + pad}, ui.colors.text,
-            "A view ray without a scene has no picture.\nUse the ray editor to go back to the scene.");
-        return;
-    }
     if (picture.texture == 0) return list.AddRectFilled(area.low, area.high, ui.colors.plot_background);
     list.PushClipRect(area.low, area.high, true);
     // The first row in GL is the lowest. While another scene is read, the last picture may have another size.

@@ -8,10 +8,11 @@ namespace momentscope::ui {
 
 class ScenePanel {
 public:
-    /// Draws the tools and takes the mouse in the place of the picture, both of which change `state`. Returns
-    /// the picture's size in pixels. The caller computes a picture of this size, and draw_picture draws it.
+    /// Draws the tools, if they are wanted, and takes the mouse in the place of the picture, both of which
+    /// change `state`. Returns the picture's size in pixels. The caller computes a picture of this size, and
+    /// draw_picture draws it.
     glm::ivec2 draw_controls(const Ui& ui, const Measurement& measurement, const ScenePicture& picture,
-                             ExplorerState& state, ImVec2 size, Status& status);
+                             ExplorerState& state, ImVec2 size, bool tools, Status& status);
 
     /// Draws the picture into the place that draw_controls left for it.
     void draw_picture(const Ui& ui, const Measurement& measurement, const ScenePicture& picture,

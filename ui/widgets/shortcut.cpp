@@ -29,7 +29,10 @@ constexpr NamedKey KEYS[] = {{"Space", 32, ImGuiKey_Space},
                              {"PageDown", 267, ImGuiKey_PageDown},
                              {"Home", 268, ImGuiKey_Home},
                              {"End", 269, ImGuiKey_End},
+                             {"Plus", 61, -1},  // the key of = on an American keyboard
+                             {"Minus", 45, -1},
                              {"F1", 290, -1},
+                             {"F5", 294, -1},
                              {"F11", 300, -1}};
 
 bool modifiers_match(const Shortcut& shortcut) {

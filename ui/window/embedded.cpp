@@ -27,7 +27,7 @@ void draw_scene(const Ui& ui, Workspace& w, ImVec2 size) {
     ImGui::BeginChild("scene side", size, false,
                       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     const glm::ivec2 picture =
-        w.scene_panel.draw_controls(ui, w.measurement(), w.scene_picture, w.state, size, w.status);
+        w.scene_panel.draw_controls(ui, w.measurement(), w.scene_picture, w.state, size, true, w.status);
     ImGui::EndChild();
     update_window(w, picture, pointer());
     w.scene_panel.draw_picture(ui, w.measurement(), w.scene_picture, w.state);

@@ -1,18 +1,25 @@
 #include "ui/window/explorer.hpp"
 
+#include <fmt/format.h>
 #include <imgui_internal.h>
 
 #include <cfloat>
 #include <utility>
 
 #include "ui/commands/command_palette.hpp"
+#include "ui/lessons/lesson_card.hpp"
+#include "ui/model/selection.hpp"
 #include "ui/window/notices.hpp"
 #include "ui/window/parts.hpp"
 #include "ui/window/update.hpp"
+#include "ui/workspace/keeping.hpp"
+#include "ui/workspace/presenting.hpp"
 
 namespace momentscope::ui {
 
 namespace {
+
+constexpr float NARROW_CARD = 0.25f;  // the height of a card in a narrow window, as a share of the window
 
 bool shows_dialog(const Workspace& w) {
     return w.files.is_open() || w.palette.open;
@@ -40,13 +47,25 @@ void begin_window(bool has_menus) {
                      ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoSavedSettings);
 }
 
+// A session may show a lesson that is not here.
+void keep_known_lesson(Workspace& w) {
+    if (w.state.card.empty() || w.course.find(w.state.card) != nullptr) return;
+    w.status.say(
+        fmt::format("There is no lesson '{}' here; open its file with Lessons > Open lesson.", w.state.card));
+    close_card(w.state);
+}
+
 void draw_whole(const Ui& ui, Workspace& w) {
-    draw_menu_bar(ui, w);
-    draw_lessons(ui, w);
+    if (!w.present) {
+        draw_menu_bar(ui, w);
+        if (!is_narrow()) draw_lesson_row(ui, w);
+    }
+    if (is_narrow()) draw_lesson_card(ui, w, NARROW_CARD * ImGui::GetMainViewport()->Size.y);
     const WorkArea area = draw_scene_controls(ui, w);
     update_window(w, area.picture, {ImGui::IsAnyMouseDown(), ImGui::GetIO().DeltaTime});
     draw_work_area(ui, w, area);
-    draw_status_line(ui, w);
+    if (!w.present || !w.status.message.empty()) draw_status_line(ui, w);
+    w.lesson.update(w, w.course.open_step(w.state));
 }
 
 // What lies above the window.
@@ -69,9 +88,11 @@ void Explorer::frame() {
         styled_ = w.state.theme;
     }
     w.widget_rects.clear();
+    move_on(w, ImGui::GetIO().DeltaTime);
+    keep_known_lesson(w);
     take_results(w);
     const Ui ui = {palette(w.state.theme), w.widget_rects, w.gl.can};
-    begin_window(w.options.embedding.shown == Shown::window);
+    begin_window(w.options.embedding.shown == Shown::window && !w.present);
     const bool reading = w.scene.is_reading();  // it may change within this frame
     w.escape_is_taken =
         close_popup_on_escape(w) || shows_dialog(w) || reading || ImGui::GetIO().WantTextInput;
@@ -84,14 +105,17 @@ void Explorer::frame() {
         draw_embedded(ui, w);
     ImGui::EndDisabled();
     ImGui::End();
+    draw_highlights(ui, w);
     draw_above(ui, w);
     if (w.picture_waits) ui::draw_waiting(*ImGui::GetForegroundDrawList(), w);
     run_pressed_commands(w);
     if (is_at_a_step()) w.history.record(w.state);
+    keep_changes(w);
 }
 
 bool Explorer::is_at_a_step() const {
-    return workspace_.state == workspace_.shown && !ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive();
+    return workspace_.state == workspace_.shown && !workspace_.moving && !ImGui::IsAnyMouseDown() &&
+           !ImGui::IsAnyItemActive();
 }
 
 void Explorer::draw_waiting(ImDrawList& list) const {

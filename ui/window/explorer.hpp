@@ -24,6 +24,9 @@ public:
         styled_.reset();
     }
 
+    /// The scale that the user wants now; `own` is that of the screen or of the command line.
+    float wanted_scale(float own) const { return own * workspace_.settings.text_scale; }
+
     /// Draws the word "drawing…" over the last frame while a long picture is drawn. Before the first picture,
     /// fills the window with the names of the program and of the scene.
     void draw_waiting(ImDrawList& list) const;

@@ -6,12 +6,6 @@ namespace momentscope::ui {
 
 void draw_menu_bar(const Ui& ui, Workspace& workspace);
 
-/// The "Try this" row; in a narrow window the open card instead.
-void draw_lessons(const Ui& ui, Workspace& workspace);
-
-/// The open card, if there is one, at most this high. Its text scrolls.
-void draw_card(const Ui& ui, Workspace& workspace, float most);
-
 /// The sizes in pixels of what lies below the lessons: scene and plot side by side, or one above the other in
 /// a high and narrow window.
 struct WorkArea {

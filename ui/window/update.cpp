@@ -115,7 +115,10 @@ void update_picture(Workspace& w, const Update& update, glm::ivec2 size, Pointer
 void update_content(Workspace& w, glm::ivec2 size, Pointer pointer) {
     take_read_scene(w);
     if (w.scene.is_reading()) return;  // the old content stays until the scene is there
-    const Update update = {w.state, w.shown, w.status, w.report};
+    const auto open = w.course.open_step(w.state);
+    const Update update = {w.state, w.shown, w.status, w.report,
+                           open && measures(open->content(), MeasureId::color_error)};
+    w.comparison.want_error(open && measures(open->content(), MeasureId::picture_error));
     if (w.state.ray)
         update_ray(w, update);
     else

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/lessons/lesson_card.hpp"
+#include "ui/panels/moment_table.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/plot/pinned_plots.hpp"
 #include "ui/plot/plot_legend.hpp"
@@ -53,13 +55,17 @@ void draw_tabs(const Ui& ui, Workspace& w) {
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     for (std::size_t i = 0; i < PANELS.size(); ++i) {
         const PanelRow& row = PANELS[i];
+        if (is_hidden(w, row.key)) continue;
         if (i > 0) flow(button_width(row.name), right, 0.2f * em());
         if (toggle_button(row.name, w.state.panel == row.id)) w.state.panel = row.id;
         ui.record_widget_rect(fmt::format("tab.{}", i + 1));
         tooltip(row.help, panel_shortcut(i));
     }
     ImGui::BeginChild("panel");
-    draw_open_panel(ui, w);
+    if (is_hidden(w, PANELS[static_cast<std::size_t>(w.state.panel)].key))
+        ImGui::TextWrapped("The lesson hides this tab until you have answered.");
+    else
+        draw_open_panel(ui, w);
     ImGui::EndChild();
     w.widget_rects["panel"] = {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
 }
@@ -88,6 +94,7 @@ PlotHeights plot_heights(const Workspace& w, float width, float room) {
 void draw_right_side(const Ui& ui, Workspace& w, const WorkArea& area) {
     const ImVec2 size = area.rest;
     if (w.picked.empty()) return ImGui::Dummy(size);  // the first scene is not loaded yet
+    if (w.present) return w.plot_panel.draw(ui, w.measurement(), w.state, size);
     const auto [plot, pins] = plot_heights(w, size.x, size.y - area.bar);
     ImGui::BeginGroup();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 0.2f * em()});
@@ -101,6 +108,16 @@ void draw_right_side(const Ui& ui, Workspace& w, const WorkArea& area) {
     draw_tabs(ui, w);
     ImGui::EndChild();
     ImGui::EndGroup();
+}
+
+// The picture, or what is known of a ray without one.
+void draw_left_side(const Ui& ui, Workspace& w, const WorkArea& area) {
+    if (!w.state.ray || w.picked.empty())
+        return w.scene_panel.draw_picture(ui, w.measurement(), w.scene_picture, w.state);
+    const ImVec2 side = ImGui::GetItemRectMin();
+    draw_own_ray(ui, w, w.widget_rects["scene"]);
+    ImGui::SetCursorScreenPos(side);
+    ImGui::Dummy(area.scene);  // what follows finds its place as behind the picture
 }
 
 // A message stays until the next input of the user.
@@ -123,7 +140,9 @@ WorkArea draw_scene_controls(const Ui& ui, Workspace& w) {
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float bar = 0.6f * em();
     const float gap = ImGui::GetStyle().ItemSpacing.y;
-    const ImVec2 size = {room.x, std::max(room.y - ImGui::GetTextLineHeightWithSpacing() - gap, 1.0f)};
+    const bool status = !w.present || !w.status.message.empty();
+    const float below = status ? ImGui::GetTextLineHeightWithSpacing() + gap : 0;
+    const ImVec2 size = {room.x, std::max(room.y - below, 1.0f)};
     WorkArea area = {
         .size = size, .scene = size, .rest = size, .bar = bar, .stacked = is_narrow(), .picture = {}};
     const auto divide = [&](float all, float share, float& scene, float& rest) {
@@ -138,16 +157,17 @@ WorkArea draw_scene_controls(const Ui& ui, Workspace& w) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::BeginChild("scene side", area.scene, false,
                       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    if (!area.stacked) draw_card(ui, w, MOST_CARD * area.scene.y);
-    area.picture = w.scene_panel.draw_controls(ui, w.measurement(), w.scene_picture, w.state,
-                                               ImGui::GetContentRegionAvail(), w.status);
+    if (!area.stacked) draw_lesson_card(ui, w, MOST_CARD * area.scene.y);
+    area.picture =
+        w.scene_panel.draw_controls(ui, w.measurement(), w.scene_picture, w.state,
+                                    ImGui::GetContentRegionAvail(), !w.present && !w.state.ray, w.status);
     ImGui::EndChild();
     ImGui::PopStyleVar();
     return area;
 }
 
 void draw_work_area(const Ui& ui, Workspace& w, const WorkArea& area) {
-    w.scene_panel.draw_picture(ui, w.measurement(), w.scene_picture, w.state);
+    draw_left_side(ui, w, area);
     const float original = ExplorerState().scene_share;
     if (area.stacked) {
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 0});

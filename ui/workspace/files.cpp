@@ -31,9 +31,15 @@ const std::vector<FileKind> CHART_FILES = {{"chart_csv", "rows (CSV), also for a
                                            {"chart_svg", "chart (SVG)", ".svg"},
                                            {"chart_md", "table (Markdown)", ".md"}};
 
-bool is_session(const std::filesystem::path& path) {
-    return read_input_file(path, MAX_SESSION_BYTES, "dropped").find("\"momentscope_session\"") !=
-           std::string::npos;
+// By the key with the version that sessions and lessons have.
+bool has_key(const std::string& text, const char* key) {
+    return text.find(key) != std::string::npos;
+}
+
+void add_lessons(const std::filesystem::path& path, Workspace& w) {
+    const Course::Added added = w.course.add(path);
+    ui::open_lesson(w.state, *added.first);
+    if (!added.problems.empty()) w.status.say(added.problems.front());
 }
 
 }  // namespace
@@ -65,8 +71,21 @@ void Files::open_ray() {
 }
 
 void Files::open_dropped(const std::filesystem::path& path) {
-    purpose_ = path.extension() == ".json" ? Purpose::open_json : Purpose::open_mesh;
+    std::error_code code;
+    purpose_ = path.extension() == ".json"                 ? Purpose::open_json
+               : std::filesystem::is_directory(path, code) ? Purpose::open_lesson
+                                                           : Purpose::open_mesh;
     open_chosen(path);
+}
+
+void Files::open_lesson() {
+    open(Purpose::open_lesson, "Open lesson", {"lesson", "lesson", ".json"});
+}
+
+void Files::save_answers() {
+    purpose_ = Purpose::save_answers;
+    dialog_.open(FileDialog::Mode::save, "Export answers", {{"answers", "answers (Markdown)", ".md"}},
+                 "answers.md");
 }
 
 void Files::save_export() {
@@ -105,8 +124,12 @@ void Files::say_written(const std::filesystem::path& path, Workspace& w) const {
 }
 
 void Files::use(const FileDialog::Choice& choice, Workspace& w) {
-    if (purpose_ == Purpose::open_json)
-        purpose_ = is_session(choice.path) ? Purpose::open_session : Purpose::open_ray;
+    if (purpose_ == Purpose::open_json) {
+        const std::string text = read_input_file(choice.path, MAX_SESSION_BYTES, "dropped");
+        purpose_ = has_key(text, "\"momentscope_session\"")  ? Purpose::open_session
+                   : has_key(text, "\"momentscope_lesson\"") ? Purpose::open_lesson
+                                                             : Purpose::open_ray;
+    }
     switch (purpose_) {
         case Purpose::open_session: {
             Session session = read_session_file(choice.path);
@@ -129,6 +152,13 @@ void Files::use(const FileDialog::Choice& choice, Workspace& w) {
             break;
         case Purpose::open_ray:
             ui::open_ray(w.state, read_ray_file(choice.path));
+            break;
+        case Purpose::open_lesson:
+            add_lessons(choice.path, w);
+            break;
+        case Purpose::save_answers:
+            write_file(answers_text(w.course.lessons(), w.lesson.progress), choice.path);
+            say_written(choice.path, w);
             break;
         case Purpose::save_export:
             write_export(choice, w);

@@ -15,6 +15,8 @@ public:
     void save_session();
     void open_mesh();
     void open_ray();
+    void open_lesson();
+    void save_answers();
     void save_export();
     void save_chart();
     bool is_open() const { return dialog_.is_open(); }
@@ -22,7 +24,8 @@ public:
     /// Opens the file that the host let the user choose.
     void open_chosen(const std::filesystem::path& path) { chosen_ = {path, nullptr}; }
 
-    /// Opens a file that was dropped on the window: a view ray, a session or a mesh.
+    /// Opens a file that was dropped on the window: a view ray, a session, a lesson or a mesh, or a folder of
+    /// lessons.
     void open_dropped(const std::filesystem::path& path);
 
     /// Draws the dialog if it is open, and uses the chosen file. The status line reports success or
@@ -45,6 +48,8 @@ private:
         open_mesh,
         open_ray,
         open_json,
+        open_lesson,
+        save_answers,
         save_export,
         save_chart
     };

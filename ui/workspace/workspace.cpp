@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "ui/model/selection.hpp"
+#include "ui/workspace/keeping.hpp"
 
 namespace momentscope::ui {
 
@@ -22,7 +23,9 @@ Workspace::Workspace(Renderer& renderer, ExplorerState start, WindowOptions wind
       state(started_on(std::move(start), renderer.gl())),
       shown(state),
       history(state),
-      picture(renderer, options.most_milliseconds) {}
+      picture(renderer, options.most_milliseconds) {
+    restore_kept(*this);
+}
 
 bool has_background_work(const Workspace& w) {
     return w.stress.busy() || w.tuning.busy() || w.sharp_bounds.busy() || w.comparison.numbers().busy();
@@ -30,7 +33,8 @@ bool has_background_work(const Workspace& w) {
 
 bool wants_frame(const Workspace& w) {
     return !(w.state == w.shown) || w.picture_waits || w.scene.is_reading() || has_background_work(w) ||
-           w.comparison.wants_worst() || w.picture.shows_draft() || w.chart.busy();
+           w.comparison.wants_worst() || w.picture.shows_draft() || w.chart.busy() || w.moving ||
+           w.lesson.has_changed();
 }
 
 // The last change may not be recorded as a step yet.
@@ -70,6 +74,8 @@ void close_topmost(Workspace& w) {
         w.status.message.clear();
     else if (w.state.compare.region)
         forget_region(w.state.compare);
+    else if (w.present)
+        w.present = false;
     else
         close_card(w.state);
 }

@@ -5,8 +5,11 @@
 #include <limits>
 
 #include "core/gl/gl_info.hpp"
+#include "ui/lessons/lesson_work.hpp"
 #include "ui/model/embedding.hpp"
 #include "ui/model/history.hpp"
+#include "ui/model/settings.hpp"
+#include "ui/model/transition.hpp"
 #include "ui/picture/picked_ray.hpp"
 #include "ui/picture/picture_times.hpp"
 #include "ui/picture/scene_panel.hpp"
@@ -55,6 +58,13 @@ struct PaletteState {
     }
 };
 
+/// What the host was given to keep last.
+struct Kept {
+    Settings settings;
+    long progress_changes = 0;
+    bool can_keep_settings = true, can_keep_progress = true;
+};
+
 struct Workspace {
     Workspace(Renderer& renderer, ExplorerState start, WindowOptions window_options);
 
@@ -84,6 +94,14 @@ struct Workspace {
     RayEditor editor;
     Files files{options.host};
     PaletteState palette;
+
+    Course course;
+    LessonWork lesson;  // the open step
+    Settings settings;
+    Kept kept;
+    bool present = false;              // only scene, plot and lesson are shown
+    std::optional<Transition> moving;  // from step to step while presenting
+
     bool help = false;                   // is the list of keys open?
     bool picture_waits = false;          // for the next frame; this one shows that it will take long
     bool escape_is_taken = false;        // by a popup, dialog, text field or scene that is read

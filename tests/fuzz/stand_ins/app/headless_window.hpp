@@ -35,6 +35,7 @@ public:
         explorer_.shown.widget_rects = {{"scene", {{0, 0}, {640, 400}}}, {"tab.1", {{640, 0}, {700, 20}}}};
     }
 
+    bool step_is_done() const { return false; }
     void settle() { ImGui::GetIO().ClearInputCharacters(); }
     void idle() {}
     void pass(float /*seconds*/) {}

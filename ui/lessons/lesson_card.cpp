@@ -1,0 +1,325 @@
+#include "ui/lessons/lesson_card.hpp"
+
+#include <fmt/format.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
+#include "ui/lessons/measures.hpp"
+#include "ui/model/selection.hpp"
+#include "ui/widgets/rich_text.hpp"
+
+namespace momentscope::ui {
+
+namespace {
+
+constexpr float FIELD_WIDTH = 8;  // font heights
+constexpr float TEXT_LINES = 3;   // of a written answer
+
+float spacing() {
+    return ImGui::GetStyle().ItemSpacing.y;
+}
+
+/// Where the student is.
+struct OpenStep {
+    StepPlace place;
+    const StepProgress& progress;
+    const LessonStep& step() const { return place.content(); }
+};
+
+// Texts of the step in the order in which the card shows them, as far as they are shown.
+std::string shown_text(const OpenStep& open, bool hint, bool answer) {
+    std::string text;
+    const auto add = [&](const std::string& part) {
+        if (!part.empty()) text += (text.empty() ? "" : "\n\n") + part;
+    };
+    if (open.place.step == 0) add(open.place.lesson->text);
+    add(open.step().action);
+    if (!open.step().question.empty()) add("**" + open.step().question + "**");
+    if (hint && !answer && !open.step().hint.empty()) add("**Hint.** " + open.step().hint);
+    if (answer) add(open.step().answer);
+    return text;
+}
+
+std::string option_text(const ChoiceCheck::Option& option, std::size_t index) {
+    return fmt::format("{}  {}", static_cast<char>('A' + index), option.text);
+}
+
+float option_height(const ChoiceCheck::Option& option, std::size_t index, float width) {
+    const float pad = ImGui::GetStyle().FramePadding.x;
+    const std::string text = option_text(option, index);
+    return ImGui::CalcTextSize(text.c_str(), nullptr, false, width - 2 * pad).y +
+           2 * ImGui::GetStyle().FramePadding.y;
+}
+
+float controls_height(const LessonStep& step, float width) {
+    float height = 0;
+    for (const Check& check : step.checks) {
+        if (const auto* choice = std::get_if<ChoiceCheck>(&check))
+            for (std::size_t i = 0; i < choice->options.size(); ++i)
+                height += option_height(choice->options[i], i, width) + 0.5f * spacing();
+        else if (std::holds_alternative<TextCheck>(check))
+            height += TEXT_LINES * ImGui::GetTextLineHeight() + 2 * ImGui::GetFrameHeightWithSpacing();
+        else
+            height += ImGui::GetFrameHeightWithSpacing();
+    }
+    return height;
+}
+
+// The height of the largest step of the lesson with everything open, so that nothing moves.
+float full_height(const Lesson& lesson, float width) {
+    float height = 0;
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+        const OpenStep open = {{&lesson, i}, StepProgress()};
+        const float text = std::max(rich_text_height(shown_text(open, true, false), width),
+                                    rich_text_height(shown_text(open, false, true), width));
+        height = std::max(height, text + controls_height(lesson.steps[i], width) + 2 * spacing());
+    }
+    return height + ImGui::GetTextLineHeightWithSpacing();
+}
+
+// Draws a wide button whose text wraps. True if it was clicked.
+bool option_button(const Ui& ui, const std::string& text, float width, float height, std::size_t index) {
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 pad = ImGui::GetStyle().FramePadding;
+    ImGui::PushID(static_cast<int>(index));
+    const bool clicked = ImGui::InvisibleButton("option", {width, height});
+    ImGui::PopID();
+    ui.record_widget_rect(fmt::format("card.choice.{}", index + 1));
+    const ImU32 fill = ImGui::GetColorU32(ImGui::IsItemActive()    ? ImGuiCol_ButtonActive
+                                          : ImGui::IsItemHovered() ? ImGuiCol_ButtonHovered
+                                                                   : ImGuiCol_Button);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(low, {low.x + width, low.y + height}, fill, ImGui::GetStyle().FrameRounding);
+    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + pad.x, low.y + pad.y},
+                 ImGui::GetColorU32(ImGuiCol_Text), text.c_str(), nullptr, width - 2 * pad.x);
+    return clicked;
+}
+
+void draw_choice(const Ui& ui, Workspace& w, const OpenStep& open, const ChoiceCheck& choice, float width) {
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0.5f * spacing()});
+    for (std::size_t i = 0; i < choice.options.size(); ++i) {
+        const float height = option_height(choice.options[i], i, width);
+        if (option_button(ui, option_text(choice.options[i], i), width, height, i))
+            w.lesson.answer_chosen(w, open.place, i);
+    }
+    ImGui::PopStyleVar();
+}
+
+void draw_number_field(const Ui& ui, Workspace& w, const OpenStep& open) {
+    ImGui::SetNextItemWidth(FIELD_WIDTH * em());
+    bool check = ImGui::InputTextWithHint("##typed", "such as 0.25", &w.lesson.typed,
+                                          ImGuiInputTextFlags_EnterReturnsTrue);
+    ui.record_widget_rect("card.typed");
+    tooltip("Type the number that you find, and press Enter.");
+    ImGui::SameLine();
+    check |= ImGui::Button("check");
+    ui.record_widget_rect("card.check");
+    if (check) w.lesson.answer_typed(w, open.place);
+}
+
+void draw_text_field(const Ui& ui, Workspace& w, const OpenStep& open, float width) {
+    const float height = TEXT_LINES * ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().FramePadding.y;
+    ImGui::InputTextMultiline("##written", &w.lesson.typed, {width, height});
+    ui.record_widget_rect("card.typed");
+    if (ImGui::Button("keep")) w.lesson.answer_typed(w, open.place);
+    ui.record_widget_rect("card.check");
+    tooltip("Keeps the text with your progress; Lessons > Export answers writes it for a teacher.");
+}
+
+// What the window measures now, and what the step asks for.
+void draw_measured(const Workspace& w, const MeasureCheck& check) {
+    const MeasureRow& row = MEASURES[static_cast<std::size_t>(check.measure)];
+    std::string name = row.key;
+    std::ranges::replace(name, '_', ' ');
+    std::string wanted;
+    const auto add = [&](const char* word, const std::optional<double>& limit) {
+        if (limit) wanted += fmt::format("{}{} {:g}", wanted.empty() ? "" : ", ", word, *limit);
+    };
+    add("wanted", check.limits.is);
+    add("at least", check.limits.at_least);
+    add("at most", check.limits.at_most);
+    ImGui::TextUnformatted(
+        fmt::format("{}: {}   ({})", name, measure_text(check.measure, w), wanted).c_str());
+    tooltip(row.help);
+}
+
+void draw_feedback(const Ui& ui, const Workspace& w, const OpenStep& open, float width) {
+    const LessonWork::Feedback& feedback = w.lesson.feedback();
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
+    if (!feedback.sentence.empty()) {
+        const ImU32 tint = feedback.right ? ui.colors.text : ui.colors.warning;
+        ImGui::PushStyleColor(ImGuiCol_Text, ImGui::ColorConvertU32ToFloat4(tint));
+        ImGui::TextUnformatted((feedback.right ? "● " + feedback.sentence : feedback.sentence).c_str());
+        ImGui::PopStyleColor();
+    } else if (open.progress.done) {
+        ImGui::TextUnformatted("● Done.");
+    }
+    ImGui::PopTextWrapPos();
+    ui.record_widget_rect("card.feedback");
+}
+
+void draw_controls(const Ui& ui, Workspace& w, const OpenStep& open, float width) {
+    for (const Check& check : open.step().checks) {
+        if (const auto* choice = std::get_if<ChoiceCheck>(&check)) draw_choice(ui, w, open, *choice, width);
+        if (const auto* measure = std::get_if<MeasureCheck>(&check)) draw_measured(w, *measure);
+        if (std::holds_alternative<NumberCheck>(check)) draw_number_field(ui, w, open);
+        if (std::holds_alternative<TextCheck>(check)) draw_text_field(ui, w, open, width);
+    }
+}
+
+// One of the buttons at the right of the heading.
+struct HeadingButton {
+    const char* label;
+    const char* anchor;
+    const char* help;
+    const char* key;
+    bool enabled;
+    bool wanted = false;  // it is what the student does next
+};
+
+// The buttons, from left to right. Returns the index of the one that was clicked, or -1.
+int draw_buttons(const Ui& ui, std::span<const HeadingButton> buttons) {
+    const float gap = 0.2f * em();
+    float width = -gap;
+    for (const HeadingButton& button : buttons) width += button_width(button.label) + gap;
+    ImGui::SameLine(std::max(ImGui::GetContentRegionMax().x - width, 0.0f));
+    int clicked = -1;
+    for (std::size_t i = 0; i < buttons.size(); ++i) {
+        if (i > 0) ImGui::SameLine(0, gap);
+        ImGui::BeginDisabled(!buttons[i].enabled);
+        if (toggle_button(buttons[i].label, buttons[i].wanted)) clicked = static_cast<int>(i);
+        ImGui::EndDisabled();
+        ui.record_widget_rect(buttons[i].anchor);
+        tooltip(buttons[i].help, buttons[i].key);
+    }
+    return clicked;
+}
+
+void draw_heading(const Ui& ui, Workspace& w, const OpenStep& open) {
+    const LessonStep& step = open.step();
+    const auto previous = w.course.previous(open.place);
+    const auto next = w.course.next(open.place);
+    const bool last = next && next->step == 0;
+    const HeadingButton buttons[] = {
+        {"hint", "card.hint", "Shows a hint.", "", !step.hint.empty()},
+        {w.state.answer ? "hide answer" : "answer", "card.answer", "Shows the answer.", "",
+         !step.answer.empty()},
+        {"◂", "card.back", "Goes back to the step before.", "PageUp", previous.has_value()},
+        {last ? "next lesson ▸" : "next ▸", "card.next", "Goes on.", "PageDown", next.has_value(),
+         open.progress.done},
+        {"close", "card.close", "Hides the lesson and keeps everything as it is.", "Escape", true}};
+    float width = 0;
+    for (const HeadingButton& button : buttons) width += button_width(button.label) + 0.2f * em();
+    const std::string title = fmt::format("{}  {}/{}", open.place.lesson->title, open.place.step + 1,
+                                          open.place.lesson->steps.size());
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushFont(bold_font());
+    ImGui::TextUnformatted(elided(title, std::max(ImGui::GetContentRegionAvail().x - width, em())).c_str());
+    ImGui::PopFont();
+    switch (draw_buttons(ui, buttons)) {
+        case 0:
+            w.state.hint = !w.state.hint;
+            break;
+        case 1:
+            w.state.answer = !w.state.answer;
+            break;
+        case 2:
+            go_to(w.state, *previous, false);
+            break;
+        case 3:
+            go_forward(w.state, *next);
+            break;
+        case 4:
+            close_card(w.state);
+            break;
+        default:
+            break;
+    }
+}
+
+// The width of the whole row with titles.
+float titles_width(std::span<const Lesson> lessons) {
+    float width = ImGui::CalcTextSize("Lessons").x;
+    for (const Lesson& lesson : lessons)
+        width +=
+            button_width(fmt::format("00  {} ●", lesson.title).c_str()) + ImGui::GetStyle().ItemSpacing.x;
+    return width;
+}
+
+}  // namespace
+
+void draw_lesson_card(const Ui& ui, Workspace& w, float most) {
+    const auto place = w.course.open_step(w.state);
+    if (!place) return;
+    const OpenStep open = {*place, std::as_const(w.lesson.progress).of(place->lesson->id, place->step)};
+    const float pad = 0.5f * em();
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {pad, pad});
+    const float width = ImGui::GetContentRegionAvail().x - 2 * pad - ImGui::GetStyle().ScrollbarSize;
+    const float heading = ImGui::GetFrameHeightWithSpacing();
+    const float height = std::min(2 * pad + heading + full_height(*place->lesson, width), most);
+    ImGui::BeginChild("card", {0, height}, false,
+                      ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar |
+                          ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::PushID(fmt::format("{}.{}", place->lesson->id, place->step).c_str());
+    draw_heading(ui, w, open);
+    ImGui::BeginChild("text");
+    draw_rich_text(ui, shown_text(open, w.state.hint, w.state.answer || open.progress.done), width);
+    draw_controls(ui, w, open, width);
+    draw_feedback(ui, w, open, width);
+    ImGui::EndChild();
+    ImGui::PopID();
+    ImGui::EndChild();
+    w.widget_rects["card"] = {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor();
+}
+
+void draw_lesson_row(const Ui& ui, Workspace& w) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("Lessons");
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    const bool numbers_only = titles_width(w.course.lessons()) > ImGui::GetContentRegionAvail().x;
+    int number = 1;
+    for (const Lesson& lesson : w.course.lessons()) {
+        const bool done = w.lesson.progress.is_done(lesson);
+        const bool open = w.state.card == lesson.id;
+        const std::string label =
+            fmt::format("{}{}{}", number, numbers_only && !open ? "" : "  " + lesson.title, done ? " ●" : "");
+        flow(button_width(label.c_str()), right, 0.3f * em());
+        ImGui::PushID(lesson.id.c_str());
+        if (toggle_button(label.c_str(), open)) {
+            if (open)
+                close_card(w.state);
+            else
+                open_lesson(w.state, lesson);
+        }
+        ImGui::PopID();
+        ui.record_widget_rect(fmt::format("card.{}", lesson.id));
+        if (!open)
+            tooltip(fmt::format("{}. {}{}", number, lesson.title, done ? " (done)" : ""),
+                    "click to start this lesson; Ctrl+Z brings everything back");
+        ++number;
+    }
+}
+
+void draw_highlights(const Ui& ui, const Workspace& w) {
+    const auto place = w.course.open_step(w.state);
+    if (!place || w.escape_is_taken) return;
+    const auto panel = w.widget_rects.find("panel");
+    for (const std::string& name : place->content().highlight) {
+        const auto found = w.widget_rects.find(name);
+        if (found == w.widget_rects.end()) continue;
+        Rect rect = found->second;
+        const bool in_panel = panel != w.widget_rects.end() && rect.low.x >= panel->second.low.x &&
+                              rect.low.y >= panel->second.low.y - em();
+        if (in_panel && rect.high.y > panel->second.high.y) continue;  // it is scrolled out of sight
+        const float grow = 0.2f * em();
+        ImGui::GetForegroundDrawList()->AddRect({rect.low.x - grow, rect.low.y - grow},
+                                                {rect.high.x + grow, rect.high.y + grow},
+                                                ui.colors.wrapping_zone, 0.3f * em(), 0, 0.15f * em());
+    }
+}
+
+}  // namespace momentscope::ui

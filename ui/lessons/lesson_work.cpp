@@ -1,0 +1,130 @@
+#include "ui/lessons/lesson_work.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/support/error.hpp"
+#include "ui/lessons/measures.hpp"
+
+namespace momentscope::ui {
+
+namespace {
+
+template <typename Kind>
+const Kind* check_of(const LessonStep& step) {
+    for (const Check& check : step.checks)
+        if (const auto* found = std::get_if<Kind>(&check)) return found;
+    return nullptr;
+}
+
+LessonWork::Feedback judged_number(const NumberCheck& check, const std::string& typed, const Workspace& w) {
+    const double number = typed_number(typed);
+    const auto right = measured(check.measure, w);
+    if (!right) throw Error("The window does not show what this asks for; go back to the start of the step.");
+    if (std::abs(number - *right) <= check.within) return {"Right.", true};
+    return {fmt::format("Not yet: {} is not within {:g} of what the window shows now.", typed, check.within),
+            false};
+}
+
+std::string greatest_cause(const ErrorBreakdown& breakdown) {
+    const auto greatest = std::ranges::max_element(breakdown.contributions, {}, &Contribution::share);
+    return greatest == breakdown.contributions.end() ? "" : greatest->cause;
+}
+
+LessonWork::Feedback judged_text(const TextCheck& check, const std::string& typed) {
+    const std::size_t words = word_count(typed);
+    if (words >= check.words) return {"Kept for your teacher.", true};
+    return {fmt::format("Write at least {} words; these are {}.", check.words, words), false};
+}
+
+}  // namespace
+
+bool state_checks_hold(const Workspace& w, const LessonStep& step) {
+    return std::ranges::all_of(step.checks, [&](const Check& check) {
+        if (const auto* state = std::get_if<StateCheck>(&check)) return holds(*state, w.shown);
+        if (const auto* measure = std::get_if<MeasureCheck>(&check)) {
+            const auto value = measured(measure->measure, w);
+            return value && measure->limits.hold(*value);
+        }
+        return true;
+    });
+}
+
+bool is_hidden(const Workspace& w, std::string_view what) {
+    const auto place = w.course.open_step(w.state);
+    return place && hides(place->content(), what) && !w.state.answer &&
+           !std::as_const(w.lesson.progress).of(place->lesson->id, place->step).done;
+}
+
+bool asks_answer(const LessonStep& step) {
+    return check_of<NumberCheck>(step) != nullptr || check_of<ChoiceCheck>(step) != nullptr ||
+           check_of<TextCheck>(step) != nullptr;
+}
+
+void LessonWork::update(const Workspace& w, const std::optional<StepPlace>& open) {
+    const std::string lesson = open ? open->lesson->id : "";
+    const std::size_t step = open ? open->step : 0;
+    changed_ = false;
+    if (lesson != lesson_ || step != step_) {
+        lesson_ = lesson;
+        step_ = step;
+        feedback_ = {};
+        answered_right_ = false;
+        typed = open && check_of<TextCheck>(open->content()) != nullptr
+                    ? std::as_const(progress).of(lesson, step).answer
+                    : "";
+    }
+    if (!open || open->content().checks.empty()) return;
+    const LessonStep& content = open->content();
+    if (std::as_const(progress).of(lesson, step).done || (asks_answer(content) && !answered_right_) ||
+        !state_checks_hold(w, content))
+        return;
+    progress.of(lesson, step).done = true;
+    ++changes_;
+    changed_ = true;
+}
+
+void LessonWork::judge(const Workspace& w, const StepPlace& place, Feedback feedback, std::string answer) {
+    StepProgress& step = progress.of(place.lesson->id, place.step);
+    ++step.tries;
+    step.answer = std::move(answer);
+    answered_right_ = feedback.right;
+    if (feedback.right && !state_checks_hold(w, place.content()))
+        feedback = {"That is right; now do what the step asks for in the window.", false};
+    feedback_ = std::move(feedback);
+    ++changes_;
+}
+
+void LessonWork::answer_typed(const Workspace& w, const StepPlace& place) {
+    const LessonStep& step = place.content();
+    try {
+        if (const auto* number = check_of<NumberCheck>(step))
+            judge(w, place, judged_number(*number, typed, w), typed);
+        else if (const auto* text = check_of<TextCheck>(step))
+            judge(w, place, judged_text(*text, typed), typed);
+    } catch (const Error& error) {
+        feedback_ = {error.what(), false};
+    }
+}
+
+void LessonWork::answer_chosen(const Workspace& w, const StepPlace& place, std::size_t option) {
+    const auto* choice = check_of<ChoiceCheck>(place.content());
+    if (choice == nullptr || option >= choice->options.size()) return;
+    const ChoiceCheck::Option& chosen = choice->options[option];
+    if (chosen.cause.empty()) return judge(w, place, {chosen.why, chosen.right}, chosen.text);
+    const ErrorBreakdown& breakdown = w.measurement().breakdown;
+    const bool right = greatest_cause(breakdown).starts_with(chosen.cause);
+    judge(w, place, {right ? breakdown.sentence : chosen.why, right}, chosen.text);
+}
+
+void LessonWork::reset() {
+    progress = {};
+    feedback_ = {};
+    typed.clear();
+    answered_right_ = false;
+    ++changes_;
+}
+
+}  // namespace momentscope::ui
