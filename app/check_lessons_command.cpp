@@ -5,11 +5,13 @@
 #include "app/options.hpp"
 #include "app/terminal.hpp"
 #include "core/support/error.hpp"
-#include "ui/lessons/lesson_work.hpp"
-#include "ui/lessons/measures.hpp"
+#include "core/support/json_text.hpp"
 #include "ui/model/course.hpp"
 #include "ui/model/lesson_file.hpp"
 #include "ui/model/selection.hpp"
+#include "ui/model/session.hpp"
+#include "ui/workspace/lesson_work.hpp"
+#include "ui/workspace/measures.hpp"
 
 namespace momentscope {
 
@@ -20,7 +22,8 @@ constexpr glm::ivec2 WINDOW_SIZE = {960, 600};
 // Replays the steps of lessons in a window without a display, as a student would take them.
 class Replay {
 public:
-    explicit Replay(ui::Course course) : window_(WINDOW_SIZE, {}, {.show_times = false}, log_) {
+    explicit Replay(ui::Course course)
+        : window_(WINDOW_SIZE, {}, {.show_times = false, .settings = ui::NEW_USER}, log_) {
         workspace().course = std::move(course);
     }
 
@@ -68,6 +71,13 @@ private:
     std::string why(const ui::LessonStep& step) {
         std::string text;
         for (const ui::Check& check : step.checks) {
+            if (const auto* state = std::get_if<ui::StateCheck>(&check)) {
+                const nlohmann::json session =
+                    nlohmann::json::parse(json_text(ui::session_to_json(workspace().state)));
+                const nlohmann::json::json_pointer place(state->pointer);
+                text += fmt::format("; {} is {}", state->pointer,
+                                    session.contains(place) ? json_text(session[place]) : "not there");
+            }
             const auto* measure = std::get_if<ui::MeasureCheck>(&check);
             const auto* number = std::get_if<ui::NumberCheck>(&check);
             if (measure == nullptr && number == nullptr) continue;
@@ -140,20 +150,28 @@ public:
                 problems += report({&lesson, i}, replay.problems_of({&lesson, i}));
         if (problems > 0)
             throw Error(
-                fmt::format("{} problems were found in the lessons; they are named above.", problems));
-        print(fmt::format("{} lessons are right.\n", course.lessons().size()));
+                fmt::format("{} found in the lessons; {} named above.",
+                            problems == 1 ? "One problem was" : fmt::format("{} problems were", problems),
+                            problems == 1 ? "it is" : "they are"));
+        const std::size_t count = course.lessons().size();
+        print(count == 1 ? "The lesson is right.\n" : fmt::format("All {} lessons are right.\n", count));
     }
 
 private:
+    static std::string wrong_text(std::size_t count) {
+        return count == 1 ? "a wrong answer" : fmt::format("{} wrong answers", count);
+    }
+
     // Prints the result of a step and returns the number of problems.
     static std::size_t report(const ui::StepPlace& place, const std::vector<std::string>& problems) {
         const std::string name = fmt::format("{} {}", place.lesson->id, place.step + 1);
-        for (const std::string& problem : problems) warn(fmt::format("{}: {}.", name, problem));
+        for (const std::string& problem : problems)
+            warn(fmt::format("{}, step {}: {}.", place.lesson->file, place.step + 1, problem));
         if (problems.empty() && place.content().checks.empty())
             print(fmt::format("{}: nothing to check\n", name));
         else if (problems.empty())
-            print(fmt::format("{}: passes with the solution, fails with {} wrong answers and at the start\n",
-                              name, Replay::wrong_attempts(place.content()).size()));
+            print(fmt::format("{}: passes with the solution, fails at the start and with {}\n", name,
+                              wrong_text(Replay::wrong_attempts(place.content()).size())));
         return problems.size();
     }
 

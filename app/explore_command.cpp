@@ -100,6 +100,7 @@ public:
                              say_drawing();
                              return false;
                          },
+                     .settings = ui::NEW_USER,
                      .host = {.keep = keep_for_user,
                               .kept = kept_for_user,
                               .toggle_fullscreen = [this] { full_screen_.toggle(context_->window()); }}}),
@@ -291,8 +292,8 @@ private:
         }
         FrameLog log(log_);
         const OpenedLessons lessons = open_lessons();
-        HeadlessWindow window(size_, initial_state(lessons.first), {.scale = scale_, .show_times = false},
-                              log);
+        HeadlessWindow window(size_, initial_state(lessons.first),
+                              {.scale = scale_, .show_times = false, .settings = ui::NEW_USER}, log);
         window.explorer().workspace().course = lessons.course;
         window.settle();
         pick_option(pixel_, window.explorer());

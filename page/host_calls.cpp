@@ -2,8 +2,6 @@
 
 #include <emscripten.h>
 
-#include <cstdlib>
-
 #include "core/support/error.hpp"
 
 // clang-format off
@@ -12,8 +10,6 @@ EM_JS(void, host_deliver, (const char* path), { Module.host.deliver(UTF8ToString
 EM_JS(void, host_copy_link, (const char* link), { Module.host.copyLink(UTF8ToString(link)); });
 EM_JS(void, host_copy_text, (const char* text), { Module.host.copyText(UTF8ToString(text)); });
 EM_JS(bool, host_keep, (const char* name, const char* text), { return Module.host.keep(UTF8ToString(name), UTF8ToString(text)); });
-EM_JS_DEPS(kept, "$stringToNewUTF8");
-EM_JS(char*, host_kept, (const char* name), { return stringToNewUTF8(Module.host.kept(UTF8ToString(name))); });
 EM_JS(void, host_toggle_fullscreen, (), { Module.host.toggleFullscreen(); });
 // clang-format on
 
@@ -40,11 +36,9 @@ void keep(const std::string& name, const std::string& text) {
         throw Error("Settings and progress are not kept, because the browser refuses to store them.");
 }
 
-std::string kept(const std::string& name) {
-    char* text = host_kept(name.c_str());
-    const std::string result = text;
-    std::free(text);
-    return result;
+std::map<std::string, std::string>& kept_texts() {
+    static std::map<std::string, std::string> texts;
+    return texts;
 }
 
 void toggle_fullscreen() {

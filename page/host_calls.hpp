@@ -1,6 +1,7 @@
 // host_calls.hpp -- calls of the page's scripts: the object `host` of page/site/host.js.
 #pragma once
 #include <filesystem>
+#include <map>
 #include <string>
 
 namespace momentscope {
@@ -10,9 +11,11 @@ void deliver_file(const std::filesystem::path& path);
 void copy_link(const char* link);
 void copy_text(const char* text);
 
-/// In the storage of the browser. Both throw Error if the browser refuses.
+/// Keeps a text in the storage of the browser. Throws Error if the browser refuses.
 void keep(const std::string& name, const std::string& text);
-std::string kept(const std::string& name);
+
+/// What was kept, by name. The page's scripts fill it before the program starts.
+std::map<std::string, std::string>& kept_texts();
 
 void toggle_fullscreen();
 

@@ -17,6 +17,7 @@
 #include "core/scene/scenes.hpp"
 #include "core/support/error.hpp"
 #include "core/support/json_text.hpp"
+#include "page/host_calls.hpp"
 #include "page/page.hpp"
 #include "ui/model/link.hpp"
 
@@ -69,6 +70,11 @@ ui::ExplorerState state_of(const std::string& session, const std::string& words)
 using namespace momentscope;
 
 extern "C" {
+
+/// A text that the browser has kept. Call it before page_start.
+EMSCRIPTEN_KEEPALIVE void page_kept(const char* name, const char* text) {
+    kept_texts()[name] = text;
+}
 
 /// Begins. If the link is wrong, begins with the state of a fresh window and says what is wrong with the link
 /// in the status line.

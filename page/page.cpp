@@ -25,7 +25,7 @@ ui::Host host() {
             .deliver = deliver_file,
             .copy_link = [](const ui::ExplorerState& state) { copy_link(ui::link_text(state).c_str()); },
             .keep = keep,
-            .kept = kept,
+            .kept = [](const std::string& name) { return kept_texts()[name]; },
             .toggle_fullscreen = toggle_fullscreen};
 }
 
@@ -68,6 +68,7 @@ Page::Page(const ui::ExplorerState& start, const ui::Embedding& embedding, glm::
                                                                  .show_times = false,  // WebGL has no timers
                                                                  .most_milliseconds = ui::DRAG_MILLISECONDS,
                                                                  .before_long_picture = [] { return true; },
+                                                                 .settings = ui::NEW_USER,
                                                                  .host = host(),
                                                                  .embedding = embedding});
     linked_ = workspace().state;

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/inspect/drawn_fragments.hpp"
+#include "core/inspect/error_causes.hpp"
 #include "core/inspect/exact_estimates.hpp"
 #include "core/inspect/fragment_estimates.hpp"
 #include "core/inspect/pixel_color.hpp"
@@ -48,7 +49,7 @@ void add_step_of_ties(std::vector<Step>& steps, const ViewRay& ray, const Resolv
     std::vector<ExactEstimate> truth;
     for (const double absorbance : true_absorbance(ray, own_depths(ray)))
         truth.push_back({absorbance, absorbance, std::exp(-absorbance), 0});
-    steps.push_back({"surfaces at the same depth", color_of_estimates(ray, truth, parameters, behind)});
+    steps.push_back({cause::SAME_DEPTH, color_of_estimates(ray, truth, parameters, behind)});
 }
 
 // The technique whose exact function is used. All bases on the line hold the same information as the same
@@ -76,26 +77,26 @@ std::vector<Step> moment_steps(const ViewRay& ray, const Technique& technique, c
         exact.estimation.estimate = Estimate::own_beta;
         exact.beta = 0;
     }
-    add(fmt::format("the moment count ({} {} moments for {})", technique.moments().moment_count,
+    add(fmt::format("{} ({} {} moments for {})", cause::MOMENT_COUNT, technique.moments().moment_count,
                     family_name(technique.moments().basis->family),
                     fragment_count_text(ray.fragments.size())));
     exact.theta = parameters.theta;
-    if (technique.on_circle()) add("the wrapping zone");
+    if (technique.on_circle()) add(cause::WRAPPING_ZONE);
     if (by_beta) {
         exact.beta = parameters.beta;
-        add("the overestimation weight");
+        add(cause::OVERESTIMATION);
     }
     if (parameters.estimation.estimate == Estimate::beta) {
         exact.estimation.estimate = Estimate::beta;
-        add("self-occlusion");
+        add(cause::SELF_OCCLUSION);
     }
     exact.alpha = parameters.alpha;
-    if (&reference == &technique) add("the moment bias");
+    if (&reference == &technique) add(cause::BIAS);
     steps.push_back(
-        {&reference != &technique               ? "the moment bias"
-         : technique.moment_kernel().bits == 16 ? "16-bit drift of the moments"
-         : parameters.textbook                  ? "the textbook solver"
-                                                : "rounding of floats",
+        {&reference != &technique               ? cause::BIAS
+         : technique.moment_kernel().bits == 16 ? cause::DRIFT
+         : parameters.textbook                  ? cause::TEXTBOOK
+                                                : cause::ROUNDING,
          color_of_estimates(ray, fragment_estimates(ray, technique, parameters), parameters, behind)});
     return steps;
 }
@@ -127,17 +128,17 @@ std::vector<Step> pixel_state_steps(const ViewRay& ray, const Technique& techniq
         ideal.set(MomentResolution::full);
         ideal.set(ReadFormat::floats);
     }
-    add("the method's own approximation", sorted);
+    add(cause::METHOD, sorted);
     for (const ParameterId id : {ParameterId::layer_bits, ParameterId::read_format}) {
         if (!technique.uses(id)) continue;
         ideal.set(id, values[id]);
-        add("rounding to few bits", sorted);
+        add(cause::FEW_BITS, sorted);
     }
     if (technique.uses(ParameterId::resolution)) {
         ideal.set(values.get<MomentResolution>());
-        add("the low resolution of the moments", sorted);
+        add(cause::LOW_RESOLUTION, sorted);
     }
-    if (technique.order_dependent) add("the order of submission", ray);
+    if (technique.order_dependent) add(cause::ORDER, ray);
     return steps;
 }
 
@@ -147,7 +148,7 @@ ErrorBreakdown breakdown_of_truth(const ViewRay& ray, const Technique& technique
     const PixelColors colors = pixel_colors(ray, {}, technique, {}, behind);
     const double error = glm::length(glm::dvec3(colors.technique) - glm::dvec3(colors.truth));
     return {.error = error,
-            .contributions = {{"surfaces at the same depth", error}},
+            .contributions = {{cause::SAME_DEPTH, error}},
             .sentence = fmt::format(
                 "Off by {:.3f} in linear colour: of several surfaces at the same depth, only the one "
                 "that is drawn first survives, so {} of {} is lost.",
@@ -220,7 +221,7 @@ ErrorBreakdown pixel_error_breakdown(const ViewRay& ray, const Technique& techni
     std::vector<Step> steps = technique.has_pixel_states()
                                   ? pixel_state_steps(ray, technique, chained, behind)
                                   : moment_steps(ray, technique, chained, behind);
-    if (chained != values) steps.push_back({"renormalisation", shown});
+    if (chained != values) steps.push_back({cause::RENORMALISATION, shown});
     const glm::dvec3 direction = breakdown.error > 0 ? (shown - truth) / breakdown.error : glm::dvec3(0);
     glm::dvec3 before = truth;
     for (const Step& step : steps) {

@@ -27,12 +27,16 @@ std::optional<FailureCounts> FailureMarks::draw(const DrawnPicture& picture) {
     const std::vector<float> counts = read_texture(counts_, {{0, 0}, picture.view.size}, 2);
     check_gl("marking failed reconstructions");
     FailureCounts total;
-    for (std::size_t i = 0; i < counts.size(); i += 2) {
-        if (counts[i] > 0.5f)
-            ++total.failed;
-        else if (counts[i + 1] > 0.5f)
-            ++total.clamped;
-    }
+    const glm::ivec2 size = picture.view.size;
+    for (int y = size.y - 1; y >= 0; --y)  // the first row in GL is the lowest
+        for (int x = 0; x < size.x; ++x) {
+            const auto at = 2 * static_cast<std::size_t>(y * size.x + x);
+            if (counts[at] > 0.5f)
+                total.failed_pixels.emplace_back(x, size.y - 1 - y);
+            else if (counts[at + 1] > 0.5f)
+                ++total.clamped;
+        }
+    total.failed = static_cast<long>(total.failed_pixels.size());
     return total;
 }
 

@@ -1,6 +1,8 @@
 // failure_marks.hpp -- counts and marks the pixels of a picture whose reconstruction cannot be trusted.
 #pragma once
+#include <glm/glm.hpp>
 #include <optional>
+#include <vector>
 
 #include "core/render/drawn_picture.hpp"
 
@@ -11,6 +13,7 @@ namespace momentscope {
 /// outside [0, 1] by more than 1e-4. clamped, robust solver: other pixels with such a sum.
 struct FailureCounts {
     long failed = 0, clamped = 0;
+    std::vector<glm::ivec2> failed_pixels = {};  // row by row from the upper left
 };
 
 class FailureMarks {

@@ -4,7 +4,7 @@ import { makeTypingField } from './typing.js';
 
 const NAMED_KEYS = {
     Space: 32, Escape: 256, Enter: 257, NumpadEnter: 257, Tab: 258, Backspace: 259, Insert: 260, Delete: 261, ArrowRight: 262,
-    ArrowLeft: 263, ArrowDown: 264, ArrowUp: 265, PageUp: 266, PageDown: 267, Home: 268, End: 269, F1: 290, ShiftLeft: 340,
+    ArrowLeft: 263, ArrowDown: 264, ArrowUp: 265, PageUp: 266, PageDown: 267, Home: 268, End: 269, F1: 290, F9: 298, ShiftLeft: 340,
     ControlLeft: 341, AltLeft: 342, MetaLeft: 343, ShiftRight: 344, ControlRight: 345, AltRight: 346, MetaRight: 347,
 };
 

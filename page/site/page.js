@@ -67,6 +67,7 @@ async function run() {
         say,
         linkOf: async session => new URL(await fragmentOf(session), location.href).href,
     });
+    for (const name of ['settings', 'progress']) texts('kept', name, program.host.kept(name));
     const problem = texts('start', ...canvasSize(), link.session, link.words, link.part, link.controls);
     if (problem) return fail(problem);
     cover.hidden = true;

@@ -28,7 +28,7 @@ fail() {
 
 # Each control, and the log entry that answers its click; @again clicks at the same place once more. A round ends in the state
 # in which it began.
-steps=("@parameter.solver:a popup opened" "@again:a popup closed" "@tab.3:changed /panel" "@scene.lens:changed /lens"
+steps=("@controls.technique:a popup opened" "@again:a popup closed" "@tab.3:changed /panel" "@scene.lens:changed /lens"
     "@scene.views:a popup opened" "@again:a popup closed" "@scene.lens:changed /lens" "@tab.1:changed /panel"
     "@controls.scene:a popup opened" "@again:a popup closed" "@card.order:changed .*/card" "@card.answer:changed /answer"
     "@card.answer:changed /answer" "@card.close:changed /card" "@scene.wipe:changed /compare" "@scene.wipe:changed /compare"

@@ -46,6 +46,11 @@ const std::map<std::string, Check>& checks() {
              EXPECT_FALSE(p.now.history.can_redo());
              EXPECT_NE(p.now.state, p.before);
          }},
+        {"compare.next_failed",
+         [](const Pressed& p) {
+             EXPECT_TRUE(p.now.state.failures);
+             EXPECT_EQ(p.now.status.message, "No pixel has failed.");
+         }},
         {"try.next", [](const Pressed& p) { EXPECT_EQ(p.now.state.step, p.before.step + 1); }},
         {"try.previous", [](const Pressed& p) { EXPECT_EQ(p.now.state.step, p.before.step - 1); }},
         {"view.present", [](const Pressed& p) { EXPECT_TRUE(p.now.present); }},

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/inspect/error_causes.hpp"
 #include "core/support/error.hpp"
 #include "ui/model/course.hpp"
 #include "ui/model/glossary.hpp"
@@ -43,6 +44,7 @@ TEST(LessonFile, ThePageHasALessonAndAllNames) {
     EXPECT_EQ(lesson.id, "two-sheets");
     EXPECT_EQ(lesson.steps.at(0).checks.size(), 2U);
     const std::string text = page();
+    for (const std::string_view cause : cause::ALL) EXPECT_NE(text.find(cause), std::string::npos) << cause;
     for (const ui::MeasureRow& row : ui::MEASURES)
         EXPECT_NE(text.find(std::string("| `") + row.key + "` | " + row.help + " |"), std::string::npos)
             << row.key;
@@ -63,6 +65,12 @@ TEST(LessonFile, WhatIsWrongIsNamed) {
         {with("/momentscope_lesson", 2), "has version 2"},
         {with("/id", "Two Sheets"), "small letters"},
         {with("/title", ""), "\"title\""},
+        {with("/title", std::string(20'000, 'x')), "80 characters"},
+        {with("/title", "two\nlines"), "80 characters"},
+        {with("/steps/0/solution/choose", 2), "no choice"},
+        {with("/steps/0/solution/session/panel", "left"), "step 1: the solution"},
+        {with("/session/panel", "left"), "the session"},
+        {with("/steps/0/check/1/mistakes", {{{"is", 1}}}), "why"},
         {with("/text", "[[nonsense]]"), "no term 'nonsense'"},
         {with("/flavour", 1), "no key \"flavour\""},
         {with("/steps", nlohmann::json::array()), "1 to 30 steps"},
@@ -82,8 +90,13 @@ TEST(LessonFile, WhatIsWrongIsNamed) {
         {with("/steps/0/check", {{"choice", {{{"text", "a"}, {"why", "b"}}}}}), "2 to 8 options"},
         {with("/steps/0/check", {{"choice", {{{"text", "a"}, {"why", "b"}}, {{"text", "c"}, {"why", "d"}}}}}),
          "exactly one"},
+        {with("/steps/0/check", {{"choice",
+                                  {{{"text", "a"}, {"why", "b"}, {"cause", "the moon"}},
+                                   {{"text", "c"}, {"why", "d"}, {"cause", "the moment bias"}}}}}),
+         "the moment bias"},
         {with("/steps/0/check/2", {{"text", 3}}), "only one check"},
         {with("/steps/0/solution/choose", 0), "choose"},
+        {with("/steps/0/check", {{"state", "/parameters/beta"}, {"is", 1}}), "asks for no number"},
         {with("/steps/0/wrong", 3), "\"wrong\""},
         {std::string(1U << 20, ' '), "larger"},
         {std::string(100'000, '['), "nested"},

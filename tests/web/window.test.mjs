@@ -1,5 +1,6 @@
 // window.test.mjs -- the browser edition as a user meets it.
 import assert from 'node:assert/strict';
+import fs from 'node:fs';
 import { after, before, describe, test } from 'node:test';
 import { ask, click, idle, open, openPage, placeOf, state } from './browser.mjs';
 
@@ -9,6 +10,9 @@ const TRIANGLE = 'v 0 0 0\nv 1 0 0\nv 0 1 0.2\nf 1 2 3\n';
 let session;
 before(async () => { session = await open(); });
 after(() => session.close());
+
+// The lesson of docs/lessons.md.
+const LESSON = fs.readFileSync(new URL('../../docs/lessons.md', import.meta.url), 'utf8').match(/```json\n(.*?)```/s)[1];
 
 /** Drops a file on the page. */
 async function drop(tab, name, content) {
@@ -198,4 +202,48 @@ test('refuses files of 200 MB with a sentence', { skip: process.env.MOMENTSCOPE_
         await idle(tab);
     }
     await tab.close();
+});
+
+describe('lessons', () => {
+    let tab;
+    before(async () => { tab = await openPage(session, '#scene=planes', { width: 1000, height: 760 }); });
+    after(() => tab.close());
+
+    test('are judged, and their progress outlives the page', async () => {
+        await click(tab, 'card.absorbance');
+        await click(tab, 'card.typed');
+        await tab.keyboard.type('0.7');
+        await tab.keyboard.press('Enter');
+        await tab.waitForTimeout(200);
+        await idle(tab);
+        const kept = () => tab.evaluate(() => JSON.parse(localStorage.getItem('momentscope.progress')));
+        assert.equal((await kept()).lessons.absorbance[0].done, true);
+        await tab.reload();
+        await idle(tab);
+        await click(tab, 'card.order');
+        await click(tab, 'parameter.order');
+        await click(tab, 'parameter.order.shuffled');
+        assert.deepEqual(Object.keys((await kept()).lessons), ['absorbance', 'order']);
+    });
+
+    test('are dropped on the page', async () => {
+        await drop(tab, 'two-sheets.json', LESSON);
+        assert.equal(await ask(tab, 'message'), '');
+        assert.equal((await state(tab)).card, 'two-sheets');
+        await drop(tab, 'broken.json', LESSON.replace('"hint"', '"hind"'));
+        assert.match(await ask(tab, 'message'), /hind/);
+        assert.equal((await state(tab)).card, 'two-sheets');
+    });
+
+    test('are presented', async () => {
+        await tab.keyboard.press('F9');
+        await tab.waitForTimeout(300);
+        await idle(tab);
+        assert.equal(JSON.parse(await ask(tab, 'widgets'))['menu.file'], undefined);
+        await tab.keyboard.press('PageDown');
+        await tab.waitForTimeout(1500);
+        await idle(tab);
+        assert.equal((await state(tab)).answer, true);
+        assert.deepEqual(tab.complaints, []);
+    });
 });

@@ -222,7 +222,7 @@ void add_lessons(List& list) {
 
 void add_present(List& list) {
     list.push_back(choice(
-        "view.present", "Present", {"F5"},
+        "view.present", "Present", {"F9"},
         "Shows only scene, plot and lesson; PageDown and PageUp go from step to step.",
         [](Workspace& w) { w.present = !w.present; }, [](const Workspace& w) { return w.present; }));
     list.push_back(choice(

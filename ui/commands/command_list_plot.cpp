@@ -71,6 +71,9 @@ void add_compare(List& list) {
         of_picture("compare.next_worst", "Next worst pixel", {"J"},
                    "Picks the pixel where the chosen metric is greatest, then the next worst, and so on.",
                    [](Workspace& w) { w.comparison.want_worst(); }));
+    list.push_back(of_picture("compare.next_failed", "Next failed pixel", {"Shift+J"},
+                              "Marks failed reconstructions and picks one, then the next, row by row.",
+                              [](Workspace& w) { want_next_failed(w); }));
     list.push_back({"compare.forget_region",
                     "Forget the region",
                     {},

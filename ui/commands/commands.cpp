@@ -34,7 +34,7 @@ constexpr MouseAction MOUSE_ACTIONS[] = {
     {"slider", "Ctrl+click", "lets you type a value"},
     {"slider", "double-click", "resets the value"},
     {"table row", "click", "marks the fragment in the plot"},
-    {"window", "drop of a file", "opens a session, a view ray or a mesh"}};
+    {"window", "drop of a file", "opens a session, a view ray, a lesson or a mesh"}};
 
 }  // namespace
 

@@ -77,6 +77,12 @@ void go_to(ExplorerState& state, const StepPlace& place, bool solved) {
     state.answer = solved;
 }
 
+bool highlights(const Lesson& lesson, std::string_view control) {
+    return std::ranges::any_of(lesson.steps, [&](const LessonStep& step) {
+        return std::ranges::find(step.highlight, control) != step.highlight.end();
+    });
+}
+
 bool hides(const LessonStep& step, std::string_view what) {
     return std::ranges::find(step.hide, what) != step.hide.end();
 }

@@ -57,6 +57,9 @@ void go_forward(ExplorerState& state, const StepPlace& next);
 /// Goes to the start of any step, or to its end with the answer.
 void go_to(ExplorerState& state, const StepPlace& place, bool solved);
 
+/// Does any step of the lesson highlight this control?
+bool highlights(const Lesson& lesson, std::string_view control);
+
 /// Does the step hide this?
 bool hides(const LessonStep& step, std::string_view what);
 

@@ -52,13 +52,21 @@ ExplorerState changed_state(const ExplorerState& state, const nlohmann::json& ch
     return state_of_session(session);
 }
 
-bool holds(const StateCheck& check, const ExplorerState& state) {
+std::optional<double> number_at(const std::string& pointer, const ExplorerState& state) {
     const nlohmann::json session = nlohmann::json::parse(json_text(session_to_json(state)));
-    const nlohmann::json::json_pointer pointer(check.pointer);
-    if (!session.contains(pointer)) return false;
-    const nlohmann::json& value = session[pointer];
-    if (!check.equals.is_null()) return value == check.equals;
-    return value.is_number() && check.limits.hold(value.get<double>());
+    const nlohmann::json::json_pointer place(pointer);
+    if (!session.contains(place) || !session[place].is_number()) return std::nullopt;
+    return session[place].get<double>();
+}
+
+bool holds(const StateCheck& check, const ExplorerState& state) {
+    if (check.equals.is_null()) {
+        const auto number = number_at(check.pointer, state);
+        return number && check.limits.hold(*number);
+    }
+    const nlohmann::json session = nlohmann::json::parse(json_text(session_to_json(state)));
+    const nlohmann::json::json_pointer place(check.pointer);
+    return session.contains(place) && session[place] == check.equals;
 }
 
 bool measures(const LessonStep& step, MeasureId id) {

@@ -14,7 +14,7 @@
 namespace momentscope::ui {
 
 enum class MeasureId {
-#define MEASURE(id, digits, help) id,
+#define MEASURE(id, name, digits, help) id,
 #include "ui/model/measures.def"
 #undef MEASURE
 };
@@ -23,18 +23,19 @@ enum class MeasureId {
 struct MeasureRow {
     MeasureId id;
     const char* key;
-    int digits;  // behind the point
+    const char* name;  // on the card
+    int digits;        // behind the point
     const char* help;
 };
 inline constexpr std::array MEASURES = {
-#define MEASURE(id, digits, help) MeasureRow{MeasureId::id, #id, digits, help},
+#define MEASURE(id, name, digits, help) MeasureRow{MeasureId::id, #id, name, digits, help},
 #include "ui/model/measures.def"
 #undef MEASURE
 };
 
 constexpr const char* VERDICT = "verdict";  // what Fragments says about the error
 
-/// What a number must be: near `is`, or not below or above a limit. At least one of them is set.
+/// What a number must be: near `is`, or not below or above a limit. Without any of them, anything.
 struct Limits {
     std::optional<double> is, at_least, at_most;
     double within = 0;  // of `is`
@@ -56,8 +57,14 @@ struct MeasureCheck {
 
 /// The student types a number. The right one is measured when they do.
 struct NumberCheck {
+    /// A wrong number, and what is said about it.
+    struct Mistake {
+        double number = 0;
+        std::string why;
+    };
     MeasureId measure{};
     double within = 0;
+    std::vector<Mistake> mistakes = {};
 };
 
 /// The student chooses one of several answers.
@@ -77,6 +84,14 @@ struct TextCheck {
 };
 
 using Check = std::variant<StateCheck, MeasureCheck, NumberCheck, ChoiceCheck, TextCheck>;
+
+/// The first check of this kind; nullptr if there is none.
+template <typename Kind>
+const Kind* check_of(const std::vector<Check>& checks) {
+    for (const Check& check : checks)
+        if (const auto* found = std::get_if<Kind>(&check)) return found;
+    return nullptr;
+}
 
 /// What a student may do in a step: change the state, and type, choose or write an answer.
 struct Attempt {
@@ -100,6 +115,7 @@ struct Lesson {
     std::string title;
     std::string text;  // with marks
     nlohmann::json session = nlohmann::json::object();
+    bool all_controls = false;      // are experts' parameters shown, too?
     std::vector<LessonStep> steps;  // at least one
     std::string file;               // where it was read from, for messages
 };
@@ -112,6 +128,9 @@ ExplorerState lesson_state(const Lesson& lesson, std::size_t step, bool solved, 
 /// A state with changes (a JSON merge patch of its session). Throws Error if the result is no session, or if
 /// a key does not exist.
 ExplorerState changed_state(const ExplorerState& state, const nlohmann::json& changes);
+
+/// The number at a JSON pointer into the session of a state; nullopt if there is none.
+std::optional<double> number_at(const std::string& pointer, const ExplorerState& state);
 
 /// Does the state pass the check?
 bool holds(const StateCheck& check, const ExplorerState& state);

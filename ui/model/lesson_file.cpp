@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "core/inspect/error_causes.hpp"
 #include "core/scene/scenes.hpp"
 #include "core/support/bounded_json.hpp"
 #include "core/support/error.hpp"
@@ -104,10 +105,15 @@ MeasureId measure_from(const Keys& keys, const json& value, const char* key) {
     keys.fail(key, fmt::format("one of {}", fmt::join(names, ", ")));
 }
 
-Limits limits_from(Keys& keys) {
+Limits any_limits_from(Keys& keys) {
     Limits limits = {
         .is = keys.number("is"), .at_least = keys.number("at_least"), .at_most = keys.number("at_most")};
     limits.within = keys.number("within").value_or(1e-6);
+    return limits;
+}
+
+Limits limits_from(Keys& keys) {
+    const Limits limits = any_limits_from(keys);
     if (!limits.is && !limits.at_least && !limits.at_most)
         throw Error(keys.where() + "a check of a number needs \"is\", \"at_least\" or \"at_most\".");
     return limits;
@@ -129,7 +135,22 @@ Check state_check(Keys& keys, const json& pointer) {
 Check number_check(Keys& keys, const json& measure) {
     const auto within = keys.number("within");
     if (!within || !(*within > 0)) keys.fail("within", "a number above 0: how far the typed one may be off");
-    return NumberCheck{measure_from(keys, measure, "number"), *within};
+    NumberCheck check = {measure_from(keys, measure, "number"), *within};
+    const json* mistakes = keys.take("mistakes");
+    if (mistakes != nullptr && !mistakes->is_array()) keys.fail("mistakes", "a list");
+    for (const json& entry : mistakes == nullptr ? json::array() : *mistakes) {
+        Keys mistake(entry, keys.where() + "a mistake: ");
+        const auto number = mistake.number("is");
+        check.mistakes.push_back({number.value_or(0), mistake.text("why")});
+        if (!number) mistake.fail("is", "a number");
+        if (check.mistakes.back().why.empty()) mistake.fail("why", "what is said about it");
+        mistake.require_known();
+    }
+    return check;
+}
+
+bool is_cause(std::string_view text) {
+    return std::ranges::any_of(cause::ALL, [&](std::string_view one) { return one.starts_with(text); });
 }
 
 Check choice_check(Keys& keys, const json& options) {
@@ -145,6 +166,9 @@ Check choice_check(Keys& keys, const json& options) {
         if (check.options.back().text.empty()) option.fail("text", "the text of the option");
         if (check.options.back().why.empty()) option.fail("why", "what is said if this is chosen");
     }
+    for (const auto& option : check.options)
+        if (!option.cause.empty() && !is_cause(option.cause))
+            keys.fail("cause", fmt::format("the begin of one of: {}", fmt::join(cause::ALL, ", ")));
     const bool causes =
         std::ranges::none_of(check.options, [](const auto& option) { return option.cause.empty(); });
     if (!causes && std::ranges::count_if(check.options, &ChoiceCheck::Option::right) != 1)
@@ -167,7 +191,7 @@ constexpr CheckKind CHECK_KINDS[] = {
     {"state", state_check},
     {"measure",
      [](Keys& keys, const json& value) -> Check {
-         return MeasureCheck{measure_from(keys, value, "measure"), limits_from(keys)};
+         return MeasureCheck{measure_from(keys, value, "measure"), any_limits_from(keys)};
      }},
     {"number", number_check},
     {"choice", choice_check},
@@ -176,18 +200,16 @@ constexpr CheckKind CHECK_KINDS[] = {
 
 Check check_from(const json& object, const std::string& where) {
     Keys keys(object, where + "a check: ");
-    std::optional<Check> check;
-    for (const CheckKind& kind : CHECK_KINDS) {
-        const json* value = keys.take(kind.key);
-        if (value == nullptr) continue;
-        if (check) throw Error(keys.where() + "it names two kinds; make a list of two checks.");
-        check = kind.read(keys, *value);
-    }
-    if (!check)
+    const auto is_named = [&](const CheckKind& kind) { return object.contains(kind.key); };
+    const auto kind = std::ranges::find_if(CHECK_KINDS, is_named);
+    if (kind == std::end(CHECK_KINDS))
         throw Error(keys.where() +
                     "it names nothing; it needs one of state, measure, number, choice and text.");
+    if (std::ranges::count_if(CHECK_KINDS, is_named) > 1)
+        throw Error(keys.where() + "it names two kinds; make a list of two checks.");
+    Check check = kind->read(keys, *keys.take(kind->key));
     keys.require_known();
-    return *check;
+    return check;
 }
 
 std::vector<Check> checks_from(const json* value, const std::string& where) {
@@ -209,6 +231,20 @@ Attempt attempt_from(const json& object, const std::string& where) {
     if (const auto chosen = keys.count("choose", 8)) attempt.chosen = *chosen - 1;
     keys.require_known();
     return attempt;
+}
+
+// An attempt must answer what is asked.
+void require_answer(const LessonStep& step, const Attempt& attempt, const std::string& where) {
+    const auto* choice = check_of<ChoiceCheck>(step.checks);
+    const bool types =
+        check_of<NumberCheck>(step.checks) != nullptr || check_of<TextCheck>(step.checks) != nullptr;
+    if (attempt.chosen && choice == nullptr)
+        throw Error(where + "it has \"choose\", but the step has no choice.");
+    if (attempt.chosen && *attempt.chosen >= choice->options.size())
+        throw Error(fmt::format("{}\"choose\" is {}, but there are {} options.", where, *attempt.chosen + 1,
+                                choice->options.size()));
+    if (!attempt.typed.empty() && !types)
+        throw Error(where + "it has \"type\", but the step asks for no number and no text.");
 }
 
 void require_terms(const std::string& text, const std::string& where) {
@@ -242,6 +278,10 @@ LessonStep step_from(const json& object, const std::string& where) {
             step.wrong.push_back(attempt_from(entry, where + "a wrong answer: "));
     }
     keys.require_known();
+    require_answer(step, step.solution, where + "the solution: ");
+    for (const Attempt& attempt : step.wrong) require_answer(step, attempt, where + "a wrong answer: ");
+    if (!step.checks.empty() && !object.contains("solution"))
+        throw Error(where + "it has a check, so it needs a \"solution\" that passes.");
     return step;
 }
 
@@ -290,18 +330,29 @@ void require_pointers(const LessonStep& step, const ExplorerState& solved) {
 
 // Every state that the lesson can set.
 void require_states(const Lesson& lesson) {
-    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+    const auto at = [](const std::string& where, const auto& require) {
         try {
-            const ExplorerState start = lesson_state(lesson, i, false, {});
-            require_scene(start);
+            require();
+        } catch (const Error& error) {
+            throw Error(fmt::format("{}: {}", where, error.what()));
+        }
+    };
+    at("the session", [&] {
+        Lesson alone = lesson;
+        alone.steps = {LessonStep()};
+        require_scene(lesson_state(alone, 0, false, {}));
+    });
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+        const std::string step = fmt::format("step {}", i + 1);
+        ExplorerState start;
+        at(step, [&] { require_scene(start = lesson_state(lesson, i, false, {})); });
+        at(step + ": the solution", [&] {
             const ExplorerState solved = lesson_state(lesson, i, true, {});
             require_scene(solved);
             require_pointers(lesson.steps[i], solved);
-            for (const Attempt& attempt : lesson.steps[i].wrong)
-                require_scene(changed_state(start, attempt.session));
-        } catch (const Error& error) {
-            throw Error(fmt::format("step {}: {}", i + 1, error.what()));
-        }
+        });
+        for (const Attempt& attempt : lesson.steps[i].wrong)
+            at(step + ": a wrong answer", [&] { require_scene(changed_state(start, attempt.session)); });
     }
 }
 
@@ -319,10 +370,13 @@ Lesson lesson_from_object(const json& root, const fs::path& file) {
     if (lesson.id.empty() || lesson.id.size() > 40 || !std::ranges::all_of(lesson.id, is_plain))
         keys.fail("id", "a name of at most 40 small letters, digits and hyphens");
     lesson.title = keys.text("title");
-    if (lesson.title.empty()) keys.fail("title", "a text");
+    constexpr std::size_t MOST_TITLE = 80;
+    if (lesson.title.empty() || lesson.title.size() > MOST_TITLE || one_line(lesson.title) != lesson.title)
+        keys.fail("title", fmt::format("a line of at most {} characters", MOST_TITLE));
     lesson.text = keys.text("text");
-    require_terms(lesson.text, "");
+    require_terms(lesson.text, "the text: ");
     lesson.session = keys.object("session");
+    lesson.all_controls = keys.flag("all_controls");
     const json* steps = keys.take("steps");
     if (steps == nullptr || !steps->is_array() || steps->empty() || steps->size() > MAX_LESSON_STEPS)
         keys.fail("steps", fmt::format("a list of 1 to {} steps", MAX_LESSON_STEPS));
@@ -363,7 +417,12 @@ LessonFolder read_lessons(const fs::path& file_or_folder) {
     LessonFolder folder;
     for (const fs::path& file : files) {
         try {
-            folder.lessons.push_back(read_lesson_file(file));
+            Lesson lesson = read_lesson_file(file);
+            const auto same = std::ranges::find(folder.lessons, lesson.id, &Lesson::id);
+            if (same != folder.lessons.end())
+                throw Error(fmt::format("The lesson '{}' has the id '{}' of '{}'; give it another one.",
+                                        file.string(), lesson.id, same->file));
+            folder.lessons.push_back(std::move(lesson));
         } catch (const Error& error) {
             folder.problems.emplace_back(error.what());
         }

@@ -83,6 +83,7 @@ Progress progress_from_json(const std::string& text) {
 std::string answers_text(std::span<const Lesson> lessons, const Progress& progress) {
     std::string text = "# Answers\n";
     for (const Lesson& lesson : lessons) {
+        if (!progress.lessons_.contains(lesson.id)) continue;
         text += fmt::format("\n## {}{}\n\n", lesson.title, progress.is_done(lesson) ? " (done)" : "");
         for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
             const LessonStep& step = lesson.steps[i];

@@ -2,6 +2,7 @@
 #pragma once
 #include <map>
 #include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ public:
     friend bool operator==(const Progress&, const Progress&) = default;
     friend nlohmann::ordered_json progress_to_json(const Progress& progress);
     friend Progress progress_from_json(const std::string& text);
+    friend std::string answers_text(std::span<const Lesson> lessons, const Progress& progress);
 
 private:
     std::map<std::string, std::vector<StepProgress>> lessons_;
@@ -42,7 +44,8 @@ nlohmann::ordered_json progress_to_json(const Progress& progress);
 /// Throws Error if the text is no progress.
 Progress progress_from_json(const std::string& text);
 
-/// The answers for a teacher, as Markdown: each lesson, its questions, the answers and the numbers of tries.
+/// The answers for a teacher, as Markdown: each lesson that was begun, its questions, the answers and the
+/// numbers of tries.
 std::string answers_text(std::span<const Lesson> lessons, const Progress& progress);
 
 }  // namespace momentscope::ui

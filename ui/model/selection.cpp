@@ -78,6 +78,17 @@ void move_pick(ExplorerState& state, const Measurement& measurement, glm::ivec2 
         pick(state, fraction_of(measurement.pixel + by, measurement.picture_size));
 }
 
+std::optional<glm::ivec2> next_place(const std::vector<glm::ivec2>& places, glm::ivec2 from) {
+    constexpr int APART = 16;  // in a row of the picture; rows in between are skipped, too
+    const auto is_behind = [&](glm::ivec2 place) {
+        const glm::ivec2 way = place - from;
+        return (way.y == 0 && way.x >= APART) || way.y >= APART;
+    };
+    const auto found = std::ranges::find_if(places, is_behind);
+    if (found != places.end()) return *found;
+    return places.empty() ? std::nullopt : std::optional(places.front());
+}
+
 bool toggle_pin(ExplorerState& state, const Measurement& measurement) {
     if (state.ray || measurement.picture_size.x < 1) return true;
     const glm::vec2 here = state.picked.value_or(fraction_of(measurement.pixel, measurement.picture_size));

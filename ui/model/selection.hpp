@@ -35,6 +35,10 @@ void pick(ExplorerState& state, glm::vec2 fraction);
 /// Picks the pixel that lies this far from the measured one.
 void move_pick(ExplorerState& state, const Measurement& measurement, glm::ivec2 by);
 
+/// The first of these pixels behind another one, row by row, that is not next to it; starts over at the end.
+/// nullopt if there are none.
+std::optional<glm::ivec2> next_place(const std::vector<glm::ivec2>& places, glm::ivec2 from);
+
 /// Pins the picked pixel, or removes its pin. False if there is no room for another pin.
 bool toggle_pin(ExplorerState& state, const Measurement& measurement);
 void remove_pin(ExplorerState& state, std::size_t index);

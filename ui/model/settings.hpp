@@ -1,6 +1,7 @@
 // settings.hpp -- what the program remembers of its window, besides the state: it is kept for the next start,
 // but is no part of a session.
 #pragma once
+#include <array>
 #include <glm/glm.hpp>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -19,6 +20,15 @@ struct Settings {
     bool moves = true;        // while presenting, do states move into each other?
     friend bool operator==(const Settings&, const Settings&) = default;
 };
+
+/// Those of somebody who has never used the program.
+inline constexpr Settings NEW_USER = {.expert = false};
+
+/// Parameters that the window shows only to experts.
+inline constexpr std::array EXPERT_PARAMETERS = {
+    ParameterId::preset,   ParameterId::solver,     ParameterId::factorisation, ParameterId::accumulation,
+    ParameterId::estimate, ParameterId::ends,       ParameterId::interval,      ParameterId::renormalize,
+    ParameterId::order,    ParameterId::order_seed, ParameterId::tone_map};
 
 constexpr std::uintmax_t MAX_SETTINGS_BYTES = 64U << 10;
 

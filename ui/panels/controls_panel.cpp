@@ -62,12 +62,23 @@ void draw_compared_combo(const Ui& ui, ExplorerState& state) {
     ImGui::EndCombo();
 }
 
+// Experts see all parameters. Others see an expert's parameter if it acts, or if the open lesson needs it.
+bool is_shown(const Workspace& w, const Parameter& row) {
+    if (w.settings.expert || w.to_type == row.id) return true;
+    if (std::ranges::find(EXPERT_PARAMETERS, row.id) == EXPERT_PARAMETERS.end()) return true;
+    const auto place = w.course.open_step(w.state);
+    return w.state.parameters[row.id] != ParameterValues()[row.id] ||
+           (place &&
+            (place->lesson->all_controls || highlights(*place->lesson, std::string("parameter.") + row.key)));
+}
+
 // The parameters of the technique, in the order of the registry.
-std::vector<const Parameter*> shown_parameters(const ExplorerState& state) {
+std::vector<const Parameter*> shown_parameters(const Workspace& w) {
+    const ExplorerState& state = w.state;
     std::vector<const Parameter*> rows;
     for (const Parameter& row : parameters()) {
         const bool of_mesh = row.id == ParameterId::opacity && !is_builtin_scene(state.scene) && !state.ray;
-        if (state.technique->uses(row.id) || of_mesh) rows.push_back(&row);
+        if ((state.technique->uses(row.id) || of_mesh) && is_shown(w, row)) rows.push_back(&row);
     }
     return rows;
 }
@@ -99,10 +110,12 @@ void draw_choices(const Ui& ui, std::span<const Parameter* const> rows, Explorer
     ImGui::PopStyleVar();
 }
 
-// One control per parameter of the technique. to_type: the parameter whose control becomes a text field now.
-void draw_technique_controls(const Ui& ui, ExplorerState& state, std::optional<ParameterId> to_type,
-                             Status& status) {
-    const std::vector<const Parameter*> rows = shown_parameters(state);
+// One control per parameter of the technique. That of w.to_type becomes a text field now.
+void draw_technique_controls(const Ui& ui, Workspace& w) {
+    ExplorerState& state = w.state;
+    Status& status = w.status;
+    const std::vector<const Parameter*> rows = shown_parameters(w);
+    const std::optional<ParameterId> to_type = std::exchange(w.to_type, std::nullopt);
     const auto is_choice = [](const Parameter* row) { return row->scale == Scale::choice; };
     for (const Parameter* row : rows)
         if (!is_choice(row))
@@ -115,13 +128,14 @@ void draw_technique_controls(const Ui& ui, ExplorerState& state, std::optional<P
 }
 
 // The controls that apply to all techniques.
-void draw_picture_controls(const Ui& ui, ExplorerState& state, Status& status) {
+void draw_picture_controls(const Ui& ui, Workspace& w) {
+    ExplorerState& state = w.state;
     if (state.ray) return;  // a view ray has no picture
     ImGui::Spacing();
     for (const ParameterId id : PICTURE_PARAMETERS)
-        if (id != ParameterId::shadows)
+        if (id != ParameterId::shadows && is_shown(w, parameter(id)))
             draw_parameter_control(ui, parameter(id), *state.technique, LABEL_WIDTH * em(), false,
-                                   state.parameters, status);
+                                   state.parameters, w.status);
 }
 
 void draw_shadow_controls(const Ui& ui, const ShownScene& scene, ExplorerState& state, Status& status) {
@@ -145,6 +159,18 @@ void draw_shadow_controls(const Ui& ui, const ShownScene& scene, ExplorerState& 
     ImGui::Spacing();
 }
 
+void draw_expert_switch(const Ui& ui, Settings& settings) {
+    ImGui::Spacing();
+    if (ImGui::Button(settings.expert ? "fewer controls" : "all controls"))
+        settings.expert = !settings.expert;
+    ui.record_widget_rect("controls.expert");
+    tooltip(
+        settings.expert
+            ? "Shows only the controls that most people need. What differs from its default stays."
+            : "Also shows solver, factor, accumulation, presets, estimate, order of submission, tone map and tuning.",
+        "It is kept for the next start.");
+}
+
 }  // namespace
 
 // If the plot shows the light's ray, the controls of the light come first.
@@ -158,13 +184,18 @@ void draw_controls_panel(const Ui& ui, Workspace& w) {
     draw_technique_combo(ui, "controls.technique",
                          "The technique that draws the picture and the orange curve; 1 to 9 choose one.",
                          "--technique", state.technique);
-    wide_label("also plot");
-    draw_compared_combo(ui, state);
+    if (w.settings.expert || !state.compared.empty()) {
+        wide_label("also plot");
+        draw_compared_combo(ui, state);
+    }
     ImGui::Spacing();
-    draw_technique_controls(ui, state, std::exchange(w.to_type, std::nullopt), w.status);
-    if (w.tuning.draw(ui, state)) w.tuning.start(state, w.scene.scene(), w.picture.renderer(), w.status);
-    draw_picture_controls(ui, state, w.status);
+    draw_technique_controls(ui, w);
+    if (w.settings.expert || w.tuning.busy()) {
+        if (w.tuning.draw(ui, state)) w.tuning.start(state, w.scene.scene(), w.picture.renderer(), w.status);
+    }
+    draw_picture_controls(ui, w);
     if (!light_first) draw_shadow_controls(ui, w.scene, state, w.status);
+    draw_expert_switch(ui, w.settings);
 }
 
 }  // namespace momentscope::ui

@@ -6,6 +6,7 @@
 
 #include "core/stress/classify.hpp"
 #include "ui/model/selection.hpp"
+#include "ui/panels/moment_table.hpp"
 #include "ui/panels/panels.hpp"
 
 namespace momentscope::ui {
@@ -146,6 +147,17 @@ std::string light_summary(const LightView& light) {
         fragment_count_text(light.ray.fragments.size()), light.bundle.texels.size());
 }
 
+// True if the moments of the fragments are wanted in place of their history.
+bool draw_moments_switch(const Ui& ui, Workspace& w) {
+    if (!w.measurement().curve.technique->has_moments()) return false;
+    const float width = button_width("moments");
+    ImGui::SameLine(std::max(ImGui::GetContentRegionMax().x - width, 0.0f));
+    if (toggle_button("moments", w.fragment_moments)) w.fragment_moments = !w.fragment_moments;
+    ui.record_widget_rect("fragments.moments");
+    tooltip("Shows what each fragment adds to the moments, instead of its history.");
+    return w.fragment_moments;
+}
+
 }  // namespace
 
 void draw_fragments_panel(const Ui& ui, Workspace& w) {
@@ -168,6 +180,7 @@ void draw_fragments_panel(const Ui& ui, Workspace& w) {
         ui.record_widget_rect("fragments.verdict");
         if (!hidden) tooltip(breakdown_help(m.breakdown));
         ImGui::TextUnformatted(summary(m).c_str());
+        if (draw_moments_switch(ui, w)) return draw_moment_table(ui, w, ImGui::GetContentRegionAvail().x);
     }
     const ImGuiTableFlags flags = ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg |
                                   ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingFixedFit |

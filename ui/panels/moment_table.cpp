@@ -57,7 +57,7 @@ void draw_row(const Ui& ui, ImVec2 corner, const Columns& columns, const std::st
 }
 
 float greatest(const std::vector<MomentVector>& rows, const MomentVector& sum, std::size_t count) {
-    float most = 1e-6f;
+    float most = std::max(0.1f * sum.b0, 1e-6f);  // small numbers keep small bars
     const auto take = [&](const MomentVector& moments) {
         for (std::size_t i = 0; i < count; ++i) most = std::max(most, std::abs(moments.b[i]));
     };
@@ -170,7 +170,7 @@ void draw_own_ray(const Ui& ui, Workspace& w, const Rect& area) {
         ImGui::TextUnformatted("What each fragment adds to the moments");
         ImGui::PopFont();
         draw_moment_table(ui, w, width);
-    } else {
+    } else if (!m.curve.technique->is_truth()) {
         ImGui::TextWrapped("%s stores no moments.", m.curve.technique->name);
     }
     ImGui::EndChild();

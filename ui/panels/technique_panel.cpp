@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "ui/panels/panels.hpp"
 
 namespace momentscope::ui {
@@ -25,15 +28,62 @@ std::string memory(const Technique& technique, const ParameterValues& values, gl
                        size.x, size.y);
 }
 
+// All techniques side by side. A click chooses one.
+void draw_comparison(const Ui& ui, ExplorerState& state) {
+    constexpr std::array COLUMNS = {"technique", "bits", "with factor", "passes", "order", "bounds"};
+    ImGui::Spacing();
+    ImGui::PushFont(bold_font());
+    ImGui::TextUnformatted("All techniques");
+    ImGui::PopFont();
+    const ImGuiTableFlags flags =
+        ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_SizingFixedFit;
+    if (!ImGui::BeginTable("all techniques", static_cast<int>(COLUMNS.size()), flags)) return;
+    for (const char* column : COLUMNS) ImGui::TableSetupColumn(column);
+    ImGui::TableHeadersRow();
+    const auto cell = [](const std::string& text) {
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(text.c_str());
+    };
+    const auto bits = [](int count, const Technique& one) {
+        return count == 0 && one.is_truth() ? std::string("no limit") : fmt::format("{}", count);
+    };
+    for (const Technique& one : techniques()) {
+        const std::string why_not = why_unavailable(one, ui.gl);
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::BeginDisabled(!why_not.empty());
+        if (ImGui::Selectable(one.id, state.technique == &one, ImGuiSelectableFlags_SpanAllColumns))
+            state.technique = &one;
+        ui.record_widget_rect(fmt::format("technique.{}", one.id));
+        tooltip(why_not.empty() ? one.description : fmt::format("Not available here. {}", why_not),
+                one.source);
+        cell(bits(stored_bits(one, state.parameters), one));
+        cell(bits(bits_with_factor(one, state.parameters), one));
+        cell(one.geometry_passes > 0 ? fmt::format("{}", one.geometry_passes) : "one per layer");
+        cell(one.order_dependent ? "matters" : "any");
+        cell(one.has_bounds() ? "yes" : "–");
+        ImGui::EndDisabled();
+    }
+    ImGui::EndTable();
+}
+
 }  // namespace
 
 void draw_technique_panel(const Ui& ui, Workspace& w) {
-    const ExplorerState& state = w.state;
+    ExplorerState& state = w.state;
     const Technique& technique = *state.technique;
     ImGui::PushFont(bold_font());
     ImGui::TextUnformatted(technique.name);
     ImGui::PopFont();
     ui.record_widget_rect("technique.name");
+    ImGui::SameLine(std::max(ImGui::GetContentRegionMax().x - button_width("which for my scene?"), 0.0f));
+    ImGui::BeginDisabled(state.ray || w.chart.busy());
+    if (ImGui::Button("which for my scene?")) measure_chart(w);
+    ImGui::EndDisabled();
+    ui.record_widget_rect("technique.advise");
+    tooltip(
+        "Measures the time and the error of every technique on this scene, and names the cheapest within limits.",
+        "It opens the tab Chart.");
     ImGui::TextWrapped("%s", technique.description);
     ImGui::Spacing();
     if (!ImGui::BeginTable("properties", 2, ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings)) return;
@@ -56,6 +106,7 @@ void draw_technique_panel(const Ui& ui, Workspace& w) {
             "What auto means for the moment bias α.");
     row("source", technique.source, "Where it was published.");
     ImGui::EndTable();
+    draw_comparison(ui, state);
 }
 
 }  // namespace momentscope::ui

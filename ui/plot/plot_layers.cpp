@@ -256,9 +256,9 @@ void draw_layers(ImDrawList& list, const PlotAxes& axes, const Palette& colors, 
         draw_exits(list, axes, colors, m);
         draw_intervals(list, axes, colors, input);
     }
-    if (shows(input, Series::truth))
+    if (shows(input, Series::truth))  // so wide that it stays visible under a curve that lies on it
         draw_truth(list, axes, m.capture.ray, tint_of(input, Series::truth, colors.truth),
-                   width_of(input, Series::truth, 2.2f));
+                   width_of(input, Series::truth, 3.6f));
     for (std::size_t i = 0; i < m.compared.size(); ++i)
         draw_dashed(list, points_of(axes, m.compared[i].depth, m.compared[i].reconstructed),
                     tint_of(input, Series::reconstruction, colors.compared[i % colors.compared.size()]),
@@ -273,11 +273,11 @@ void draw_layers(ImDrawList& list, const PlotAxes& axes, const Palette& colors, 
     if (has_function(*curve.technique) && shows(input, Series::reconstruction))
         draw_line(list, points_of(axes, curve.depth, curve.reconstructed),
                   tint_of(input, Series::reconstruction, colors.reconstruction),
-                  width_of(input, Series::reconstruction, 2.2f));
-    if (shows(input, Series::errors) && has_series(Series::errors, *curve.technique))
-        draw_errors(list, axes, colors, input);
+                  width_of(input, Series::reconstruction, 1.7f));
     if (shows(input, Series::reconstruction)) draw_failure(list, axes, colors, m);
     if (shows(input, Series::stems)) draw_stems(list, axes, colors, input);
+    if (shows(input, Series::errors) && has_series(Series::errors, *curve.technique))
+        draw_errors(list, axes, colors, input);
     draw_query(list, axes, colors, input);
     if (shows(input, Series::bounds)) draw_ends(list, axes, colors, m);
 }

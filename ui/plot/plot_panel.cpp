@@ -88,8 +88,14 @@ void draw_crosshair(const Ui& ui, const PlotAxes& axes, const Measurement& m, co
     ImGui::EndTooltip();
 }
 
-void draw_note(const Ui& ui, const std::string& note, float right) {
+// Where there is little room, in one line, of which the tooltip has the rest.
+void draw_note(const Ui& ui, const std::string& note, float right, bool room) {
     if (note.empty()) return;
+    if (!room) {
+        const float width = right - ImGui::GetCursorScreenPos().x;
+        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ui.colors.exit), "%s", elided(note, width).c_str());
+        return tooltip(note);
+    }
     ImGui::PushTextWrapPos(right - ImGui::GetWindowPos().x);
     ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ui.colors.exit), "%s", note.c_str());
     ImGui::PopTextWrapPos();
@@ -192,8 +198,8 @@ void PlotPanel::draw(const Ui& ui, const Measurement& m, ExplorerState& state, I
     const std::optional<Series> hovered =
         fits ? draw_legend(ui, m, state, right) : draw_legend_button(ui, m, state, right);
     draw_light_line(ui, m, right);
-    if (state.plot.shows(Series::reconstruction)) draw_note(ui, failure_note(m), right);
-    if (state.plot.shows(Series::bounds) && m.failure.where.empty()) draw_note(ui, band_note(m), right);
+    if (state.plot.shows(Series::reconstruction)) draw_note(ui, failure_note(m), right, fits);
+    if (state.plot.shows(Series::bounds) && m.failure.where.empty()) draw_note(ui, band_note(m), right, fits);
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 extent = {std::max(size.x, 1.0f), std::max(corner.y + size.y - low.y, 1.0f)};
     const Rect outside = {low, {low.x + extent.x, low.y + extent.y}};

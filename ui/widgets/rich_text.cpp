@@ -1,5 +1,6 @@
 #include "ui/widgets/rich_text.hpp"
 
+#include <algorithm>
 #include <string_view>
 #include <vector>
 
@@ -113,7 +114,9 @@ void draw_rich_text(const Ui& ui, const std::string& text, float width) {
         for (float x = low.x; x < high.x; x += 3 * dot)  // a dotted line marks a term
             list.AddRectFilled({x, high.y + dot}, {x + dot, high.y + 2 * dot}, ui.colors.bounds);
         if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, high)) explain(*word.entry);
-        ui.widget_rects["term." + word.entry->term] = {low, high};
+        std::string name = "term." + word.entry->term;
+        std::ranges::replace(name, ' ', '_');
+        ui.widget_rects[name] = {low, high};
     }
     ImGui::Dummy({width, layout.height - ImGui::GetStyle().ItemSpacing.y});
 }

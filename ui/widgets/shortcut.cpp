@@ -32,7 +32,7 @@ constexpr NamedKey KEYS[] = {{"Space", 32, ImGuiKey_Space},
                              {"Plus", 61, -1},  // the key of = on an American keyboard
                              {"Minus", 45, -1},
                              {"F1", 290, -1},
-                             {"F5", 294, -1},
+                             {"F9", 298, -1},
                              {"F11", 300, -1}};
 
 bool modifiers_match(const Shortcut& shortcut) {

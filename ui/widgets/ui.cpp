@@ -39,10 +39,14 @@ std::string elided(const std::string& text, float width) {
     const auto fits = [&](const std::string& tried) { return ImGui::CalcTextSize(tried.c_str()).x <= width; };
     if (fits(text)) return text;
     const auto begins_letter = [&](std::size_t at) { return (text[at] & 0xC0) != 0x80; };  // of UTF-8
-    for (std::size_t length = text.size() - 1; length > 0; --length)
-        if (const std::string tried = text.substr(0, length) + "…"; begins_letter(length) && fits(tried))
-            return tried;
-    return "";
+    std::size_t least = 0;
+    std::size_t most = text.size();  // the first length that does not fit lies between these
+    while (most - least > 1) {
+        const std::size_t middle = least + (most - least) / 2;
+        (fits(text.substr(0, middle) + "…") ? least : most) = middle;
+    }
+    while (least > 0 && !begins_letter(least)) --least;
+    return least == 0 ? "" : text.substr(0, least) + "…";
 }
 
 void flow(float width, float right, float gap) {

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "ui/commands/command_palette.hpp"
-#include "ui/lessons/lesson_card.hpp"
 #include "ui/model/selection.hpp"
+#include "ui/window/lesson_card.hpp"
 #include "ui/window/notices.hpp"
 #include "ui/window/parts.hpp"
 #include "ui/window/update.hpp"

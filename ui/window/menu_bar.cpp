@@ -1,11 +1,24 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string_view>
+
 #include "ui/commands/commands.hpp"
 #include "ui/window/parts.hpp"
 
 namespace momentscope::ui {
 
 namespace {
+
+// Lessons that the user opened. The others have commands.
+void draw_opened_lessons(const Ui& ui, Workspace& w) {
+    for (const Lesson& lesson : w.course.lessons()) {
+        if (std::ranges::find(own_lessons(), lesson.id, &Lesson::id) != own_lessons().end()) continue;
+        if (ImGui::MenuItem(lesson.title.c_str(), "", w.state.card == lesson.id))
+            open_lesson(w.state, lesson);
+        ui.record_widget_rect(fmt::format("try.{}", lesson.id));
+    }
+}
 
 void draw_menus(const Ui& ui, Workspace& w) {
     for (const Menu& menu : menus()) {
@@ -23,6 +36,7 @@ void draw_menus(const Ui& ui, Workspace& w) {
             ui.record_widget_rect(command.id);
             tooltip(command.help);
         }
+        if (menu.id == std::string_view("try")) draw_opened_lessons(ui, w);
         ImGui::EndMenu();
     }
 }

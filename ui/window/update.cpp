@@ -1,5 +1,7 @@
 #include "ui/window/update.hpp"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <utility>
 
@@ -87,6 +89,17 @@ void update_full_picture(Workspace& w, const Update& update, const PictureChange
     update_scene_picture(w.scene_picture, update, change, renderer, w.comparison, w.measurement().pixel);
 }
 
+// Picks the next failed pixel for the next frame.
+void pick_next_failed(Workspace& w, glm::ivec2 size) {
+    if (!std::exchange(w.failed_wanted, false)) return;
+    const auto& failures = w.scene_picture.failures;
+    if (!failures) return w.status.say("This technique has no moments, so no reconstruction can fail.");
+    const auto next = next_place(failures->failed_pixels, w.measurement().pixel);
+    if (!next) return w.status.say("No pixel has failed.");
+    pick(w.state, fraction_of(*next, size));
+    w.status.say(fmt::format("One of {} failed pixels: {}, {}.", failures->failed, next->x, next->y));
+}
+
 void update_draft(Workspace& w, const Update& update, const PictureChange& change) {
     update.report.draft = w.picture.draw_draft(change.now);
     w.picked.update_draft(update, change, w.picture.draft(), update.report.draft, w.scene.scene());
@@ -125,6 +138,10 @@ void update_content(Workspace& w, glm::ivec2 size, Pointer pointer) {
         update_picture(w, update, size, pointer);
     if (w.scene.is_reading() || w.picture_waits) return;
     w.shown = w.state;
+    if (w.state.ray)
+        w.failed_wanted = false;
+    else
+        pick_next_failed(w, size);
     auto bounds = w.sharp_bounds.update(w.state.plot, w.measurement(), w.picked.number(), w.status);
     if (bounds) w.picked.set_sharp_bounds(*std::move(bounds));
 }

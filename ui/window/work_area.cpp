@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/lessons/lesson_card.hpp"
 #include "ui/panels/moment_table.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/plot/pinned_plots.hpp"
 #include "ui/plot/plot_legend.hpp"
 #include "ui/widgets/shortcut.hpp"
+#include "ui/window/lesson_card.hpp"
 #include "ui/window/parts.hpp"
 
 namespace momentscope::ui {

@@ -39,7 +39,10 @@ bool has_key(const std::string& text, const char* key) {
 void add_lessons(const std::filesystem::path& path, Workspace& w) {
     const Course::Added added = w.course.add(path);
     ui::open_lesson(w.state, *added.first);
-    if (!added.problems.empty()) w.status.say(added.problems.front());
+    const std::size_t more = added.problems.size();
+    if (more > 0)
+        w.status.say(more == 1 ? added.problems.front()
+                               : fmt::format("{} And {} more.", added.problems.front(), more - 1));
 }
 
 }  // namespace
@@ -129,6 +132,12 @@ void Files::use(const FileDialog::Choice& choice, Workspace& w) {
         purpose_ = has_key(text, "\"momentscope_session\"")  ? Purpose::open_session
                    : has_key(text, "\"momentscope_lesson\"") ? Purpose::open_lesson
                                                              : Purpose::open_ray;
+        if (purpose_ == Purpose::open_ray && !has_key(text, "\"fragments\""))
+            throw Error(fmt::format("'{}' is no session, lesson or view ray; drop another file.",
+                                    choice.path.filename().string()));
+        if (purpose_ == Purpose::open_ray && !has_key(text, "\"fragments\""))
+            throw Error(fmt::format("'{}' is no session, lesson or view ray; drop another file.",
+                                    choice.path.filename().string()));
     }
     switch (purpose_) {
         case Purpose::open_session: {

@@ -41,9 +41,9 @@ void keep(Workspace& w, const char* name, const std::string& text, bool& can_kee
 Settings kept_settings(const std::function<std::string(const std::string&)>& kept) {
     try {
         const std::string text = kept(SETTINGS);
-        return text.empty() ? Settings() : settings_from_json(text);
+        return text.empty() ? NEW_USER : settings_from_json(text);
     } catch (const Error&) {
-        return {};
+        return NEW_USER;
     }
 }
 

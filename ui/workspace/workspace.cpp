@@ -23,7 +23,8 @@ Workspace::Workspace(Renderer& renderer, ExplorerState start, WindowOptions wind
       state(started_on(std::move(start), renderer.gl())),
       shown(state),
       history(state),
-      picture(renderer, options.most_milliseconds) {
+      picture(renderer, options.most_milliseconds),
+      settings(options.settings) {
     restore_kept(*this);
 }
 
@@ -33,8 +34,8 @@ bool has_background_work(const Workspace& w) {
 
 bool wants_frame(const Workspace& w) {
     return !(w.state == w.shown) || w.picture_waits || w.scene.is_reading() || has_background_work(w) ||
-           w.comparison.wants_worst() || w.picture.shows_draft() || w.chart.busy() || w.moving ||
-           w.lesson.has_changed();
+           w.comparison.wants_worst() || w.failed_wanted || w.picture.shows_draft() || w.chart.busy() ||
+           w.moving || w.lesson.has_changed();
 }
 
 // The last change may not be recorded as a step yet.
@@ -56,6 +57,11 @@ void go_back_to_shown(Workspace& w) {
 void type_parameter(Workspace& w, ParameterId id) {
     w.state.panel = Panel::controls;
     w.to_type = id;
+}
+
+void want_next_failed(Workspace& w) {
+    w.state.failures = true;
+    w.failed_wanted = true;
 }
 
 void measure_chart(Workspace& w) {

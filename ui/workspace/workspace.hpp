@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "core/gl/gl_info.hpp"
-#include "ui/lessons/lesson_work.hpp"
 #include "ui/model/embedding.hpp"
 #include "ui/model/history.hpp"
 #include "ui/model/settings.hpp"
@@ -22,6 +21,7 @@
 #include "ui/tools/tuning.hpp"
 #include "ui/workspace/files.hpp"
 #include "ui/workspace/host.hpp"
+#include "ui/workspace/lesson_work.hpp"
 
 namespace momentscope::ui {
 
@@ -40,6 +40,7 @@ struct WindowOptions {
     // Returns false if the user sees the notice already. True: the frame ends without the picture, which the
     // next frame draws.
     std::function<bool()> before_long_picture = {};
+    Settings settings = {};  // unless the host has kept others
     Host host = {};
     Embedding embedding = {};
 };
@@ -103,6 +104,8 @@ struct Workspace {
     std::optional<Transition> moving;  // from step to step while presenting
 
     bool help = false;                   // is the list of keys open?
+    bool fragment_moments = false;       // does Fragments show what each fragment adds to the moments?
+    bool failed_wanted = false;          // the next failed pixel is picked as soon as they are known
     bool picture_waits = false;          // for the next frame; this one shows that it will take long
     bool escape_is_taken = false;        // by a popup, dialog, text field or scene that is read
     std::optional<ParameterId> to_type;  // the parameter whose control becomes a text field now
@@ -126,6 +129,9 @@ void go_back_to_shown(Workspace& workspace);
 
 /// Opens the Controls tab, where the control of this parameter becomes a text field.
 void type_parameter(Workspace& workspace, ParameterId id);
+
+/// Marks failed reconstructions and picks the next one.
+void want_next_failed(Workspace& workspace);
 
 /// Opens the Chart tab and starts to measure.
 void measure_chart(Workspace& workspace);

@@ -1,13 +1,13 @@
-#include "ui/lessons/lesson_card.hpp"
+#include "ui/window/lesson_card.hpp"
 
 #include <fmt/format.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
 
-#include "ui/lessons/measures.hpp"
 #include "ui/model/selection.hpp"
 #include "ui/widgets/rich_text.hpp"
+#include "ui/workspace/measures.hpp"
 
 namespace momentscope::ui {
 
@@ -27,8 +27,8 @@ struct OpenStep {
     const LessonStep& step() const { return place.content(); }
 };
 
-// Texts of the step in the order in which the card shows them, as far as they are shown.
-std::string shown_text(const OpenStep& open, bool hint, bool answer) {
+// The texts above the controls of the step, as far as they are shown.
+std::string shown_text(const OpenStep& open, bool hint) {
     std::string text;
     const auto add = [&](const std::string& part) {
         if (!part.empty()) text += (text.empty() ? "" : "\n\n") + part;
@@ -36,8 +36,7 @@ std::string shown_text(const OpenStep& open, bool hint, bool answer) {
     if (open.place.step == 0) add(open.place.lesson->text);
     add(open.step().action);
     if (!open.step().question.empty()) add("**" + open.step().question + "**");
-    if (hint && !answer && !open.step().hint.empty()) add("**Hint.** " + open.step().hint);
-    if (answer) add(open.step().answer);
+    if (hint && !open.step().hint.empty()) add("**Hint.** " + open.step().hint);
     return text;
 }
 
@@ -71,36 +70,39 @@ float full_height(const Lesson& lesson, float width) {
     float height = 0;
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
         const OpenStep open = {{&lesson, i}, StepProgress()};
-        const float text = std::max(rich_text_height(shown_text(open, true, false), width),
-                                    rich_text_height(shown_text(open, false, true), width));
+        const float text = std::max(rich_text_height(shown_text(open, true), width),
+                                    rich_text_height(shown_text(open, false), width) +
+                                        rich_text_height(lesson.steps[i].answer, width));
         height = std::max(height, text + controls_height(lesson.steps[i], width) + 2 * spacing());
     }
-    return height + ImGui::GetTextLineHeightWithSpacing();
+    return height + 2 * ImGui::GetTextLineHeightWithSpacing();  // of feedback
 }
 
 // Draws a wide button whose text wraps. True if it was clicked.
-bool option_button(const Ui& ui, const std::string& text, float width, float height, std::size_t index) {
+bool option_button(const Ui& ui, const std::string& text, ImVec2 size, std::size_t index, bool chosen) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 pad = ImGui::GetStyle().FramePadding;
     ImGui::PushID(static_cast<int>(index));
-    const bool clicked = ImGui::InvisibleButton("option", {width, height});
+    const bool clicked = ImGui::InvisibleButton("option", size);
     ImGui::PopID();
     ui.record_widget_rect(fmt::format("card.choice.{}", index + 1));
-    const ImU32 fill = ImGui::GetColorU32(ImGui::IsItemActive()    ? ImGuiCol_ButtonActive
+    const bool pressed = ImGui::IsItemActive() || chosen;
+    const ImU32 fill = ImGui::GetColorU32(pressed                  ? ImGuiCol_ButtonActive
                                           : ImGui::IsItemHovered() ? ImGuiCol_ButtonHovered
                                                                    : ImGuiCol_Button);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(low, {low.x + width, low.y + height}, fill, ImGui::GetStyle().FrameRounding);
+    list.AddRectFilled(low, {low.x + size.x, low.y + size.y}, fill, ImGui::GetStyle().FrameRounding);
     list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + pad.x, low.y + pad.y},
-                 ImGui::GetColorU32(ImGuiCol_Text), text.c_str(), nullptr, width - 2 * pad.x);
+                 ImGui::GetColorU32(ImGuiCol_Text), text.c_str(), nullptr, size.x - 2 * pad.x);
     return clicked;
 }
 
 void draw_choice(const Ui& ui, Workspace& w, const OpenStep& open, const ChoiceCheck& choice, float width) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0.5f * spacing()});
     for (std::size_t i = 0; i < choice.options.size(); ++i) {
-        const float height = option_height(choice.options[i], i, width);
-        if (option_button(ui, option_text(choice.options[i], i), width, height, i))
+        const ChoiceCheck::Option& option = choice.options[i];
+        const ImVec2 size = {width, option_height(option, i, width)};
+        if (option_button(ui, option_text(option, i), size, i, open.progress.answer == option.text))
             w.lesson.answer_chosen(w, open.place, i);
     }
     ImGui::PopStyleVar();
@@ -111,7 +113,6 @@ void draw_number_field(const Ui& ui, Workspace& w, const OpenStep& open) {
     bool check = ImGui::InputTextWithHint("##typed", "such as 0.25", &w.lesson.typed,
                                           ImGuiInputTextFlags_EnterReturnsTrue);
     ui.record_widget_rect("card.typed");
-    tooltip("Type the number that you find, and press Enter.");
     ImGui::SameLine();
     check |= ImGui::Button("check");
     ui.record_widget_rect("card.check");
@@ -124,24 +125,39 @@ void draw_text_field(const Ui& ui, Workspace& w, const OpenStep& open, float wid
     ui.record_widget_rect("card.typed");
     if (ImGui::Button("keep")) w.lesson.answer_typed(w, open.place);
     ui.record_widget_rect("card.check");
-    tooltip("Keeps the text with your progress; Lessons > Export answers writes it for a teacher.");
+    ImGui::SameLine();
+    ImGui::TextDisabled("Enter begins a new line.");
+}
+
+// What a number must be, such as "2 ± 0.05" or "at most 0.02".
+std::string limits_text(const Limits& limits) {
+    std::string text;
+    const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
+    if (limits.is) add(fmt::format("wanted: {:g} ± {:g}", *limits.is, limits.within));
+    if (limits.at_least) add(fmt::format("at least {:g}", *limits.at_least));
+    if (limits.at_most) add(fmt::format("at most {:g}", *limits.at_most));
+    return text;
 }
 
 // What the window measures now, and what the step asks for.
 void draw_measured(const Workspace& w, const MeasureCheck& check) {
     const MeasureRow& row = MEASURES[static_cast<std::size_t>(check.measure)];
-    std::string name = row.key;
-    std::ranges::replace(name, '_', ' ');
-    std::string wanted;
-    const auto add = [&](const char* word, const std::optional<double>& limit) {
-        if (limit) wanted += fmt::format("{}{} {:g}", wanted.empty() ? "" : ", ", word, *limit);
-    };
-    add("wanted", check.limits.is);
-    add("at least", check.limits.at_least);
-    add("at most", check.limits.at_most);
-    ImGui::TextUnformatted(
-        fmt::format("{}: {}   ({})", name, measure_text(check.measure, w), wanted).c_str());
+    const std::string limits = limits_text(check.limits);
+    ImGui::TextUnformatted(fmt::format("{}: {}{}", row.name, measure_text(check.measure, w),
+                                       limits.empty() ? "" : fmt::format("   ({})", limits))
+                               .c_str());
     tooltip(row.help);
+}
+
+// A number that the student sets, if the step limits it on one side. What it must be exactly is asked for in
+// words.
+void draw_limited(const Workspace& w, const StateCheck& check) {
+    if (!check.limits.at_least && !check.limits.at_most) return;
+    const std::optional<double> value = number_at(check.pointer, w.shown);
+    const std::string name = check.pointer.substr(check.pointer.rfind('/') + 1);
+    ImGui::TextUnformatted(fmt::format("{}: {}   ({})", name, value ? fmt::format("{:.3g}", *value) : "–",
+                                       limits_text(check.limits))
+                               .c_str());
 }
 
 void draw_feedback(const Ui& ui, const Workspace& w, const OpenStep& open, float width) {
@@ -163,6 +179,7 @@ void draw_controls(const Ui& ui, Workspace& w, const OpenStep& open, float width
     for (const Check& check : open.step().checks) {
         if (const auto* choice = std::get_if<ChoiceCheck>(&check)) draw_choice(ui, w, open, *choice, width);
         if (const auto* measure = std::get_if<MeasureCheck>(&check)) draw_measured(w, *measure);
+        if (const auto* state = std::get_if<StateCheck>(&check)) draw_limited(w, *state);
         if (std::holds_alternative<NumberCheck>(check)) draw_number_field(ui, w, open);
         if (std::holds_alternative<TextCheck>(check)) draw_text_field(ui, w, open, width);
     }
@@ -247,6 +264,14 @@ float titles_width(std::span<const Lesson> lessons) {
     return width;
 }
 
+// The lesson whose title is shown where there is no room for all: the open one, or the next one to take.
+const Lesson* titled_lesson(const Workspace& w) {
+    if (const Lesson* open = w.course.find(w.state.card)) return open;
+    const auto next = std::ranges::find_if(
+        w.course.lessons(), [&](const Lesson& lesson) { return !w.lesson.progress.is_done(lesson); });
+    return next == w.course.lessons().end() ? nullptr : &*next;
+}
+
 }  // namespace
 
 void draw_lesson_card(const Ui& ui, Workspace& w, float most) {
@@ -265,9 +290,11 @@ void draw_lesson_card(const Ui& ui, Workspace& w, float most) {
     ImGui::PushID(fmt::format("{}.{}", place->lesson->id, place->step).c_str());
     draw_heading(ui, w, open);
     ImGui::BeginChild("text");
-    draw_rich_text(ui, shown_text(open, w.state.hint, w.state.answer || open.progress.done), width);
+    const bool answer = w.state.answer || open.progress.done;
+    draw_rich_text(ui, shown_text(open, w.state.hint && !answer), width);
     draw_controls(ui, w, open, width);
     draw_feedback(ui, w, open, width);
+    if (answer) draw_rich_text(ui, open.step().answer, width);
     ImGui::EndChild();
     ImGui::PopID();
     ImGui::EndChild();
@@ -280,13 +307,15 @@ void draw_lesson_row(const Ui& ui, Workspace& w) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("Lessons");
     const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
-    const bool numbers_only = titles_width(w.course.lessons()) > ImGui::GetContentRegionAvail().x;
+    const bool all_titles = titles_width(w.course.lessons()) <= ImGui::GetContentRegionAvail().x;
+    const Lesson* const titled = titled_lesson(w);
     int number = 1;
     for (const Lesson& lesson : w.course.lessons()) {
         const bool done = w.lesson.progress.is_done(lesson);
         const bool open = w.state.card == lesson.id;
+        const bool title = all_titles || &lesson == titled;
         const std::string label =
-            fmt::format("{}{}{}", number, numbers_only && !open ? "" : "  " + lesson.title, done ? " ●" : "");
+            fmt::format("{}{}{}", number, title ? "  " + lesson.title : "", done ? " ●" : "");
         flow(button_width(label.c_str()), right, 0.3f * em());
         ImGui::PushID(lesson.id.c_str());
         if (toggle_button(label.c_str(), open)) {
@@ -306,7 +335,9 @@ void draw_lesson_row(const Ui& ui, Workspace& w) {
 
 void draw_highlights(const Ui& ui, const Workspace& w) {
     const auto place = w.course.open_step(w.state);
-    if (!place || w.escape_is_taken) return;
+    if (!place || w.escape_is_taken ||
+        ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
+        return;
     const auto panel = w.widget_rects.find("panel");
     for (const std::string& name : place->content().highlight) {
         const auto found = w.widget_rects.find(name);

@@ -1,4 +1,4 @@
-#include "ui/lessons/measures.hpp"
+#include "ui/workspace/measures.hpp"
 
 #include <fmt/format.h>
 
@@ -143,7 +143,8 @@ std::optional<double> measure_failed_pixels(const Workspace& w) {
 }
 
 std::optional<double> measure_picture_error(const Workspace& w) {
-    if (w.shown.ray || !has_comparison(w.shown)) return std::nullopt;
+    if (w.shown.ray) return std::nullopt;
+    if (!has_comparison(w.shown)) return 0;  // it is the reference itself
     const Comparison& numbers = w.comparison.numbers();
     const MetricResult* result = numbers.result(Metric::rmse);
     return result != nullptr && numbers.is_fresh(Metric::rmse) ? std::optional(result->mean) : std::nullopt;
@@ -157,7 +158,7 @@ std::optional<double> measure_bits(const Workspace& w) {
 
 std::optional<double> measured(MeasureId id, const Workspace& w) {
     constexpr std::array MEASURE_OF = {
-#define MEASURE(id, digits, help) measure_##id,
+#define MEASURE(id, name, digits, help) measure_##id,
 #include "ui/model/measures.def"
 #undef MEASURE
     };

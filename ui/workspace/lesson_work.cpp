@@ -1,4 +1,4 @@
-#include "ui/lessons/lesson_work.hpp"
+#include "ui/workspace/lesson_work.hpp"
 
 #include <fmt/format.h>
 
@@ -6,26 +6,20 @@
 #include <cmath>
 
 #include "core/support/error.hpp"
-#include "ui/lessons/measures.hpp"
+#include "ui/workspace/measures.hpp"
 
 namespace momentscope::ui {
 
 namespace {
-
-template <typename Kind>
-const Kind* check_of(const LessonStep& step) {
-    for (const Check& check : step.checks)
-        if (const auto* found = std::get_if<Kind>(&check)) return found;
-    return nullptr;
-}
 
 LessonWork::Feedback judged_number(const NumberCheck& check, const std::string& typed, const Workspace& w) {
     const double number = typed_number(typed);
     const auto right = measured(check.measure, w);
     if (!right) throw Error("The window does not show what this asks for; go back to the start of the step.");
     if (std::abs(number - *right) <= check.within) return {"Right.", true};
-    return {fmt::format("Not yet: {} is not within {:g} of what the window shows now.", typed, check.within),
-            false};
+    for (const NumberCheck::Mistake& mistake : check.mistakes)
+        if (std::abs(number - mistake.number) <= check.within) return {mistake.why, false};
+    return {fmt::format("Not yet: {} is too {}.", number, number < *right ? "small" : "great"), false};
 }
 
 std::string greatest_cause(const ErrorBreakdown& breakdown) {
@@ -59,8 +53,8 @@ bool is_hidden(const Workspace& w, std::string_view what) {
 }
 
 bool asks_answer(const LessonStep& step) {
-    return check_of<NumberCheck>(step) != nullptr || check_of<ChoiceCheck>(step) != nullptr ||
-           check_of<TextCheck>(step) != nullptr;
+    return check_of<NumberCheck>(step.checks) != nullptr || check_of<ChoiceCheck>(step.checks) != nullptr ||
+           check_of<TextCheck>(step.checks) != nullptr;
 }
 
 void LessonWork::update(const Workspace& w, const std::optional<StepPlace>& open) {
@@ -72,16 +66,17 @@ void LessonWork::update(const Workspace& w, const std::optional<StepPlace>& open
         step_ = step;
         feedback_ = {};
         answered_right_ = false;
-        typed = open && check_of<TextCheck>(open->content()) != nullptr
+        typed = open && check_of<TextCheck>(open->content().checks) != nullptr
                     ? std::as_const(progress).of(lesson, step).answer
                     : "";
     }
-    if (!open || open->content().checks.empty()) return;
+    if (!open || open->content().checks.empty() || w.present) return;  // a lecture is nobody's progress
     const LessonStep& content = open->content();
     if (std::as_const(progress).of(lesson, step).done || (asks_answer(content) && !answered_right_) ||
         !state_checks_hold(w, content))
         return;
     progress.of(lesson, step).done = true;
+    if (answered_right_ && !feedback_.right) feedback_ = {"Right.", true};  // what was missing is done now
     ++changes_;
     changed_ = true;
 }
@@ -100,9 +95,9 @@ void LessonWork::judge(const Workspace& w, const StepPlace& place, Feedback feed
 void LessonWork::answer_typed(const Workspace& w, const StepPlace& place) {
     const LessonStep& step = place.content();
     try {
-        if (const auto* number = check_of<NumberCheck>(step))
+        if (const auto* number = check_of<NumberCheck>(step.checks))
             judge(w, place, judged_number(*number, typed, w), typed);
-        else if (const auto* text = check_of<TextCheck>(step))
+        else if (const auto* text = check_of<TextCheck>(step.checks))
             judge(w, place, judged_text(*text, typed), typed);
     } catch (const Error& error) {
         feedback_ = {error.what(), false};
@@ -110,7 +105,7 @@ void LessonWork::answer_typed(const Workspace& w, const StepPlace& place) {
 }
 
 void LessonWork::answer_chosen(const Workspace& w, const StepPlace& place, std::size_t option) {
-    const auto* choice = check_of<ChoiceCheck>(place.content());
+    const auto* choice = check_of<ChoiceCheck>(place.content().checks);
     if (choice == nullptr || option >= choice->options.size()) return;
     const ChoiceCheck::Option& chosen = choice->options[option];
     if (chosen.cause.empty()) return judge(w, place, {chosen.why, chosen.right}, chosen.text);
