@@ -63,6 +63,8 @@ TEST(Link, InWords) {
     EXPECT_EQ(state.technique->id, std::string("trig2-32"));
     EXPECT_EQ(state.parameters[ParameterId::theta], 0.5f);
     EXPECT_EQ(state_of_words("", state), state);
+    EXPECT_EQ(state_of_words("lesson=bias", {}).card, "bias");
+    EXPECT_THROW(state_of_words("lesson=nonsense", {}), Error);
     for (const char* wrong :
          {"scene=moon", "technique=magic", "beta=2", "beta=", "beta", "=1", "gamma=1", "&beta=0"})
         EXPECT_THROW(state_of_words(wrong, {}), Error) << wrong;

@@ -8,6 +8,7 @@
 #include "core/scene/scenes.hpp"
 #include "core/support/error.hpp"
 #include "core/support/json_text.hpp"
+#include "ui/model/course.hpp"
 #include "ui/model/selection.hpp"
 
 namespace momentscope::ui {
@@ -41,10 +42,17 @@ void set_word(ExplorerState& state, const std::string& key, const std::string& v
         state.technique = &require_technique(value);
         return;
     }
+    if (key == "lesson") {
+        const auto lesson = std::ranges::find(own_lessons(), value, &Lesson::id);
+        if (lesson == own_lessons().end())
+            throw Error(fmt::format(
+                "The link asks for the lesson '{}', which is not one of the built-in ones.", value));
+        return open_lesson(state, *lesson);
+    }
     const Parameter* const row = find_parameter(key);
     if (row == nullptr)
-        throw Error(
-            fmt::format("The link has a word '{}', which is neither scene, technique nor a parameter.", key));
+        throw Error(fmt::format(
+            "The link has a word '{}', which is neither scene, technique, lesson nor a parameter.", key));
     state.parameters.set(row->id, parse_parameter(*row, value));
 }
 

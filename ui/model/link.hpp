@@ -11,7 +11,7 @@ namespace momentscope::ui {
 std::string link_text(const ExplorerState& state);
 
 /// The state that an address describes in words, such as "scene=ship&technique=sharp4&beta=0.3": a scene, a
-/// technique and values of parameters over those of `base`. Throws Error that names what there is not.
+/// technique, a lesson and values of parameters, over `base`. Throws Error that names what there is not.
 ExplorerState state_of_words(const std::string& words, ExplorerState base);
 
 }  // namespace momentscope::ui

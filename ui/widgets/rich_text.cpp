@@ -111,8 +111,11 @@ void draw_rich_text(const Ui& ui, const std::string& text, float width) {
         list.AddText(word.bold ? bold_font() : ImGui::GetFont(), size, low, tint, word.text.c_str());
         if (word.entry == nullptr) continue;
         const float dot = std::max(1.0f, 0.08f * em());
-        for (float x = low.x; x < high.x; x += 3 * dot)  // a dotted line marks a term
+        const int dots = static_cast<int>(word.width / (3 * dot));
+        for (int i = 0; i <= dots; ++i) {  // a dotted line marks a term
+            const float x = low.x + 3 * dot * static_cast<float>(i);
             list.AddRectFilled({x, high.y + dot}, {x + dot, high.y + 2 * dot}, ui.colors.bounds);
+        }
         if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, high)) explain(*word.entry);
         std::string name = "term." + word.entry->term;
         std::ranges::replace(name, ' ', '_');
