@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <type_traits>
+#include <vector>
 
 #include "core/support/error.hpp"
 
