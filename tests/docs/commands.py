@@ -67,6 +67,7 @@ def smaller(command):
         key, value = option.split()
         command = re.sub(rf" {key} \S+", "", command)   # each time that it stands there
         command = re.sub(r"(momentscope [\w-]+)", rf"\1 {key} {value}", command, count=1)
+    command = re.sub(r"check-lessons$", "check-lessons my-course/", command)   # the test `lessons` checks all
     command = re.sub(r"--random \d+", "--random 50", command)
     command = re.sub(r" --shard \S+", "", command)   # tests/shards runs shards
     return re.sub(r"figure \w+ -o \S+", "figure fig4 -o figures", command)
@@ -85,6 +86,10 @@ def prepare(folder, program):
     (folder / "build/release/momentscope").symlink_to(program)
     fragments = [{"depth": -0.2, "opacity": 0.5}, {"depth": 0.4, "opacity": 0.7, "color": [1, 0.5, 0]}]
     (folder / "ray.json").write_text(json.dumps({"fragments": fragments}))
+    lesson = re.search(r"```json\n(.*?)```", (PROJECT / "docs/lessons.md").read_text(), re.S)[1]
+    (folder / "my-course").mkdir()
+    for path in ("my-lesson.json", "my-course/1.json"):
+        (folder / path).write_text(lesson)
     for run in ("advise --scene planes --max-error 1 --size 16x9 --repeat 1 --technique wboit -o momentscope.json",
                 "chart --scene planes --size 16x9 --repeat 1 --technique wboit -o chart-1.csv"):
         subprocess.run([program, *run.split()], cwd=folder, check=True, stdout=subprocess.DEVNULL)

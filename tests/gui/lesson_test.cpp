@@ -214,6 +214,18 @@ TEST_F(LessonTest, NextFailedPixelsAreFarApartAndFailed) {
     EXPECT_NE(message().find("no moments"), std::string::npos) << message();
 }
 
+// As the guide shows them; each event file expects that every step is done.
+TEST_F(LessonTest, FourLessonsAreTakenWithTheMouse) {
+    for (const char* lesson : {"order", "moments", "bias", "choose"}) {
+        SCOPED_TRACE(lesson);
+        ui::ExplorerState fresh;
+        fresh.scene = "planes";
+        open(fresh);
+        EXPECT_NO_THROW(play(read(before_ / fmt::format("docs/guide/lesson-{}.events", lesson))));
+        EXPECT_TRUE(workspace().lesson.progress.is_done(*workspace().course.find(lesson)));
+    }
+}
+
 // Step 0: the sums of the table are the moments that the pixel stores, in every basis.
 TEST_F(LessonTest, DraggingAFragmentMovesItsMoments) {
     open("planes", "power4-32");
