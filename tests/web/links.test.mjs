@@ -37,7 +37,7 @@ describe('wrong links', () => {
         '#technique=magic': /magic/,
         '#beta=2': /beta|β/,
         '#beta=': /beta|β/,
-        '#gamma=1': /neither scene, technique nor a parameter/,
+        '#gamma=1': /neither scene, technique, lesson nor a parameter/,
         '#nonsense': /equals sign/,
     };
     let tab;
