@@ -4,6 +4,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "ui/model/selection.hpp"
 #include "ui/widgets/rich_text.hpp"
@@ -278,6 +279,9 @@ void draw_lesson_card(const Ui& ui, Workspace& w, float most) {
     draw_controls(ui, w, open, width);
     draw_feedback(ui, w, open, width);
     if (answer) draw_rich_text(ui, open.step().answer, width);
+    int& seen = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("changes"), 0);
+    const int changes = static_cast<int>(w.lesson.changes());
+    if (std::exchange(seen, changes) != changes && changes > 0) ImGui::SetScrollHereY(1);  // to what is said
     ImGui::EndChild();
     ImGui::PopID();
     ImGui::EndChild();

@@ -65,10 +65,15 @@ void LessonWork::update(const Workspace& w, const std::optional<StepPlace>& open
         lesson_ = lesson;
         step_ = step;
         feedback_ = {};
+        cause_.clear();
         answered_right_ = false;
         typed = open && check_of<TextCheck>(open->content().checks) != nullptr
                     ? std::as_const(progress).of(lesson, step).answer
                     : "";
+    }
+    if (open && cause_.empty() && w.shown == w.state) {
+        cause_ = greatest_cause(w.measurement().breakdown);
+        verdict_ = w.measurement().breakdown.sentence;
     }
     if (!open || open->content().checks.empty() || w.present) return;  // a lecture is nobody's progress
     const LessonStep& content = open->content();
@@ -109,9 +114,8 @@ void LessonWork::answer_chosen(const Workspace& w, const StepPlace& place, std::
     if (choice == nullptr || option >= choice->options.size()) return;
     const ChoiceCheck::Option& chosen = choice->options[option];
     if (chosen.cause.empty()) return judge(w, place, {chosen.why, chosen.right}, chosen.text);
-    const ErrorBreakdown& breakdown = w.measurement().breakdown;
-    const bool right = greatest_cause(breakdown).starts_with(chosen.cause);
-    judge(w, place, {right ? breakdown.sentence : chosen.why, right}, chosen.text);
+    const bool right = cause_.starts_with(chosen.cause);
+    judge(w, place, {right ? verdict_ : chosen.why, right}, chosen.text);
 }
 
 void LessonWork::reset() {

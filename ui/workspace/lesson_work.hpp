@@ -44,6 +44,9 @@ private:
     std::string lesson_;
     std::size_t step_ = 0;
     Feedback feedback_;
+    // The greatest cause of the error and the verdict as the step began; what the student changes does not
+    // change what is right.
+    std::string cause_, verdict_;
     bool answered_right_ = false;
     long changes_ = 0;
     bool changed_ = false;
