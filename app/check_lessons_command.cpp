@@ -72,11 +72,8 @@ private:
         std::string text;
         for (const ui::Check& check : step.checks) {
             if (const auto* state = std::get_if<ui::StateCheck>(&check)) {
-                const nlohmann::json session =
-                    nlohmann::json::parse(json_text(ui::session_to_json(workspace().state)));
-                const nlohmann::json::json_pointer place(state->pointer);
-                text += fmt::format("; {} is {}", state->pointer,
-                                    session.contains(place) ? json_text(session[place]) : "not there");
+                const auto value = ui::session_value(workspace().state, state->pointer);
+                text += fmt::format("; {} is {}", state->pointer, value ? json_text(*value) : "not there");
             }
             const auto* measure = std::get_if<ui::MeasureCheck>(&check);
             const auto* number = std::get_if<ui::NumberCheck>(&check);

@@ -159,20 +159,14 @@ void EventPlayer::screenshot(const std::string& path) const {
 }
 
 void EventPlayer::expect(const std::string& pointer, const std::string& value) const {
-    const nlohmann::json session =
-        nlohmann::json::parse(json_text(ui::session_to_json(window_.explorer().workspace().state)));
+    const auto found = ui::session_value(window_.explorer().workspace().state, pointer);
+    if (!found) throw Error(fmt::format("a session has no '{}'", pointer));
     const nlohmann::json wanted = expected_value(value);
-    nlohmann::json found;
-    try {
-        found = session.at(nlohmann::json::json_pointer(pointer));
-    } catch (const nlohmann::json::exception&) {
-        throw Error(fmt::format("a session has no '{}'", pointer));
-    }
     const bool close =
-        found.is_number() && wanted.is_number() &&
-        std::abs(found.get<double>() - wanted.get<double>()) <= 1e-6 * (1 + std::abs(wanted.get<double>()));
-    if (!close && found != wanted)
-        throw Error(fmt::format("{} is {}, not {}", pointer, json_text(found), value));
+        found->is_number() && wanted.is_number() &&
+        std::abs(found->get<double>() - wanted.get<double>()) <= 1e-6 * (1 + std::abs(wanted.get<double>()));
+    if (!close && *found != wanted)
+        throw Error(fmt::format("{} is {}, not {}", pointer, json_text(*found), value));
 }
 
 void EventPlayer::expect_done() const {

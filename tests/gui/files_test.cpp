@@ -147,7 +147,8 @@ TEST_F(FilesTest, DroppedFilesOpenByWhatTheyHold) {
     play("drop session.json");
     EXPECT_EQ(state().scene, "spheres") << message();
     play("drop broken.json");
-    EXPECT_NE(message().find("no session, lesson or view ray"), std::string::npos) << message();
+    EXPECT_NE(message().find("neither a session nor a lesson nor a view ray"), std::string::npos)
+        << message();
     EXPECT_EQ(state().scene, "spheres");
 }
 

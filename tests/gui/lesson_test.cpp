@@ -95,6 +95,18 @@ TEST_F(LessonTest, WhatALessonHidesComesBackWithTheAnswer) {
     EXPECT_GT(changed("fragments.verdict", hidden, screen()), 50);
 }
 
+TEST_F(LessonTest, ExperimentsDoNotChangeWhatIsRight) {
+    open("planes");
+    ui::go_to(workspace().state, {workspace().course.find("causes"), 4}, false);  // wrong because of rounding
+    settle();
+    workspace().state.parameters.set(ParameterId::alpha, 1e-3f);  // now it is bias
+    settle();
+    play("click @card.choice.4");
+    EXPECT_FALSE(is_done("causes", 4)) << feedback();
+    play("click @card.choice.5");
+    EXPECT_TRUE(is_done("causes", 4)) << feedback();
+}
+
 TEST_F(LessonTest, TenStatesArePresentedByPageDownAlone) {
     open("planes");
     play("key F9\nkey PageDown");

@@ -17,7 +17,7 @@ std::string lower(std::string_view text) {
 }
 
 // Removes the signs of Markdown from one place of a text: a link becomes its text, *emphasis* loses its
-// stars, code its quotes. A bracket or star that is no such sign stays.
+// stars, code its quotes. Other brackets and stars stay.
 std::string plain(std::string_view markdown) {
     std::string text;
     std::size_t link = std::string_view::npos;  // where the bracket of an open link ends

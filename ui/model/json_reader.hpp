@@ -41,6 +41,11 @@ public:
         const auto found = object_.find(key);
         return found == object_.end() ? nullptr : &*found;
     }
+    /// Fails unless the key holds this version of the file's form.
+    void version(const std::string& key, int version) {
+        const nlohmann::json* found = find(key);
+        if (found == nullptr || *found != version) fail(key, fmt::format("{}", version));
+    }
     void flag(const std::string& key, bool& value) {
         if (const nlohmann::json* found = find(key)) {
             if (!found->is_boolean()) fail(key, "true or false");

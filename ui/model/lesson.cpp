@@ -47,26 +47,20 @@ ExplorerState lesson_state(const Lesson& lesson, std::size_t step, bool solved, 
 }
 
 ExplorerState changed_state(const ExplorerState& state, const nlohmann::json& changes) {
-    nlohmann::json session = nlohmann::json::parse(json_text(session_to_json(state)));
+    nlohmann::json session(session_to_json(state));
     session.merge_patch(changes);
     return state_of_session(session);
 }
 
 std::optional<double> number_at(const std::string& pointer, const ExplorerState& state) {
-    const nlohmann::json session = nlohmann::json::parse(json_text(session_to_json(state)));
-    const nlohmann::json::json_pointer place(pointer);
-    if (!session.contains(place) || !session[place].is_number()) return std::nullopt;
-    return session[place].get<double>();
+    const auto value = session_value(state, pointer);
+    return value && value->is_number() ? std::optional(value->get<double>()) : std::nullopt;
 }
 
 bool holds(const StateCheck& check, const ExplorerState& state) {
-    if (check.equals.is_null()) {
-        const auto number = number_at(check.pointer, state);
-        return number && check.limits.hold(*number);
-    }
-    const nlohmann::json session = nlohmann::json::parse(json_text(session_to_json(state)));
-    const nlohmann::json::json_pointer place(check.pointer);
-    return session.contains(place) && session[place] == check.equals;
+    if (!check.equals.is_null()) return session_value(state, check.pointer) == check.equals;
+    const auto number = number_at(check.pointer, state);
+    return number && check.limits.hold(*number);
 }
 
 bool measures(const LessonStep& step, MeasureId id) {

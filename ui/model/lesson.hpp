@@ -125,8 +125,8 @@ struct Lesson {
 /// no session.
 ExplorerState lesson_state(const Lesson& lesson, std::size_t step, bool solved, const ExplorerState& now);
 
-/// A state with changes (a JSON merge patch of its session). Throws Error if the result is no session, or if
-/// a key does not exist.
+/// A state with changes (a JSON merge patch of its session). Throws Error if the result is not a session, or
+/// if a key does not exist.
 ExplorerState changed_state(const ExplorerState& state, const nlohmann::json& changes);
 
 /// The number at a JSON pointer into the session of a state; nullopt if there is none.

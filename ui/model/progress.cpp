@@ -59,8 +59,7 @@ Progress progress_from_json(const std::string& text) {
     Progress progress;
     std::vector<std::string> ignored;  // keys of later versions
     JsonReader reader(root, "", ignored, "progress");
-    const nlohmann::json* version = reader.find("momentscope_progress");
-    if (version == nullptr || *version != PROGRESS_VERSION) reader.fail("momentscope_progress", "1");
+    reader.version("momentscope_progress", PROGRESS_VERSION);
     const nlohmann::json* lessons = reader.find("lessons");
     if (lessons == nullptr || !lessons->is_object()) reader.fail("lessons", "an object");
     for (const auto& item : lessons->items()) {

@@ -41,7 +41,7 @@ constexpr std::uintmax_t MAX_PROGRESS_BYTES = 4U << 20;
 
 nlohmann::ordered_json progress_to_json(const Progress& progress);
 
-/// Throws Error if the text is no progress.
+/// Throws Error if the text does not hold progress.
 Progress progress_from_json(const std::string& text);
 
 /// The answers for a teacher, as Markdown: each lesson that was begun, its questions, the answers and the

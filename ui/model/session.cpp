@@ -233,6 +233,16 @@ ordered_json session_to_json(const ExplorerState& state) {
             {"plot_share", state.plot_share}};
 }
 
+std::optional<json> session_value(const ExplorerState& state, const std::string& pointer) {
+    try {
+        const json session(session_to_json(state));
+        const json::json_pointer place(pointer);
+        return session.contains(place) ? std::optional(session[place]) : std::nullopt;
+    } catch (const json::exception&) {  // it is not a pointer
+        return std::nullopt;
+    }
+}
+
 Session session_from_json(const std::string& text) {
     const json root = parse(text);
     Session session;

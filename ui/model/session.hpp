@@ -2,6 +2,7 @@
 #pragma once
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,10 @@ constexpr std::uintmax_t MAX_SESSION_BYTES = MAX_RAY_FILE_BYTES + (1U << 20);  /
 
 /// The whole state, so that the same window comes back bit by bit.
 nlohmann::ordered_json session_to_json(const ExplorerState& state);
+
+/// The value at a JSON pointer into the session of a state, such as "/parameters/beta"; nullopt if there is
+/// none.
+std::optional<nlohmann::json> session_value(const ExplorerState& state, const std::string& pointer);
 
 struct Session {
     ExplorerState state;

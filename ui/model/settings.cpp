@@ -29,8 +29,7 @@ Settings settings_from_json(const std::string& text) {
     Settings settings;
     std::vector<std::string> ignored;  // keys of later versions
     JsonReader reader(root, "", ignored, "settings file");
-    const nlohmann::json* version = reader.find("momentscope_settings");
-    if (version == nullptr || *version != SETTINGS_VERSION) reader.fail("momentscope_settings", "1");
+    reader.version("momentscope_settings", SETTINGS_VERSION);
     reader.choice("theme", settings.theme, THEME_NAMES);
     reader.number("text_scale", settings.text_scale, MIN_TEXT_SCALE, MAX_TEXT_SCALE);
     if (const nlohmann::json* found = reader.find("window")) {

@@ -34,7 +34,7 @@ constexpr std::uintmax_t MAX_SETTINGS_BYTES = 64U << 10;
 
 nlohmann::ordered_json settings_to_json(const Settings& settings);
 
-/// Throws Error if the text holds no settings. Missing keys are standard.
+/// Throws Error if the text does not hold settings. Missing keys are standard.
 Settings settings_from_json(const std::string& text);
 
 }  // namespace momentscope::ui

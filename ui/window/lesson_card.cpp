@@ -4,7 +4,9 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <functional>
 #include <utility>
+#include <vector>
 
 #include "ui/model/selection.hpp"
 #include "ui/widgets/rich_text.hpp"
@@ -193,67 +195,50 @@ struct HeadingButton {
     const char* help;
     const char* key;
     bool enabled;
-    bool wanted = false;  // it is what the student does next
+    bool wanted;  // is it what the student does next?
+    std::function<void()> run;
 };
 
-// The buttons, from left to right. Returns the index of the one that was clicked, or -1.
-int draw_buttons(const Ui& ui, std::span<const HeadingButton> buttons) {
-    const float gap = 0.2f * em();
-    float width = -gap;
-    for (const HeadingButton& button : buttons) width += button_width(button.label) + gap;
-    ImGui::SameLine(std::max(ImGui::GetContentRegionMax().x - width, 0.0f));
-    int clicked = -1;
-    for (std::size_t i = 0; i < buttons.size(); ++i) {
-        if (i > 0) ImGui::SameLine(0, gap);
-        ImGui::BeginDisabled(!buttons[i].enabled);
-        if (toggle_button(buttons[i].label, buttons[i].wanted)) clicked = static_cast<int>(i);
-        ImGui::EndDisabled();
-        ui.record_widget_rect(buttons[i].anchor);
-        tooltip(buttons[i].help, buttons[i].key);
-    }
-    return clicked;
-}
-
-void draw_heading(const Ui& ui, Workspace& w, const OpenStep& open) {
+std::vector<HeadingButton> heading_buttons(Workspace& w, const OpenStep& open) {
+    ExplorerState& state = w.state;
     const LessonStep& step = open.step();
     const auto previous = w.course.previous(open.place);
     const auto next = w.course.next(open.place);
-    const bool last = next && next->step == 0;
-    const HeadingButton buttons[] = {
-        {"hint", "card.hint", "Shows a hint.", "", !step.hint.empty()},
-        {w.state.answer ? "hide answer" : "answer", "card.answer", "Shows the answer.", "",
-         !step.answer.empty()},
-        {"◂", "card.back", "Goes back to the step before.", "PageUp", previous.has_value()},
-        {last ? "next lesson ▸" : "next ▸", "card.next", "Goes on.", "PageDown", next.has_value(),
-         open.progress.done},
-        {"close", "card.close", "Hides the lesson and keeps everything as it is.", "Escape", true}};
+    const char* const onward = next && next->step == 0 ? "next lesson ▸" : "next ▸";
+    return {{"hint", "card.hint", "Shows a hint.", "", !step.hint.empty(), false,
+             [&state] { state.hint = !state.hint; }},
+            {state.answer ? "hide answer" : "answer", "card.answer", "Shows the answer.", "",
+             !step.answer.empty(), false, [&state] { state.answer = !state.answer; }},
+            {"◂", "card.back", "Goes back to the step before.", "PageUp", previous.has_value(), false,
+             [&state, previous] { go_to(state, *previous, false); }},
+            {onward, "card.next", "Goes on.", "PageDown", next.has_value(), open.progress.done,
+             [&state, next] { go_forward(state, *next); }},
+            {"close", "card.close", "Hides the lesson and keeps everything as it is.", "Escape", true, false,
+             [&state] { close_card(state); }}};
+}
+
+// The title, and the buttons at the right.
+void draw_heading(const Ui& ui, Workspace& w, const OpenStep& open) {
+    const std::vector<HeadingButton> buttons = heading_buttons(w, open);
+    const float gap = 0.2f * em();
     float width = 0;
-    for (const HeadingButton& button : buttons) width += button_width(button.label) + 0.2f * em();
+    for (const HeadingButton& button : buttons) width += button_width(button.label) + gap;
     const std::string title = fmt::format("{}  {}/{}", open.place.lesson->title, open.place.step + 1,
                                           open.place.lesson->steps.size());
     ImGui::AlignTextToFramePadding();
     ImGui::PushFont(bold_font());
     ImGui::TextUnformatted(elided(title, std::max(ImGui::GetContentRegionAvail().x - width, em())).c_str());
     ImGui::PopFont();
-    switch (draw_buttons(ui, buttons)) {
-        case 0:
-            w.state.hint = !w.state.hint;
-            break;
-        case 1:
-            w.state.answer = !w.state.answer;
-            break;
-        case 2:
-            go_to(w.state, *previous, false);
-            break;
-        case 3:
-            go_forward(w.state, *next);
-            break;
-        case 4:
-            close_card(w.state);
-            break;
-        default:
-            break;
+    ImGui::SameLine(std::max(ImGui::GetContentRegionMax().x - width + gap, 0.0f), 0);
+    for (const HeadingButton& button : buttons) {
+        ImGui::BeginDisabled(!button.enabled);
+        if (toggle_button(button.label, button.wanted)) button.run();
+        ImGui::EndDisabled();
+        ui.record_widget_rect(button.anchor);
+        tooltip(button.help, button.key);
+        ImGui::SameLine(0, gap);
     }
+    ImGui::NewLine();
 }
 
 }  // namespace

@@ -133,11 +133,13 @@ void Files::use(const FileDialog::Choice& choice, Workspace& w) {
                    : has_key(text, "\"momentscope_lesson\"") ? Purpose::open_lesson
                                                              : Purpose::open_ray;
         if (purpose_ == Purpose::open_ray && !has_key(text, "\"fragments\""))
-            throw Error(fmt::format("'{}' is no session, lesson or view ray; drop another file.",
-                                    choice.path.filename().string()));
+            throw Error(
+                fmt::format("'{}' is neither a session nor a lesson nor a view ray; drop another file.",
+                            choice.path.filename().string()));
         if (purpose_ == Purpose::open_ray && !has_key(text, "\"fragments\""))
-            throw Error(fmt::format("'{}' is no session, lesson or view ray; drop another file.",
-                                    choice.path.filename().string()));
+            throw Error(
+                fmt::format("'{}' is neither a session nor a lesson nor a view ray; drop another file.",
+                            choice.path.filename().string()));
     }
     switch (purpose_) {
         case Purpose::open_session: {

@@ -71,11 +71,11 @@ void LessonWork::update(const Workspace& w, const std::optional<StepPlace>& open
                     ? std::as_const(progress).of(lesson, step).answer
                     : "";
     }
-    if (open && cause_.empty() && w.shown == w.state) {
+    if (open && cause_.empty() && measures(open->content(), MeasureId::color_error) && w.shown == w.state) {
         cause_ = greatest_cause(w.measurement().breakdown);
         verdict_ = w.measurement().breakdown.sentence;
     }
-    if (!open || open->content().checks.empty() || w.present) return;  // a lecture is nobody's progress
+    if (!open || open->content().checks.empty() || w.present) return;  // a lecture does not count as progress
     const LessonStep& content = open->content();
     if (std::as_const(progress).of(lesson, step).done || (asks_answer(content) && !answered_right_) ||
         !state_checks_hold(w, content))
